@@ -90,16 +90,16 @@ int run(double seconds, const QString& file) {
     OpenAlOutput sound;
     MainWindow window(sound);
     if (file.isEmpty()) {
-        window.loadBuiltinTooth(kBuiltinTeeth.front());
+        window.teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     } else {
         ToothSource source;
         source.outer = file.toStdString();
-        window.openTooth(source);
+        window.teeth().openTooth(source);
     }
-    window.loadBur(*findBur("58"));
+    window.teeth().loadBur(*findBur("58"));
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return 1;
-    if (!QTest::qWaitFor([&] { return !window.model().isBusy() && window.model().simulator() != nullptr; }, 60000)) {
+    if (!QTest::qWaitFor([&] { return !window.isBusy() && window.model().simulator() != nullptr; }, 60000)) {
         return 1;
     }
     auto& view = *window.findChild<ToothView*>("toothView");

@@ -18,7 +18,7 @@ constexpr double kAbove = 4;      // mm, free of the tooth
 constexpr double kAside = 6;      // mm
 constexpr double kFelt = 0.3;     // N
 constexpr double kEnoughCut = 0.02;  // mm^3
-constexpr int kTimeout = 20000;      // ms that only a broken program takes
+constexpr int kTimeout = 20000;      // ms; only a broken program takes so long
 
 }  // namespace
 
@@ -41,14 +41,15 @@ void DeviceSession::waitUntilRead() const {
     constexpr long kOnTheWay = 5;  // exchanges
     const long before = exchanges();
     QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kTimeout);
-    for (int step = 0; step < 3; ++step) {  // the window's: one sends, one hears, and one may have been under way
-        const double time = window_->model().newest().time;
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > time, kTimeout);
+    for (int step = 0; step < 3;
+         ++step) {  // steps of the window: one sends, one receives, and one may have been under way
+        const double time = window_->model().log().newest().time;
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > time, kTimeout);
     }
 }
 
 void DeviceSession::waitForHand() const {
-    constexpr long kArrives = 250;  // exchanges: its spring is critically damped, at 50/s
+    constexpr long kArrives = 250;  // exchanges: its spring is critically damped at 50/s
     const long before = exchanges();
     QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kTimeout);
     waitUntilRead();
@@ -61,13 +62,13 @@ void DeviceSession::clickButton(int button) const {
     waitUntilRead();
 }
 
-/// A device that is lost stays where it was, and may come back later: see lean.
+/// A lost device stays where it was and may come back later: see lean.
 void DeviceSession::liftOff() const {
     moveHand(0, kAbove);
-    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().newest().contacts == 0; }, 3000);
+    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().log().newest().contacts == 0; }, 3000);
 }
 
-/// A machine that stalls makes the device let go, and only who lifts off feels it again.
+/// A stalled machine stops the force until the hand has lifted off.
 void DeviceSession::lean() const {
     bool felt = force() > kFelt;
     for (int i = 0; i < 20 && !felt; ++i) {
@@ -80,7 +81,7 @@ void DeviceSession::lean() const {
 
 void DeviceSession::touchTheTooth() const {
     lean();
-    QTRY_VERIFY(window_->model().newest().contacts > 0);
+    QTRY_VERIFY(window_->model().log().newest().contacts > 0);
     QCOMPARE(removed(), 0.0);
     const auto isOn = [this] {
         if (!state().contains("The force is on")) lean();
@@ -92,10 +93,10 @@ void DeviceSession::touchTheTooth() const {
 void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().cutting, kTimeout);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 300'000, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 300'000, kTimeout);
     const double before = removed();
     QElapsedTimer since;
     since.start();
@@ -108,7 +109,7 @@ void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     pedal->setChecked(false);
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().cutting, kTimeout);
 }
 
 void DeviceSession::takeTheMirrorByButton(int button) const {
@@ -133,22 +134,23 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     lean();
     const double before = removed();
     const Simulator* const session = window_->model().simulator();
-    const std::size_t events = window_->model().events().all().size();
-    const double began = window_->model().newest().time;
+    const std::size_t events = window_->model().log().events().all().size();
+    const double began = window_->model().log().newest().time;
     setFault(fault);
     QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kTimeout);
     QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kTimeout);
     if (longestForce) {
-        QTest::qWait(50);  // for a force that came late
+        const double now = window_->model().log().newest().time;  // a late force would come now
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > now + 0.05, kTimeout);
         QVERIFY2(lastForceSinceFault() <= *longestForce, qPrintable(QString::number(lastForceSinceFault())));
         QCOMPARE(force(), 0.0);
     }
     setFault(0);
     QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kTimeout);
-    QCOMPARE(dismissMessages(), QString());  // which would take the keys and the pedal
+    QCOMPARE(dismissMessages(), QString());  // they would take the keys and the pedal
     QCOMPARE(removed(), before);
-    QVERIFY(window_->model().simulator() == session && window_->model().newest().time > began);
-    QVERIFY(window_->model().events().all().size() >= events);
+    QVERIFY(window_->model().simulator() == session && window_->model().log().newest().time > began);
+    QVERIFY(window_->model().log().events().all().size() >= events);
     lean();
 }
 

@@ -9,49 +9,49 @@
 
 namespace tactooth::test {
 
-/// The real window steered by a haptic device, whose stand-in has a hand on a spring inside. Whatever it waits for is
-/// something that happens, in the device's own time: a busy machine makes it slower and nothing else.
+/// The real window with a stand-in of a haptic device, whose hand is on a spring. The tests wait for events in the
+/// device's own time: a busy machine only slows them.
 class DeviceSession : public WindowSession {
 protected:
     // The stand-in of the device.
-    /// Where its hand wants to be, mm to the right of and above where it was when the device was opened.
+    /// Moves the rest position of the spring, mm to the right of and above the hand at the opening of the device.
     virtual void moveHand(double right, double up) const = 0;
     /// Bit i: button i is down.
     virtual void setButtons(unsigned down) const = 0;
-    /// That its motors make, N.
+    /// Of its motors, N.
     [[nodiscard]] virtual double force() const = 0;
-    /// How often it has told its place and been told a force, about once a millisecond.
+    /// Number of exchanges of a position for a force, about one a millisecond.
     [[nodiscard]] virtual long exchanges() const = 0;
-    /// 0: all is well.
+    /// 0: no fault.
     virtual void setFault(int fault) const = 0;
-    /// The last exchange with a force, counted since the fault began; 0: none.
+    /// Number of the last exchange with a force, counted from the fault on; 0: none.
     [[nodiscard]] virtual long lastForceSinceFault() const = 0;
 
     // The window.
     [[nodiscard]] QString state() const;
     [[nodiscard]] QString hint() const;
-    /// What the messages in front say, which are closed.
+    /// Closes the messages in front and returns their texts.
     [[nodiscard]] QString dismissMessages() const;
-    [[nodiscard]] Vec3 toolTip() const { return window_->model().newest().hand.position; }
+    [[nodiscard]] Vec3 toolTip() const { return window_->model().log().newest().hand.position; }
     [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().simulator()->mirrorMotion().position; }
     void chooseDevice(const char* list, const QString& name) const;
 
-    /// Until what was set in the stand-in and in the window has arrived at the simulation and come back.
+    /// Until a change in the stand-in or in the window has reached the simulation and come back.
     void waitUntilRead() const;
-    /// Until the hand, free of the tooth, is where it wants to be.
+    /// Until the hand, clear of the tooth, is at rest.
     void waitForHand() const;
     void clickButton(int button) const;
     void liftOff() const;
-    /// As often as it takes until the tooth is felt.
+    /// Leans on the tooth, repeatedly, until a force is felt.
     void lean() const;
 
-    // What every device has to do.
+    // Behaviour of each device.
     void touchTheTooth() const;
-    /// To and fro for at least so long.
+    /// Cuts to and fro for at least `seconds`.
     void cutByButtonAndPedal(int button, double seconds) const;
     void takeTheMirrorByButton(int button) const;
-    /// Mid-press: the window says `sentence`, no force is made later than so many exchanges after the fault (none: it
-    /// may be), all that was done is kept, and the same device goes on.
+    /// Breaks the device while it presses: the window shows `sentence`, the last force comes at most `longestForce`
+    /// exchanges after the fault (none: no limit), all work is kept, and the same device goes on.
     void breakMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const;
 };
 

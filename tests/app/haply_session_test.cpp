@@ -40,7 +40,7 @@ private slots:
     void cleanupTestCase() { closeWindow(); }
 
 private:
-    /// In metres, with z up.
+    /// In metres, z up.
     void moveHand(double right, double up) const override { service_.wantPosition(1e-3 * right, 0, 1e-3 * up); }
     void setButtons(unsigned down) const override { service_.setGrip({1, 0, 0, 0}, down); }
     [[nodiscard]] double force() const override { return service_.force(); }
@@ -57,10 +57,10 @@ private:
 void HaplySessionTest::initTestCase() {
     openWindow();
     WindowSettings settings = window_->settings();
-    settings.hand.device = "inverse3";  // as by --device inverse3
+    settings.hand.device = "inverse3";  // as with --device inverse3
     window_->apply(settings);
     waitForTooth();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
 }
 
 void HaplySessionTest::theArmTakesTheTool() {
@@ -74,9 +74,9 @@ void HaplySessionTest::theArmTakesTheTool() {
 
 void HaplySessionTest::theGripTurnsTheBur() {
     liftOff();
-    const Vec3 shaft = window_->model().newest().hand.rotation * Vec3::UnitZ();
+    const Vec3 shaft = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
     const auto leansBy = [&](double cosine) {
-        const Vec3 now = window_->model().newest().hand.rotation * Vec3::UnitZ();
+        const Vec3 now = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
         return std::abs(now.dot(shaft) - cosine) < 1e-3;
     };
     const double half = 0.25;  // rad
@@ -98,7 +98,7 @@ void HaplySessionTest::buttonCHoldsTheBur() {
     QVERIFY((toolTip() - tool).norm() < 0.1);
     moveHand(0, 15);
     QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool - Vec3(0, 0, 5)).norm() < 0.1, 10000);
-    setButtons(4);  // and to whole enamel beside the cut, which a long one would fall into
+    setButtons(4);  // to intact enamel: a long device could fall into the cut
     waitUntilRead();
     moveHand(2.5, 9);
     waitForHand();
@@ -109,9 +109,9 @@ void HaplySessionTest::buttonCHoldsTheBur() {
 void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::addColumn<HaplyFault>("fault");
     QTest::addColumn<QString>("sentence");
-    QTest::addColumn<bool>("isLoss");  // no new place comes, or it is refused
+    QTest::addColumn<bool>("isLoss");  // no new position comes, or it is refused
     QTest::newRow("connection lost") << HaplyFault::Drop << "has closed the connection" << true;
-    if (longSession() == nullptr) return;  // each takes the time that its sentence is shown
+    if (longSession() == nullptr) return;  // each takes as long as its sentence is shown
     QTest::newRow("slow") << HaplyFault::Slow << "answers too slowly" << true;
     QTest::newRow("no answer") << HaplyFault::Mute << "has stopped answering" << true;
     QTest::newRow("no message") << HaplyFault::Malformed << "what is no message" << true;
@@ -137,7 +137,7 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
     QFETCH(const HaplyFault, fault);
     QFETCH(const QString, sentence);
     QFETCH(const bool, isLoss);
-    // In messages, one a millisecond: the first is under way when the fault begins, then 5 ms, or 2.
+    // In messages, one each millisecond: the first is under way when the fault begins, then 5 ms, or 2.
     breakMidPress(static_cast<int>(fault), sentence, isLoss ? 6 : 3);
     QCOMPARE(service_.connections(), 1);
 }
@@ -147,7 +147,7 @@ void HaplySessionTest::backToTheMouseTheConnectionIsClosed() {
     QTRY_COMPARE_WITH_TIMEOUT(service_.connections(), 0, 10000);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY(state().contains("mouse"));
-    waitForTooth();  // the simulation begins anew
+    waitForTooth();  // the simulator restarts
     QVERIFY(removed() > 0.02);
 }
 
@@ -168,11 +168,11 @@ void HaplySessionTest::aServiceThatCannotBeUsedLeavesTheMouseAndSaysWhatToDo() {
     QFETCH(const QString, device);
     QFETCH(const QString, sentence);
     service_.setFault(fault);
-    window_->openFirstDevice(device);
+    window_->devices().openFirst(device);
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains(sentence), 20000);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentData(), QVariant("mouse"));
-    QVERIFY(window_->model().device() == nullptr);
+    QVERIFY(window_->model().devices().first() == nullptr);
 }
 
 }  // namespace tactooth

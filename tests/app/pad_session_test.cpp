@@ -22,6 +22,11 @@
 #include "devices/virtual_pad.h"
 
 namespace tactooth {
+namespace {
+
+constexpr double kLift = 2;  // mm, clear of the tooth
+
+}  // namespace
 
 class PadSessionTest : public test::WindowSession {
     Q_OBJECT
@@ -47,7 +52,7 @@ private slots:
 
 private:
     void press(SDL_GameControllerButton button, int times = 1);
-    void hold(SDL_GameControllerButton button, int ms);
+    void waitForPad() const;
     void pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen);
     void holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done);
     void stick(SDL_GameControllerAxis axis, double value) { pad_->axis(axis, value); }
@@ -55,8 +60,8 @@ private:
     void choose(const QAction* entry);
     [[nodiscard]] static QMenu* menu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
     [[nodiscard]] QAction* entry(const QString& text) const;
-    [[nodiscard]] Pose tool() const { return window_->model().newest().hand; }
-    [[nodiscard]] bool isCutting() const { return window_->model().newest().cutting; }
+    [[nodiscard]] Pose tool() const { return window_->model().log().newest().hand; }
+    [[nodiscard]] bool isCutting() const { return window_->model().log().newest().cutting; }
     [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
 
     std::unique_ptr<test::VirtualPad> pad_;
@@ -65,38 +70,41 @@ private:
 
 void PadSessionTest::press(SDL_GameControllerButton button, int times) {
     for (int i = 0; i < times; ++i) {
-        hold(button, 60);
-        QTest::qWait(60);
+        pad_->button(button, true);
+        waitForPad();
+        pad_->button(button, false);
+        waitForPad();
     }
 }
 
-void PadSessionTest::hold(SDL_GameControllerButton button, int ms) {
-    pad_->button(button, true);
-    QTest::qWait(ms);
-    pad_->button(button, false);
+/// Until the program has read the pad, each 4 ms, and the window has made a step with it.
+void PadSessionTest::waitForPad() const {
+    QTest::qWait(5);
+    waitForSteps(2);
 }
 
-/// The next press comes when this one has been seen, or seems to be lost.
+/// Presses and waits until the effect is visible, at most a second: then the press seems lost.
 void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen) {
     press(button);
     (void)QTest::qWaitFor(seen, 1000);
 }
 
-/// As a person who looks does: a busy machine draws late.
+/// Holds the button until the effect is visible, as a user does: a busy machine draws late.
 void PadSessionTest::holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done) {
     pad_->button(button, true);
     const bool isDone = QTest::qWaitFor(done, 10000);
     pad_->button(button, false);
     QVERIFY(isDone);
-    QTest::qWait(100);
+    waitForPad();
 }
 
 void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
-    hold(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 300);
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().newest().contacts, 0U, 10000);
+    const double height = tool().position.z();
+    holdUntil(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, [&] { return tool().position.z() > height + kLift; });
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, 10000);
 }
 
 QAction* PadSessionTest::entry(const QString& text) const {
@@ -106,7 +114,7 @@ QAction* PadSessionTest::entry(const QString& text) const {
     return nullptr;
 }
 
-/// Walks through the menus as a person does: to the right until the entry is seen, then down to it.
+/// Moves through the menus as a user does: to the right until the entry is visible, then down to it.
 void PadSessionTest::choose(const QAction* entry) {
     QVERIFY(entry != nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
@@ -137,9 +145,10 @@ void PadSessionTest::initTestCase() {
     settings.hand.device = "gamepad";
     window_->apply(settings);
     window_->welcome();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
     waitForTooth();
-    QApplication::setActiveWindow(window_->findChild<WelcomeDialog*>());  // a bare X server has nobody who would do it
+    QApplication::setActiveWindow(
+        window_->findChild<WelcomeDialog*>());  // a bare X server has no window manager to do it
 }
 
 void PadSessionTest::theWelcomeIsAnsweredByThePad() {
@@ -152,8 +161,8 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("practise"));
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
-    QTRY_VERIFY(window_->isActiveWindow());  // or menus that come late are closed
-    QTest::qWait(200);
+    QTRY_VERIFY(window_->isActiveWindow());  // otherwise Qt closes menus that open late
+    waitForSteps(10);
     QVERIFY(!isCutting());
     QVERIFY((tool().position - before.position).norm() < 0.01);
     QVERIFY2(hint().contains("Start: menus"), qPrintable(hint()));
@@ -161,7 +170,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
 
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, 20000);
     QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
     QCOMPARE(removed(), 0.0);
     liftOff();
@@ -171,7 +180,7 @@ void PadSessionTest::theToothIsCut() {
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY_WITH_TIMEOUT(isCutting(), 5000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().speedRpm > 200'000, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 200'000, 10000);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
     QElapsedTimer since;
     since.start();
@@ -188,7 +197,7 @@ void PadSessionTest::theMenuTakesTheCutBack() {
     const bool cutting = isCutting();
     choose(entry("Undo cut"));
     QTRY_VERIFY_WITH_TIMEOUT(removed() < before, 10000);
-    QCOMPARE(isCutting(), cutting);  // A was for the menu
+    QCOMPARE(isCutting(), cutting);  // button A was for the menu
 }
 
 void PadSessionTest::aMenuShowsTheToothFromAbove() {
@@ -197,36 +206,36 @@ void PadSessionTest::aMenuShowsTheToothFromAbove() {
 }
 
 void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
-    QTest::qWait(300);
+    waitForSteps(10);
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY(menu() != nullptr);
-    QTest::qWait(200);
+    waitForSteps(10);
     const Pose before = tool();
     const bool cutting = isCutting();
     const OrbitCamera::Direction eye = view().orbitCamera().direction();
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     stick(SDL_CONTROLLER_AXIS_RIGHTY, 1);
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 2);
-    QTest::qWait(300);
+    waitForSteps(10);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     stick(SDL_CONTROLLER_AXIS_RIGHTY, 0);
     const auto moved = [&] { return (tool().position - before.position).norm(); };
     QVERIFY(menu() != nullptr);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm with the menu open").arg(moved())));
-    press(SDL_CONTROLLER_BUTTON_B);  // at work it would take the mirror
+    press(SDL_CONTROLLER_BUTTON_B);  // outside menus it takes the mirror
     QTRY_VERIFY(menu() == nullptr);
-    QTest::qWait(300);
+    waitForSteps(10);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm after it").arg(moved())));
     QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
     QCOMPARE(isCutting(), cutting);
     QCOMPARE(view().orbitCamera().direction().azimuth, eye.azimuth);
-    // The pad is at work again, and it is still the turbine that it moves.
+    // The pad moves the tool again, and it is still the turbine.
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
     QTRY_VERIFY(moved() > 1);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
 }
 
-/// A window that is busy hears of several presses at one time.
+/// A busy window receives several presses at once.
 void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY(menu() != nullptr);
@@ -234,7 +243,7 @@ void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     QCOMPARE(menu()->menuAction(), menus[0]);
     for (int i = 0; i < 3; ++i) {
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
-        QThread::msleep(40);  // the window stands still
+        QThread::msleep(40);  // blocks the window
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
         QThread::msleep(40);
     }
@@ -278,7 +287,7 @@ void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
               [&] { return before.direction().azimuth - view().orbitCamera().direction().azimuth > 0.2; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
-    QTest::qWait(100);
+    waitForPad();
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_UP,
               [&] { return (view().orbitCamera().target() - before.target()).norm() > 0.5; });
     pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
@@ -298,7 +307,7 @@ void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isBusy() && window_->model().bur()->name != before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().bur()->name != before, 20000);
 }
 
 void PadSessionTest::aParameterIsChangedInAPanel() {
@@ -309,7 +318,7 @@ void PadSessionTest::aParameterIsChangedInAPanel() {
         for (int k = 0; k < 8 && !isMotionScaling(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     }
     QVERIFY(isMotionScaling());
-    QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another panel
+    QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another tab
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 3);
     QTRY_VERIFY(window_->model().controls.motionScaling > before);
     press(SDL_CONTROLLER_BUTTON_DPAD_LEFT, 3);
@@ -335,10 +344,10 @@ void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
 }
 
 void PadSessionTest::withTheMouseThePadOpensNothing() {
-    window_->openFirstDevice("mouse");
-    QTRY_VERIFY(window_->model().device() == nullptr);
+    window_->devices().openFirst("mouse");
+    QTRY_VERIFY(window_->model().devices().first() == nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTest::qWait(200);
+    waitForSteps(10);
     QVERIFY(menu() == nullptr);
     QVERIFY(!window_->model().controls.clutch);
 }

@@ -47,7 +47,7 @@ private slots:
     void cleanupTestCase() { closeWindow(); }
 
 private:
-    /// Up is +y in the frame of the driver.
+    /// Up is +y in the driver's frame.
     void moveHand(double right, double up) const override { standin_->wantPosition(right, up, 0); }
     void setButtons(unsigned down) const override { standin_->setButtons(static_cast<int>(down)); }
     [[nodiscard]] double force() const override { return standin_->forceOf(0); }
@@ -63,7 +63,7 @@ private:
 
 namespace {
 
-constexpr double kMaxForce = 3.3;  // N, of the stand-in
+constexpr double kMaxForce = 3.3;  // N, the limit of the stand-in
 
 const test::HdStandinControl* standin() {
     return static_cast<const test::HdStandinControl*>(
@@ -113,14 +113,14 @@ void PenSessionTest::eachHandMayChooseAPenByItsName() {
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     chooseDevice("devices", "pen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().device() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
     QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY(hint().contains("inkwell"));
     standin_->setFault(static_cast<int>(HdFault::None));
     QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), 20000);
     QVERIFY(!hint().contains("inkwell"));
-    QCOMPARE(dismissMessages(), QString());  // a hand at work is not stopped by one
+    QCOMPARE(dismissMessages(), QString());  // a message would stop the hand at work
     QVERIFY2(state().contains("Touch (stand-in)"), qPrintable(state()));
 }
 
@@ -133,8 +133,8 @@ void PenSessionTest::itsBlueButtonCutsAndThePedalTurnsTheBur() {
 void PenSessionTest::theClutchHoldsTheBur() {
     const Vec3 tool = toolTip();
     auto* clutch = window_->findChild<QPushButton*>("clutch");
-    (void)dismissMessages();  // of a device that a busy machine has stalled: they take all keys
-    key(Qt::Key_X);           // which works behind another tab
+    (void)dismissMessages();  // a device that a busy machine has stalled may have one; it takes all keys
+    key(Qt::Key_X);           // works behind another tab too
     QVERIFY(clutch->isChecked());
     waitUntilRead();
     moveHand(0, 4);
@@ -143,7 +143,7 @@ void PenSessionTest::theClutchHoldsTheBur() {
     clutch->setChecked(false);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.5);
-    clutch->setChecked(true);  // and back, so that the hand is over the tooth again
+    clutch->setChecked(true);  // moves the hand back over the tooth
     waitUntilRead();
     moveHand(6, 4);
     waitForHand();
@@ -169,7 +169,7 @@ void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
     QVERIFY(std::abs((toolTip() - tool).z() - 6 / window_->model().motionScaling()) < 0.05);
 }
 
-/// Its room ends 80 mm to the right.
+/// Its workspace ends 80 mm to the right.
 void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
     const QString told = "end of the device's room";
     QVERIFY(!hint().contains(told));
@@ -211,9 +211,9 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
 void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::addColumn<HdFault>("fault");
     QTest::addColumn<QString>("sentence");
-    QTest::addColumn<bool>("isLimp");  // or goes on, more weakly
+    QTest::addColumn<bool>("isLimp");  // or goes on with less force
     QTest::newRow("link") << HdFault::LinkFault << "check its cable" << true;
-    if (qEnvironmentVariableIsSet("TACTOOTH_SESSION_SECONDS")) return;  // the short session goes through the others
+    if (qEnvironmentVariableIsSet("TACTOOTH_SESSION_SECONDS")) return;  // the short session tests the others
     QTest::newRow("unplugged") << HdFault::Unplugged << "has stopped answering" << true;
     QTest::newRow("device, motors alive") << HdFault::DeviceFault << "reports a fault" << true;
     QTest::newRow("place is no number") << HdFault::NanPose << "is no number" << true;
@@ -227,7 +227,7 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
     QFETCH(const HdFault, fault);
     QFETCH(const QString, sentence);
     QFETCH(const bool, isLimp);
-    // 2 ms after the first bad reading, of the driver's own time.
+    // 2 ms of the driver's time after the first bad reading.
     breakMidPress(static_cast<int>(fault), sentence, isLimp ? std::optional(3L) : std::nullopt);
 }
 
@@ -236,19 +236,19 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, 10000);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY(state().contains("mouse"));
-    waitForTooth();  // the simulation begins anew
+    waitForTooth();  // the simulator restarts
     QVERIFY(removed() > 0.02);
 }
 
 void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     const auto* devices = window_->findChild<QComboBox*>("devices");
-    window_->openFirstDevice("pen:Third");
+    window_->devices().openFirst("pen:Third");
     QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
                              20000);
     QCOMPARE(devices->currentIndex(), 0);
-    QVERIFY(window_->model().device() == nullptr);
+    QVERIFY(window_->model().devices().first() == nullptr);
 }
 
 void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {

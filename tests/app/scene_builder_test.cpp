@@ -50,7 +50,7 @@ TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
     EXPECT_EQ(std::get<0>(fast.objects[2].shape), contents.tool->blurred);
     EXPECT_GT(fast.objects[2].appearances.front().opacity, 2 * slow.objects[2].appearances.front().opacity);
     EXPECT_LT(fast.objects[2].appearances.front().opacity, 1);
-    // What is seen of the blades does not depend on the moment of the picture any more.
+    // The picture of the blades no longer depends on the moment.
     EXPECT_EQ(slow.objects[1].spin, 0.5);
     EXPECT_EQ(fast.objects[1].spin, 0);
 }
@@ -128,7 +128,7 @@ TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing)
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(0, 0, 20));
 }
 
-/// The law of reflection: the ray from the eye that meets the middle of the glass goes on to the lingual side.
+/// Law of reflection: the ray from the eye to the middle of the glass is reflected to the lingual side.
 TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     const MirrorDisc disc{.radius = 10};

@@ -34,7 +34,7 @@ protected:
         MolarPictures::TearDownTestSuite();
     }
 
-    /// Where the bur bites when it comes down from `above`.
+    /// The contact of a bur that comes down from `above`.
     static Vec3 letDown(CutModel& piece, Vec3 above, const Quat& grip) {
         constexpr double kStep = 0.05;  // mm
         while (total(piece.removed()) == 0 && above.z() > 0) {

@@ -10,9 +10,13 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -27,17 +31,42 @@ using namespace test;
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-constexpr double kLongestStart = 100;  // s of a busy computer
+constexpr double kLongestStart = 100;  // s, on a busy machine
+
+/// A phase of the start, told by a thread that the program then has. None: it has just begun.
+using StartPhase = std::optional<std::string>;
+const StartPhase kBegun;
+const StartPhase kConnected = "QXcbEventQueue";  // to the display; there is no window yet
+const StartPhase kWorking = "servo";             // the window is open and the simulator runs
 
 Environment homeIn(const TemporaryFolder& home) {
     return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};
 }
 
-/// Starts the program and sends the signal after so many seconds: the moment is what is tried, from before there is a
-/// window on.
-ProgramRun runFor(double seconds, int number, const TemporaryFolder& home) {
+bool hasThread(pid_t process, const std::string& name) {
+    std::error_code ended;
+    for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(process) + "/task", ended)) {
+        std::string found;
+        std::getline(std::ifstream(task.path() / "comm"), found);
+        if (found == name) return true;
+    }
+    return false;
+}
+
+/// Returns whether the start has reached the phase.
+bool waitFor(const RunningTactooth& program, const StartPhase& phase) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(kLongestStart);
+    while (phase && !hasThread(program.number(), *phase)) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return true;
+}
+
+/// Starts the program and sends the signal in this phase.
+ProgramRun runUntil(const StartPhase& phase, int number, const TemporaryFolder& home) {
     RunningTactooth program({}, homeIn(home));
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    EXPECT_TRUE(waitFor(program, phase)) << phase.value_or("");
     ::kill(program.number(), number);
     return program.wait();
 }
@@ -50,8 +79,8 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
     fs::create_directories(settings.parent_path());
     std::ofstream(settings) << "[hand]\nrate = 99\nfineness = 2\n";
     bool isClosed = false;
-    for (double seconds = 0.25; !isClosed && seconds < kLongestStart; seconds *= 2) {
-        const ProgramRun run = runFor(seconds, GetParam(), home);
+    for (const StartPhase& phase : {kBegun, kConnected, kWorking}) {
+        const ProgramRun run = runUntil(phase, GetParam(), home);
         EXPECT_EQ(run.signal, GetParam()) << run.exitCode << run.err;
         isClosed = run.err.find("tactooth: closed by SIG") != std::string::npos;
         EXPECT_EQ(run.err.find("before it was done") == std::string::npos, isClosed || run.err.empty()) << run.err;
@@ -66,7 +95,7 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
 INSTANTIATE_TEST_SUITE_P(All, WindowEndings, ::testing::Values(SIGTERM, SIGINT, SIGHUP),
                          [](const auto& each) { return std::string(sigabbrev_np(each.param)); });
 
-/// A display of its own that can be taken away.
+/// A display that the test can end.
 class OwnDisplay {
 public:
     OwnDisplay() {
@@ -103,15 +132,14 @@ private:
 
 TEST(WindowWithoutDisplay, LetsTheHandGoAndSaysSo) {
     std::string said;
-    for (double seconds = 1; seconds < kLongestStart && said.find("the hand was let go") == said.npos; seconds *= 2) {
+    for (const StartPhase& phase : {kConnected, kWorking}) {
         const TemporaryFolder home;
         OwnDisplay display;
         ASSERT_NE(display.name(), "");
         Environment environment = homeIn(home);
         environment["DISPLAY"] = display.name();
         RunningTactooth program({}, environment);
-        // The moment is what is tried: at the latest one the window is shown, at the first ones it may not be.
-        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        EXPECT_TRUE(waitFor(program, phase)) << *phase;
         display.takeAway();
         const ProgramRun run = program.wait();
         EXPECT_EQ(run.signal, 0) << "no crash, whenever it happens: " << run.err;
@@ -125,10 +153,8 @@ TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {
     const fs::path settings = home / "tactooth/window.toml";
     fs::create_directories(settings.parent_path());
     std::ofstream(settings) << "rate = [";
-    for (double seconds = 1; seconds < kLongestStart; seconds *= 2) {
-        const ProgramRun run = runFor(seconds, SIGTERM, home);
-        if (run.err.find("tactooth: closed by SIG") != std::string::npos) break;
-    }
+    const ProgramRun run = runUntil(kWorking, SIGTERM, home);
+    EXPECT_THAT(run.err, HasSubstr("tactooth: closed by SIG"));
     EXPECT_TRUE(readWindowSettings(settings));
     EXPECT_TRUE(fs::exists(settings));
     std::string kept;
@@ -136,7 +162,7 @@ TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {
     EXPECT_EQ(kept, "rate = [");
 }
 
-/// Lets time pass until the condition holds.
+/// Processes events until the condition holds, at most so long.
 template <class Condition>
 bool passUntil(const Condition& condition, qint64 milliseconds) {
     QElapsedTimer timer;
@@ -155,8 +181,8 @@ TEST(SettingsAutosave, WritesSoonAfterAChangeAndNotWithoutOne) {
     const TemporaryFolder home;
     const fs::path file = home / "tactooth/window.toml";
     WindowSettings settings;
-    SettingsAutosave autosave([&] { return settings; }, file);
-    EXPECT_FALSE(passUntil([&] { return fs::exists(file); }, 3500)) << "nothing has changed";
+    SettingsAutosave autosave([&] { return settings; }, file, std::chrono::milliseconds(50));
+    EXPECT_FALSE(passUntil([&] { return fs::exists(file); }, 200)) << "nothing has changed";
     for (const double rate : {2000.0, 1500.0, 3000.0}) {
         settings.hand.rate = rate;
         const auto isWritten = [&] {

@@ -78,7 +78,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTRY_VERIFY(fact("enamel removed") != "0.00 mm\u00b3");
     QTRY_VERIFY(fact("Cut beyond") != "0.00 mm\u00b3" || cleared->value() > 0);
     const auto report = folder_ / "report.csv";
-    window_->exportReportTo(QString::fromStdString(report.string()));
+    window_->exercise().exportReport(QString::fromStdString(report.string()));
     std::ifstream file(report);
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     QVERIFY(text.find("task,\"Pit in the molar\"") != std::string::npos);
@@ -115,11 +115,11 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QTRY_VERIFY(QString::fromStdString(window_->model().bur()->name).contains("245"));
     QVERIFY(window_->settings().recent.find("own.toml") != std::string::npos);
 
-    // The teacher goes on writing: the same file has one entry in the list.
+    // After a change of the file it still has one entry in the list.
     test::writeText(file,
                     "name = \"Distal pit, deeper\"\ntask = \"Deeper.\"\ntooth = 46\nbur = \"245\"\n"
                     "[cavity]\ndepth = 1.6\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
-    window_->openExercise(QString::fromStdString(file.string()));
+    window_->exercise().open(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), 60000);
     QCOMPARE(choice->count(), before + 1);
     QCOMPARE(choice->currentText(), "Distal pit, deeper");
@@ -131,12 +131,12 @@ void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
     const QString title = window_->windowTitle();
     const auto file = folder_ / "bad.toml";
     test::writeText(file, "name = \"Bad\"\ntask = \"None.\"\ntooth = 46\nbur = \"none\"\n");
-    window_->openExercise(QString::fromStdString(file.string()));
+    window_->exercise().open(QString::fromStdString(file.string()));
     const QString sentence = dismissMessage();
     QVERIFY2(sentence.contains("bad.toml, line 4: there is no bur 'none'"), qPrintable(sentence));
     test::writeText(file,
                     "name = \"Bad\"\ntask = \"None.\"\ntooth = \"gone.stl\"\nbur = \"330\"\nideal = \"gone.stl\"\n");
-    window_->openExercise(QString::fromStdString(file.string()));
+    window_->exercise().open(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 20000);
     QVERIFY(dismissMessage().contains("gone.stl"));
     QCOMPARE(window_->windowTitle(), title);

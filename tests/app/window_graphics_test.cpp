@@ -36,9 +36,9 @@ void WindowGraphicsTest::initTestCase() {
 
 void WindowGraphicsTest::cleanupTestCase() { closeWindow(); }
 
-/// In another window the picture gets another context, and all that lay on the graphics card is gone.
+/// Another window gives the picture another context: all objects on the graphics card are lost.
 void WindowGraphicsTest::aLostContextIsMadeAnewWithTheSamePicture() {
-    QTest::qWait(2500);  // until the careful picture is there
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
     const QImage before = view().grabFramebuffer();
     const std::uint64_t drawn = view().pictures();
     const QOpenGLContext* context = view().context();
@@ -51,7 +51,7 @@ void WindowGraphicsTest::aLostContextIsMadeAnewWithTheSamePicture() {
     QVERIFY(QTest::qWaitForWindowExposed(&other));
     QTRY_VERIFY(picture->context() != context);
     QTRY_VERIFY(picture->pictures() > drawn);
-    QTest::qWait(2500);
+    QTRY_VERIFY_WITH_TIMEOUT(picture->isAtRest(), 30000);
     const QImage after = picture->grabFramebuffer();
     window_->setCentralWidget(other.takeCentralWidget());
     QCOMPARE(failed.count(), 0);
@@ -90,24 +90,25 @@ void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo() {
 }
 
 void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
-    QTest::qWait(2500);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
     const std::uint64_t drawn = view().pictures();
+    QSignalSpy composed(&view(), &QOpenGLWidget::frameSwapped);
     for (int i = 0; i < 5; ++i) {
-        view().update();  // as after a menu has been over it
-        QTest::qWait(50);
+        view().update();  // as after a menu over it
+        QVERIFY(composed.wait(10000));
     }
     QCOMPARE(view().pictures(), drawn);
     view().setView(StandardView::Distal);
     QTRY_VERIFY(view().pictures() > drawn);
 }
 
-/// The processor time of all threads. A quiet machine takes 4 % of a core, of which half is the servo's; one that
-/// shares its two cores with other builds up to 9.
+/// The processor time of all threads. On a quiet machine it is 4 % of a core, half of it the servo's; on one that also
+/// builds on its two cores, up to 9.
 void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
-    QTest::qWait(13000);  // until the picture is careful and the plots are empty
+    waitForRest();
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
     const double before = used();
-    constexpr int kSeconds = 5;
+    constexpr int kSeconds = 2;
     QTest::qWait(1000 * kSeconds);
     const double share = (used() - before) / kSeconds;
     qInfo("%.1f %% of a core", 100 * share);

@@ -23,9 +23,9 @@
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/window/window_owner.h"
 #include "app/gui/window/window_setup.h"
-#include "app/slow_device.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
+#include "session/model/slow_device.h"
 #include "sound/sound_files.h"
 #include "support/shapes.h"
 
@@ -73,7 +73,8 @@ void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
     QVERIFY(!hint->text().isEmpty());
     for (int width = 2400; width > 600 && hint->shown() == hint->text(); width -= 50) {
         window_->resize(width, size.height());
-        QTest::qWait(50);
+        (void)QTest::qWaitFor([&] { return window_->width() == width; }, 1000);
+        QCoreApplication::processEvents();
     }
     QVERIFY2(hint->shown().endsWith(QChar(0x2026)), qPrintable(hint->shown()));
     window_->resize(size);
@@ -82,9 +83,9 @@ void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
 void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     test::writeTone(folder_ / "late.wav", 48000 * 5, 0.3);
     auto* sounds = window_->findChild<QComboBox*>("sounds");
-    window_->openSounds(QString::fromStdString(folder_ / "late.wav"));
-    emit sounds->activated(0);  // before the window has had time to look for the result
-    QTest::qWait(1500);
+    window_->sounds().open(QString::fromStdString(folder_ / "late.wav"));
+    emit sounds->activated(0);  // before the window has polled the result
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->sounds().isReading(), 20000);
     QCOMPARE(sounds->currentText(), QString("Synthesised"));
     QVERIFY(window_->settings().ownSounds.empty());
 }
@@ -148,7 +149,7 @@ void WindowLookTest::aTargetColoursTheTooth() {
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
     QVERIFY(!coloured->isEnabled());
     const QImage before = view().grabFramebuffer();
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     QVERIFY(view().grabFramebuffer() != before);
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
@@ -163,11 +164,11 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(!ghost->isEnabled() && !entry->isEnabled());
     QVERIFY(ghost->toolTip().contains("Choose a target first"));
     const QImage plain = view().grabFramebuffer();
-    // A ball of 2 mm in the fossa, which lies some millimetres below the cusps.
+    // A ball of 2 mm in the fossa, some millimetres below the cusps.
     const Box3 box = window_->model().tooth()->box();
     const auto file = folder_ / "cavity.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     QVERIFY(ghost->isEnabled() && entry->isEnabled() && !ghost->isChecked());
     const QImage colours = view().grabFramebuffer();
@@ -182,14 +183,14 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     QVERIFY(ghost->isChecked());
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
     QVERIFY(!ghost->isChecked() && coloured->isChecked());
-    loadMolar();  // another tooth: the target was not for it
+    loadMolar();  // the target does not fit another tooth
     QVERIFY(!ghost->isEnabled() && !entry->isEnabled() && !ghost->isChecked());
 }
 
 void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
     const auto file = folder_ / "around.stl";
     QVERIFY(writeStl(test::sphere(Vec3::Zero(), 40, 40, 30), file).has_value());
-    window_->openTarget(QString::fromStdString(file.string()));
+    window_->exercise().openTarget(QString::fromStdString(file.string()));
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
     QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
     auto* ghost = window_->findChild<QCheckBox*>("ghost");
@@ -201,19 +202,19 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().newest().time > 1, 20000);  // something to show
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, 20000);  // there is something to show
     QTest::mouseClick(pause, Qt::LeftButton);
     QVERIFY(pause->isChecked());
     stretch->setValue(4);
     for (const char* name : {"plots.csv", "plots.png", "plots.svg"}) {
-        window_->exportPlotsTo(QString::fromStdString((folder_ / name).string()));
+        window_->records().exportPlotsTo(QString::fromStdString((folder_ / name).string()));
         QVERIFY2(std::filesystem::file_size(folder_ / name) > 100, name);
     }
     std::ifstream table(folder_ / "plots.csv");
     std::string head;
     std::getline(table, head);
     QCOMPARE(head, std::string("t,depth,speed,force"));
-    window_->exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
+    window_->records().exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
     QVERIFY(dismissMessage().contains("end its name in .csv, .svg or .png"));
     QTest::mouseClick(pause, Qt::LeftButton);
     stretch->setValue(10);
@@ -227,11 +228,11 @@ QAction* WindowLookTest::action(const QString& text) const {
 }
 
 void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
-    window_->model().install(std::make_unique<test::SlowDevice>());
+    window_->model().install(DeviceSlot::First, std::make_unique<test::SlowDevice>());
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
     QCOMPARE(QApplication::activeModalWidget(), nullptr);
-    window_->model().useMouse();
+    window_->model().install(DeviceSlot::First, nullptr);
 }
 
 void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
@@ -248,7 +249,7 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
     auto* panel = window_->findChild<TimingPanel*>();
-    panel->reset();  // as for another simulator
+    panel->reset();  // as at a restart of the simulator
     panel->show(*window_->model().simulator(), "mouse", 1000);
     QVERIFY(ticks() >= all);
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
@@ -257,7 +258,7 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
 void WindowLookTest::openedTeethAreInTheRecentMenu() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
-    window_->openTooth({.outer = file, .layers = {}});
+    window_->teeth().openTooth({.outer = file, .layers = {}});
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
     loadMolar();
     auto* recent = window_->findChild<QMenu*>("recent");
@@ -298,13 +299,13 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     languages()[2]->trigger();
     QTRY_COMPARE(title(), QStringLiteral("ファイル(&F)"));
     QVERIFY(holder.window().isVisible());
-    QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own words
+    QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own texts
     QVERIFY(languages()[2]->isChecked());
     QCOMPARE(holder.window().settings().language, std::string("ja"));
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, 60000);
-    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all that was cut from it
+    QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all of its cuts
     QTRY_VERIFY(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")));
-    QTRY_VERIFY(!holder.window().model().isBusy());
+    QTRY_VERIFY(!holder.window().isBusy());
     QCOMPARE(holder.window().settings().bur, std::string("245"));
     languages()[1]->trigger();
     QTRY_COMPARE(title(), "&File");
@@ -339,7 +340,7 @@ void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
     };
     choose("practise");
     choose("openMine");
-    auto* dialog = window_->findChild<QFileDialog*>();  // of the import, which takes any unit and position
+    auto* dialog = window_->findChild<QFileDialog*>();  // of the import
     QVERIFY(dialog != nullptr);
     QVERIFY2(dialog->windowTitle().contains("scan"), qPrintable(dialog->windowTitle()));
     QTest::keyClick(dialog, Qt::Key_Escape);

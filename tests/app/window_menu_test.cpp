@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <set>
@@ -54,17 +55,17 @@ void WindowMenuTest::initTestCase() {
 
 void WindowMenuTest::cleanupTestCase() { closeWindow(); }
 
-/// Escape has to be enough to leave whatever an entry has opened.
+/// Escape closes each dialog that an entry opens.
 void WindowMenuTest::leaveDialogs(const QString& after) const {
-    QTest::qWait(50);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 6; ++i) {
+        QCoreApplication::processEvents();
         QDialog* front = nullptr;
         for (QDialog* dialog : window_->findChildren<QDialog*>()) {
             if (dialog->isVisible()) front = dialog;
         }
         if (front == nullptr) return;
         QTest::keyClick(front, Qt::Key_Escape);
-        QTest::qWait(50);
+        (void)QTest::qWaitFor([dialog = QPointer(front)] { return dialog == nullptr || !dialog->isVisible(); }, 1000);
     }
     QFAIL(qPrintable("a dialog stays open after " + after));
 }
@@ -81,7 +82,8 @@ void WindowMenuTest::clickThrough(QMenu& menu, const std::function<void()>& open
             QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(entry).center());
         };
         if (!menu.isVisible()) open();
-        if (entry->menu() != nullptr && entry->menu()->objectName() == "mouth") continue;  // 32 mouths; see WindowTest
+        if (entry->menu() != nullptr && entry->menu()->objectName() == "mouth")
+            continue;  // 32 mouths; WindowTest tests one
         if (entry->menu() != nullptr) {
             clickThrough(
                 *entry->menu(),
@@ -179,7 +181,7 @@ void WindowMenuTest::everyControlIsReachedByTab() {
             qobject_cast<QAbstractSlider*>(widget) != nullptr || qobject_cast<QAbstractButton*>(widget) != nullptr ||
             qobject_cast<QComboBox*>(widget) != nullptr || qobject_cast<QAbstractSpinBox*>(widget) != nullptr;
         if (!isControl || !widget->isVisible() || !widget->isEnabled() || widget->window() != window_.get()) continue;
-        if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;  // a part of another control, or a tool button
+        if ((widget->focusPolicy() & Qt::TabFocus) == 0) continue;  // part of another control, or a tool button
         QVERIFY2(reached.contains(widget), qPrintable(widget->objectName() + " " + widget->metaObject()->className()));
     }
 }
@@ -188,15 +190,14 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     view().setFocus();
     const Vec3 before = window_->model().manipulator().pose().position;
     for (int i = 0; i < 6; ++i) QTest::keyClick(&view(), Qt::Key_Left);
-    QTest::qWait(300);
-    QVERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
+    QTRY_VERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
     QTest::keyPress(&view(), Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
     QTest::keyRelease(&view(), Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
 }
 
-/// The release of a key goes to the window in front: the bur must neither turn nor press on by itself.
+/// The window in front receives the release of a key: the bur must neither turn nor press on.
 void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
     view().setFocus();
     QTest::keyPress(&view(), Qt::Key_Space);
@@ -211,7 +212,7 @@ void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
     QTRY_COMPARE(window_->model().controls.pedal, 0.0);
     pressBurOn(middle());
     QApplication::sendEvent(&view(), &unfocused);
-    QVERIFY(window_->model().manipulator().isPressing());  // the mouse is still held, and its release will come here
+    QVERIFY(window_->model().manipulator().isPressing());  // the mouse button is still down, and its release comes here
     liftBur(middle());
 }
 
@@ -233,7 +234,7 @@ void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
     QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.01, 20000);
     QTest::keyRelease(&view(), Qt::Key_Return);
     QTest::keyRelease(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);  // until then it may still cut
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);  // until then the bur may still cut
     const double cut = removed();
     key(Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(removed() < cut, 10000);
@@ -243,7 +244,7 @@ void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
 }
 
 void WindowMenuTest::waterAndSuctionAreSwitchedByKeys() {
-    const auto flying = [&] { return window_->model().flying().size(); };
+    const auto flying = [&] { return window_->model().animation().particles().size(); };
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
@@ -304,7 +305,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     const QSize size = window_->size();
     window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
     QTRY_VERIFY(window_->fontMetrics().height() > 1.8 * usual);
-    QTest::qWait(300);
+    waitForSteps(5);
     QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
     const QRect whole(QPoint(0, 0), window_->size());
     for (auto* area : window_->findChildren<QScrollArea*>()) {

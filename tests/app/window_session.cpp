@@ -3,14 +3,20 @@
 #include "app/window_session.h"
 
 #include <QApplication>
+#include <QSignalSpy>
 
 namespace tactooth::test {
+namespace {
+
+constexpr double kNear = 0.05;  // mm
+
+}  // namespace
 
 void WindowSession::openWindow() {
     sound_ = std::make_unique<OpenAlOutput>();
     window_ = std::make_unique<MainWindow>(*sound_);
-    window_->loadBuiltinTooth(kBuiltinTeeth.front());
-    window_->loadBur(*findBur("4"));
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
+    window_->teeth().loadBur(*findBur("4"));
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
 }
@@ -21,23 +27,61 @@ void WindowSession::openWindowWithSettings() {
 }
 
 void WindowSession::waitForTooth() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isBusy() && window_->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().simulator() != nullptr, 60000);
 }
 
 void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
-    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager that would do it
+    QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager to do it
     QTest::keyClick(window_.get(), which, with);
 }
 
 void WindowSession::pressBurOn(const QPoint& place) const {
+    const QPointF pixel = view().devicePixelRatioF() * QPointF(place);
     QTest::mouseMove(&view(), place);
-    QTest::qWait(300);
+    const auto isThere = [&] {
+        MouseManipulator aimed = window_->model().manipulator();
+        aimed.aim(view().viewport(), Vec2(pixel.x(), pixel.y()), *touchableSurface(window_->model()));
+        const Vec3 goal = aimed.pose().position;
+        return (goal - window_->model().manipulator().pose().position).norm() < kNear &&
+               (goal - window_->model().log().newest().proxy.position).norm() < kNear;
+    };
+    (void)QTest::qWaitFor(isThere, 5000);
     QTest::mousePress(&view(), Qt::LeftButton, {}, place);
 }
 
 void WindowSession::liftBur(const QPoint& place) const {
     QTest::mouseRelease(&view(), Qt::LeftButton, {}, place);
-    QTest::qWait(300);
+    const auto isClear = [&] {
+        const Vec3 hand = window_->model().manipulator().pose().position;
+        return window_->model().log().newest().contacts == 0 &&
+               (hand - window_->model().log().newest().proxy.position).norm() < kNear;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isClear(), 10000);
+}
+
+void WindowSession::waitForSteps(int steps) const {
+    QSignalSpy stepped(&window_->loop(), &StepLoop::stepped);
+    QTRY_VERIFY_WITH_TIMEOUT(stepped.count() >= steps, 20000);
+}
+
+void WindowSession::waitForCutter() const {
+    constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
+    const Simulator& simulator = *window_->model().simulator();
+    std::uint64_t updates = simulator.surfaceUpdates();
+    double since = window_->model().log().newest().time;
+    const auto isQuiet = [&] {
+        const double now = window_->model().log().newest().time;
+        if (updates != simulator.surfaceUpdates()) since = now;
+        updates = simulator.surfaceUpdates();
+        return now > since + kQuiet;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), 20000);
+}
+
+void WindowSession::waitForRest() const {
+    window_->model().setSpindle(window_->model().haptics().spindle);
+    waitForSteps(2);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting(), 30000);
 }
 
 QString WindowSession::dismissMessage() const {
@@ -54,7 +98,7 @@ void WindowSession::closeWindow() {
 }
 
 void WindowSession::loadMolar() {
-    window_->loadBuiltinTooth(kBuiltinTeeth.front());
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("molar"), 60000);
     waitForTooth();
 }

@@ -13,15 +13,15 @@
 
 namespace tactooth::test {
 
-/// The real window with the built-in molar and a round bur, and a person before it: real mouse and key events.
+/// The real window with the built-in molar and a round bur, worked by mouse and key events.
 class WindowSession : public QObject {
 protected:
     void openWindow();
-    /// The same with its own settings applied, as those of a file are.
+    /// The same, and applies its own settings as those of a file.
     void openWindowWithSettings();
     void closeWindow();
     void waitForTooth();
-    /// Puts the built-in molar on the bench.
+    /// Loads the built-in molar.
     void loadMolar();
     [[nodiscard]] QPoint middle() const { return view().rect().center(); }
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
@@ -31,7 +31,13 @@ protected:
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
     void liftBur(const QPoint& place) const;
-    /// The text of the message in front, which is closed; empty if there is none.
+    /// Until the window has made so many steps: an event of mouse, key or gamepad has taken effect.
+    void waitForSteps(int steps) const;
+    /// Until the cutter has no work left. The bur must be clear of the tooth.
+    void waitForCutter() const;
+    /// Restarts the simulator, which empties the plots, and waits until the window rests.
+    void waitForRest() const;
+    /// Closes the message in front and returns its text; empty if there is none.
     [[nodiscard]] QString dismissMessage() const;
 
     TemporaryFolder folder_;

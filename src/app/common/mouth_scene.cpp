@@ -14,9 +14,9 @@ Appearance toothAppearance() {
 
 }  // namespace
 
-std::vector<ShownBody> shownAround(const ToothInMouth& tooth) {
+std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around) {
     std::vector<ShownBody> bodies;
-    for (const ToothInMouth::Body& body : tooth.around) {
+    for (const ToothInMouth::Body& body : around) {
         bodies.push_back(
             {body.shown, {}, body.isGingiva ? appearances::gingiva() : toothAppearance(), body.isOpposite});
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/common/scene_builder.h"
@@ -9,8 +10,8 @@
 
 namespace tactooth {
 
-/// What is drawn around a tooth that stands in a mouth, in its frame.
-[[nodiscard]] std::vector<ShownBody> shownAround(const ToothInMouth& tooth);
+/// The bodies around a tooth in a mouth as they are drawn, in the tooth's frame.
+[[nodiscard]] std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around);
 
 enum class ShownJaws { Both, Upper, Lower };
 

@@ -4,6 +4,7 @@
 
 #include "instruments/bur_catalogue.h"
 #include "instruments/mirror.h"
+#include "session/model/instrument_poses.h"
 #include "tooth/model/material.h"
 #include "view/scene/scene.h"
 
@@ -66,18 +67,5 @@ struct SceneContents {
 /// The picture under the operating light; inside a mouth, where the other jaw stands in that light, by the lamp on the
 /// loupe. World frame = tooth frame.
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
-
-/// How a tool is held upright: its handle (+x of the tool frame) leaves the mouth mesially, turned `towardLingual` rad
-/// to the side of the tongue. `mesialX`: direction of mesial along x.
-[[nodiscard]] Quat uprightGrip(double mesialX, double towardLingual);
-
-/// Where a mirror stands that shows the lingual side of a tooth's crown to an eye in the direction `toEye` (unit):
-/// behind the crown and level with it, a little to distal, where its handle leaves. `tooth` is the tooth's box,
-/// `mesialX` the direction of mesial along x.
-[[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX);
-
-/// Where an assistant holds the suction tube: its opening beside the crown, distal and on the cheek's side, so that it
-/// is in the way of neither bur nor mirror.
-[[nodiscard]] Pose parkedSuction(const Box3& tooth, double mesialX);
 
 }  // namespace tactooth

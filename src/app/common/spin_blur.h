@@ -3,12 +3,9 @@
 #pragma once
 
 #include "instruments/bur_catalogue.h"
-#include "tooth/sweep/revolution_envelope.h"
+#include "session/model/spin_envelope_mesh.h"
 
 namespace tactooth {
-
-/// The body that a spinning bur seems to be, in the tool frame.
-[[nodiscard]] TriangleMesh spinEnvelopeMesh(const RevolutionEnvelope& envelope);
 
 /// How far the blades or grains of a bur run into each other for the eye, 0..1: 1 where one comes to the place of the
 /// next within the time in which an eye takes in a picture.

@@ -1825,40 +1825,27 @@ The mouse wheel in the picture changes it too.</source>
         <translation>ウィンドウは初期設定で始まります。</translation>
     </message>
     <message>
-        <source>Real time</source>
-        <translation>リアルタイム</translation>
+        <source>Tactooth</source>
+        <translation>Tactooth</translation>
     </message>
     <message>
-        <source>mouse</source>
-        <translation>マウス</translation>
+        <source>Preparing the tooth…</source>
+        <translation>歯を準備しています…</translation>
     </message>
     <message>
-        <source>The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; take a tooth of fewer triangles (&apos;tactooth simplify&apos;) or a bur of fewer triangles, and close other programs.</source>
-        <translation>このコンピューターには負荷が大きすぎます：100 回に 1 回の計算が、使える %2 µs のうち %1 µs を要しています。三角形の少ない歯（&apos;tactooth simplify&apos;）または三角形の少ないバーを使い、他のプログラムを終了してください。</translation>
+        <source>%1 — Tactooth</source>
+        <translation>%1 — Tactooth</translation>
     </message>
     <message>
-        <source>&amp;Water spray</source>
-        <translation>注水スプレー(&amp;W)</translation>
+        <source>This case brings its own materials: it may feel harder, softer or rougher than others</source>
+        <translation>この症例には独自の材料が含まれています。ほかの症例より硬く、柔らかく、またはざらついて感じられることがあります</translation>
     </message>
+</context>
+<context>
+    <name>tactooth::AppearanceMenu</name>
     <message>
-        <source>Su&amp;ction</source>
-        <translation>吸引(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Mirror &amp;glass</source>
-        <translation>ミラーの鏡面(&amp;G)</translation>
-    </message>
-    <message>
-        <source>No. %1, %2 mm</source>
-        <translation>No. %1、%2 mm</translation>
-    </message>
-    <message>
-        <source>&amp;Fogged</source>
-        <translation>曇り(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Drops of spray</source>
-        <translation>水滴(&amp;D)</translation>
+        <source>&amp;Dark colours</source>
+        <translation>暗い配色(&amp;D)</translation>
     </message>
     <message>
         <source>Te&amp;xt size</source>
@@ -1869,77 +1856,31 @@ The mouse wheel in the picture changes it too.</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Arrow keys</source>
-        <translation>矢印キー</translation>
+        <source>&amp;Language</source>
+        <translation>言語(&amp;L)</translation>
     </message>
     <message>
-        <source>move the bur; with Shift lean it, with Ctrl turn the tooth</source>
-        <translation>バーを動かす。Shift で傾け、Ctrl で歯を回す</translation>
+        <source>As the system</source>
+        <translation>システムに従う</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::DeviceController</name>
+    <message>
+        <source>Press the pedal fully, then let it go</source>
+        <translation>ペダルをいっぱいに踏んでから離してください</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
+        <source>Opening the device…</source>
+        <translation>装置を開いています…</translation>
     </message>
     <message>
-        <source>the bur presses, as long as you hold it</source>
-        <translation>押している間、バーが押し付けられる</translation>
+        <source>The pedal is %1</source>
+        <translation>ペダルは %1 です</translation>
     </message>
-    <message>
-        <source>+, -</source>
-        <translation>+、-</translation>
-    </message>
-    <message>
-        <source>B, D</source>
-        <translation>B、D</translation>
-    </message>
-    <message>
-        <source>breath and drops on the mirror</source>
-        <translation>ミラーの曇りと水滴</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>the cavity that the target wants cut, on and off</source>
-        <translation>目標が求める窩洞の表示のオン・オフ</translation>
-    </message>
-    <message>
-        <source>Blue glass: still to cut, darker where deeper. Dark line: the outline.</source>
-        <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
-    </message>
-    <message>
-        <source>W, S</source>
-        <translation>W、S</translation>
-    </message>
-    <message>
-        <source>water spray, suction on and off</source>
-        <translation>注水と吸引のオン・オフ</translation>
-    </message>
-    <message>
-        <source>Ctrl + M</source>
-        <translation>Ctrl + M</translation>
-    </message>
-    <message>
-        <source>mute</source>
-        <translation>消音</translation>
-    </message>
-    <message>
-        <source>Tab, Alt + letter</source>
-        <translation>Tab、Alt + 文字</translation>
-    </message>
-    <message>
-        <source>go on to the next control; open a menu</source>
-        <translation>次の項目へ移る。メニューを開く</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>leave a dialog</source>
-        <translation>ダイアログを閉じる</translation>
-    </message>
+</context>
+<context>
+    <name>tactooth::DockLayout</name>
     <message>
         <source>File</source>
         <translation>ファイル</translation>
@@ -1949,16 +1890,16 @@ The mouse wheel in the picture changes it too.</source>
         <translation>表示</translation>
     </message>
     <message>
-        <source>Tactooth</source>
-        <translation>Tactooth</translation>
-    </message>
-    <message>
         <source>Drill</source>
         <translation>ドリル</translation>
     </message>
     <message>
         <source>Force</source>
         <translation>力</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
     </message>
     <message>
         <source>Sound</source>
@@ -1973,9 +1914,63 @@ The mouse wheel in the picture changes it too.</source>
         <translation>直近の10秒</translation>
     </message>
     <message>
-        <source>Preparing the tooth…</source>
-        <translation>歯を準備しています…</translation>
+        <source>Exercise</source>
+        <translation>課題</translation>
     </message>
+    <message>
+        <source>What happened</source>
+        <translation>できごと</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>リアルタイム</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ExerciseController</name>
+    <message>
+        <source>Preparing the exercise: %1…</source>
+        <translation>課題を準備中：%1…</translation>
+    </message>
+    <message>
+        <source>Measuring the distance to %1…</source>
+        <translation>%1 までの距離を測っています…</translation>
+    </message>
+    <message>
+        <source>Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm.</source>
+        <translation>青：削り残し。白：目標どおり。橙：削りすぎ。0.5 mm で最も濃くなります。</translation>
+    </message>
+    <message>
+        <source>Target: the ideal shape, in the frame of the tooth</source>
+        <translation>目標：理想形（歯と同じ座標系）</translation>
+    </message>
+    <message>
+        <source>Surfaces and saved teeth (*.stl *.STL *.obj *.ply *.tactooth);;All files (*)</source>
+        <translation>表面と保存した歯 (*.stl *.STL *.obj *.ply *.tactooth);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open exercise</source>
+        <translation>課題を開く</translation>
+    </message>
+    <message>
+        <source>Exercises (*.toml);;All files (*)</source>
+        <translation>課題 (*.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Report of what was done</source>
+        <translation>練習の報告書</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>The report was written to %1</source>
+        <translation>報告書を %1 に書き出しました</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::FileMenu</name>
     <message>
         <source>&amp;File</source>
         <translation>ファイル(&amp;F)</translation>
@@ -1987,6 +1982,38 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>&amp;Built-in teeth</source>
         <translation>内蔵の歯(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近使った歯(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Tooth of the &amp;case</source>
+        <translation>症例の歯(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Import scan…</source>
+        <translation>スキャンの取り込み(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;bur…</source>
+        <translation>バーを開く(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Open e&amp;xercise…</source>
+        <translation>課題を開く(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save tooth…</source>
+        <translation>歯を保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export cut tooth…</source>
+        <translation>削った歯を書き出す(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>終了(&amp;Q)</translation>
     </message>
     <message>
         <source>&amp;Whole mouth</source>
@@ -2009,65 +2036,12 @@ The mouse wheel in the picture changes it too.</source>
         <translation>右下</translation>
     </message>
     <message>
-        <source>Making the whole mouth around tooth %1…</source>
-        <translation>歯%1のまわりに口全体を作成中…</translation>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
     </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>最近使った歯(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open &amp;bur…</source>
-        <translation>バーを開く(&amp;B)…</translation>
-    </message>
-    <message>
-        <source>Exercises (*.toml);;All files (*)</source>
-        <translation>課題 (*.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Open exercise</source>
-        <translation>課題を開く</translation>
-    </message>
-    <message>
-        <source>Open e&amp;xercise…</source>
-        <translation>課題を開く(&amp;X)…</translation>
-    </message>
-    <message>
-        <source>&amp;Save tooth…</source>
-        <translation>歯を保存(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>&amp;Export cut tooth…</source>
-        <translation>削った歯を書き出す(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>終了(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>&amp;Drill</source>
-        <translation>ドリル(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Stand the bur &amp;upright</source>
-        <translation>バーを垂直に立てる(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Turn the handle &amp;left</source>
-        <translation>柄を左に回す(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Turn the handle &amp;right</source>
-        <translation>柄を右に回す(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Sound</source>
-        <translation>音(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Mute</source>
-        <translation>消音(&amp;M)</translation>
-    </message>
+</context>
+<context>
+    <name>tactooth::HelpMenu</name>
     <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
@@ -2087,70 +2061,6 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>&amp;About Tactooth</source>
         <translation>Tactooth について(&amp;A)</translation>
-    </message>
-    <message>
-        <source>In Touch the bur stands still: choose Cut (C), and the pedal turns it</source>
-        <translation>触診ではバーは回りません：切削（C）を選ぶとペダルで回ります</translation>
-    </message>
-    <message>
-        <source>Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal</source>
-        <translation>左ボタン：バーを歯に押す・ホイール：強く／弱く・右：回す・スペース：ペダル</translation>
-    </message>
-    <message>
-        <source>%1 — Tactooth</source>
-        <translation>%1 — Tactooth</translation>
-    </message>
-    <message>
-        <source>Saved teeth (*.tactooth);;All files (*)</source>
-        <translation>保存した歯 (*.tactooth);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>STL surfaces (*.stl *.STL);;All files (*)</source>
-        <translation>STL 表面 (*.stl *.STL);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>Making the tooth: %1…</source>
-        <translation>歯を作成中：%1…</translation>
-    </message>
-    <message>
-        <source>Opening %1…</source>
-        <translation>%1 を開いています…</translation>
-    </message>
-    <message>
-        <source>The tooth was written to %1</source>
-        <translation>歯を %1 に書き出しました</translation>
-    </message>
-    <message>
-        <source>The tooth was saved to %1</source>
-        <translation>歯を %1 に保存しました</translation>
-    </message>
-    <message>
-        <source>Open bur: tip at the origin, shaft along +z, mm</source>
-        <translation>バーを開く：先端が原点、軸が +z、単位 mm</translation>
-    </message>
-    <message>
-        <source>Export cut tooth</source>
-        <translation>削った歯を書き出す</translation>
-    </message>
-    <message>
-        <source>Save tooth</source>
-        <translation>歯を保存</translation>
-    </message>
-    <message>
-        <source>Export plots: a table or a picture</source>
-        <translation>グラフを書き出す：表または画像</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;Picture (*.png);;Drawing (*.svg)</source>
-        <translation>表 (*.csv);;画像 (*.png);;図面 (*.svg)</translation>
-    </message>
-    <message>
-        <source>The plots were written to %1</source>
-        <translation>グラフを %1 に書き出しました</translation>
-    </message>
-    <message>
-        <source>Nothing yet</source>
-        <translation>まだありません</translation>
     </message>
     <message>
         <source>Move</source>
@@ -2209,6 +2119,26 @@ The mouse wheel in the picture changes it too.</source>
         <translation>近づく／離れる</translation>
     </message>
     <message>
+        <source>Arrow keys</source>
+        <translation>矢印キー</translation>
+    </message>
+    <message>
+        <source>move the bur; with Shift lean it, with Ctrl turn the tooth</source>
+        <translation>バーを動かす。Shift で傾け、Ctrl で歯を回す</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>the bur presses, as long as you hold it</source>
+        <translation>押している間、バーが押し付けられる</translation>
+    </message>
+    <message>
+        <source>+, -</source>
+        <translation>+、-</translation>
+    </message>
+    <message>
         <source>Space</source>
         <translation>スペース</translation>
     </message>
@@ -2257,6 +2187,30 @@ The mouse wheel in the picture changes it too.</source>
         <translation>ミラー、タービンの表示切替</translation>
     </message>
     <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>the cavity that the target wants cut, on and off</source>
+        <translation>目標が求める窩洞の表示のオン・オフ</translation>
+    </message>
+    <message>
+        <source>B, D</source>
+        <translation>B、D</translation>
+    </message>
+    <message>
+        <source>breath and drops on the mirror</source>
+        <translation>ミラーの曇りと水滴</translation>
+    </message>
+    <message>
+        <source>W, S</source>
+        <translation>W、S</translation>
+    </message>
+    <message>
+        <source>water spray, suction on and off</source>
+        <translation>注水と吸引のオン・オフ</translation>
+    </message>
+    <message>
         <source>Ctrl + Z</source>
         <translation>Ctrl + Z</translation>
     </message>
@@ -2281,132 +2235,20 @@ The mouse wheel in the picture changes it too.</source>
         <translation>歯を開く、保存、表面を書き出す</translation>
     </message>
     <message>
+        <source>Ctrl + I</source>
+        <translation>Ctrl + I</translation>
+    </message>
+    <message>
+        <source>import a scan</source>
+        <translation>スキャンを取り込む</translation>
+    </message>
+    <message>
         <source>Ctrl + D</source>
         <translation>Ctrl + D</translation>
     </message>
     <message>
         <source>dark colours</source>
         <translation>暗い配色</translation>
-    </message>
-    <message>
-        <source>Mouse and keys</source>
-        <translation>マウスとキー</translation>
-    </message>
-    <message>
-        <source>About Tactooth</source>
-        <translation>Tactooth について</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;See, feel and hear a dental bur touch and cut a tooth.&lt;br&gt;&lt;br&gt;Free software under the GNU General Public License, version 3 or later;&lt;br&gt;its simulation library under the Apache License 2.0.</source>
-        <translation>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
-    </message>
-    <message>
-        <source>Own sounds: a recording of the free-running drive, or a preset</source>
-        <translation>自分の音：空転の録音、またはプリセット</translation>
-    </message>
-    <message>
-        <source>Recordings and presets (*.wav *.flac *.ogg *.toml);;All files (*)</source>
-        <translation>録音とプリセット (*.wav *.flac *.ogg *.toml);;すべてのファイル (*)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>表示(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Dentist&apos;s view</source>
-        <translation>術者の視点</translation>
-    </message>
-    <message>
-        <source>Occlusal</source>
-        <translation>咬合面</translation>
-    </message>
-    <message>
-        <source>Buccal</source>
-        <translation>頬側</translation>
-    </message>
-    <message>
-        <source>Lingual</source>
-        <translation>舌側</translation>
-    </message>
-    <message>
-        <source>Mesial</source>
-        <translation>近心</translation>
-    </message>
-    <message>
-        <source>Distal</source>
-        <translation>遠心</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>全体表示</translation>
-    </message>
-    <message>
-        <source>&amp;Second view</source>
-        <translation>第二の視点(&amp;S)</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>なし</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>ミラー</translation>
-    </message>
-    <message>
-        <source>Turbine</source>
-        <translation>タービン</translation>
-    </message>
-    <message>
-        <source>&amp;Dark colours</source>
-        <translation>暗い配色(&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>言語(&amp;L)</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>システムに従う</translation>
-    </message>
-    <message>
-        <source>Measuring the distance to %1…</source>
-        <translation>%1 までの距離を測っています…</translation>
-    </message>
-    <message>
-        <source>Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm.</source>
-        <translation>青：削り残し。白：目標どおり。橙：削りすぎ。0.5 mm で最も濃くなります。</translation>
-    </message>
-    <message>
-        <source>Target: the ideal shape, in the frame of the tooth</source>
-        <translation>目標：理想形（歯と同じ座標系）</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>手</translation>
-    </message>
-    <message>
-        <source>Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels</source>
-        <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る · 十字キー：回す · Start：メニュー · Back：パネル</translation>
-    </message>
-    <message>
-        <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>
-        <translation>十字キー：項目と値 · ショルダー：パネル · A：押す · B：歯に戻る</translation>
-    </message>
-    <message>
-        <source>Move the device: the bur follows it · space: pedal · C: cut, T: touch</source>
-        <translation>装置を動かすとバーが従います · スペース：ペダル · C：削る、T：触る</translation>
-    </message>
-    <message>
-        <source>The hand is at the end of the device&apos;s room: hold the bur (X), bring the hand back and let go</source>
-        <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
-    </message>
-    <message>
-        <source>The bur stands still: hold the pedal (%1), or tick Keep down</source>
-        <translation>バーは止まっています。ペダル（%1）を踏み続けるか、「踏んだまま」を選んでください</translation>
-    </message>
-    <message>
-        <source>The bur only touches: choose Cut (C) to remove something</source>
-        <translation>バーは触れているだけです。削るには「切削」（C）を選んでください</translation>
     </message>
     <message>
         <source>X</source>
@@ -2481,56 +2323,89 @@ The mouse wheel in the picture changes it too.</source>
         <translation>メニュー、ダイアログ、パネルで：進む、選ぶ、戻る</translation>
     </message>
     <message>
-        <source>Press the pedal fully, then let it go</source>
-        <translation>ペダルをいっぱいに踏んでから離してください</translation>
+        <source>Ctrl + M</source>
+        <translation>Ctrl + M</translation>
     </message>
     <message>
-        <source>Opening the device…</source>
-        <translation>装置を開いています…</translation>
+        <source>mute</source>
+        <translation>消音</translation>
     </message>
     <message>
-        <source>The pedal is %1</source>
-        <translation>ペダルは %1 です</translation>
+        <source>Tab, Alt + letter</source>
+        <translation>Tab、Alt + 文字</translation>
     </message>
     <message>
-        <source>This case brings its own materials: it may feel harder, softer or rougher than others</source>
-        <translation>この症例には独自の材料が含まれています。ほかの症例より硬く、柔らかく、またはざらついて感じられることがあります</translation>
+        <source>go on to the next control; open a menu</source>
+        <translation>次の項目へ移る。メニューを開く</translation>
     </message>
     <message>
-        <source>%1 was imported</source>
-        <translation>%1 を取り込みました</translation>
+        <source>Esc</source>
+        <translation>Esc</translation>
     </message>
     <message>
-        <source>&amp;Import scan…</source>
-        <translation>スキャンの取り込み(&amp;I)…</translation>
+        <source>leave a dialog</source>
+        <translation>ダイアログを閉じる</translation>
     </message>
     <message>
-        <source>Import a scan: surfaces of one tooth</source>
-        <translation>スキャンの取り込み：一つの歯の表面</translation>
+        <source>Mouse and keys</source>
+        <translation>マウスとキー</translation>
     </message>
     <message>
-        <source>Surfaces (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)</source>
-        <translation>表面 (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;すべてのファイル (*)</translation>
+        <source>About Tactooth</source>
+        <translation>Tactooth について</translation>
     </message>
     <message>
-        <source>Tooth of the &amp;case</source>
-        <translation>症例の歯(&amp;C)</translation>
+        <source>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;See, feel and hear a dental bur touch and cut a tooth.&lt;br&gt;&lt;br&gt;Free software under the GNU General Public License, version 3 or later;&lt;br&gt;its simulation library under the Apache License 2.0.</source>
+        <translation>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::InstrumentMenus</name>
+    <message>
+        <source>&amp;Water spray</source>
+        <translation>注水スプレー(&amp;W)</translation>
     </message>
     <message>
-        <source>Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)</source>
-        <translation>バー (*.stl *.STL *.obj *.ply *.toml);;すべてのファイル (*)</translation>
+        <source>Su&amp;ction</source>
+        <translation>吸引(&amp;C)</translation>
     </message>
     <message>
-        <source>Ctrl + I</source>
-        <translation>Ctrl + I</translation>
+        <source>Mirror &amp;glass</source>
+        <translation>ミラーの鏡面(&amp;G)</translation>
     </message>
     <message>
-        <source>import a scan</source>
-        <translation>スキャンを取り込む</translation>
+        <source>No. %1, %2 mm</source>
+        <translation>No. %1、%2 mm</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>できごと</translation>
+        <source>&amp;Fogged</source>
+        <translation>曇り(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Drops of spray</source>
+        <translation>水滴(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::PanelUpdater</name>
+    <message>
+        <source>mouse</source>
+        <translation>マウス</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::RecordExports</name>
+    <message>
+        <source>Export plots: a table or a picture</source>
+        <translation>グラフを書き出す：表または画像</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;Picture (*.png);;Drawing (*.svg)</source>
+        <translation>表 (*.csv);;画像 (*.png);;図面 (*.svg)</translation>
+    </message>
+    <message>
+        <source>The plots were written to %1</source>
+        <translation>グラフを %1 に書き出しました</translation>
     </message>
     <message>
         <source>Export what happened</source>
@@ -2544,25 +2419,203 @@ The mouse wheel in the picture changes it too.</source>
         <source>The list was written to %1</source>
         <translation>一覧を %1 に書き出しました</translation>
     </message>
+</context>
+<context>
+    <name>tactooth::SoundController</name>
     <message>
-        <source>Exercise</source>
-        <translation>課題</translation>
+        <source>Own sounds: a recording of the free-running drive, or a preset</source>
+        <translation>自分の音：空転の録音、またはプリセット</translation>
     </message>
     <message>
-        <source>Preparing the exercise: %1…</source>
-        <translation>課題を準備中：%1…</translation>
+        <source>Recordings and presets (*.wav *.flac *.ogg *.toml);;All files (*)</source>
+        <translation>録音とプリセット (*.wav *.flac *.ogg *.toml);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothController</name>
+    <message>
+        <source>%1 was imported</source>
+        <translation>%1 を取り込みました</translation>
     </message>
     <message>
-        <source>Report of what was done</source>
-        <translation>練習の報告書</translation>
+        <source>Making the tooth: %1…</source>
+        <translation>歯を作成中：%1…</translation>
     </message>
     <message>
-        <source>The report was written to %1</source>
-        <translation>報告書を %1 に書き出しました</translation>
+        <source>Making the whole mouth around tooth %1…</source>
+        <translation>歯%1のまわりに口全体を作成中…</translation>
     </message>
     <message>
-        <source>Surfaces and saved teeth (*.stl *.STL *.obj *.ply *.tactooth);;All files (*)</source>
-        <translation>表面と保存した歯 (*.stl *.STL *.obj *.ply *.tactooth);;すべてのファイル (*)</translation>
+        <source>Opening %1…</source>
+        <translation>%1 を開いています…</translation>
+    </message>
+    <message>
+        <source>The tooth was written to %1</source>
+        <translation>歯を %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>The tooth was saved to %1</source>
+        <translation>歯を %1 に保存しました</translation>
+    </message>
+    <message>
+        <source>Import a scan: surfaces of one tooth</source>
+        <translation>スキャンの取り込み：一つの歯の表面</translation>
+    </message>
+    <message>
+        <source>Surfaces (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)</source>
+        <translation>表面 (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Open bur: tip at the origin, shaft along +z, mm</source>
+        <translation>バーを開く：先端が原点、軸が +z、単位 mm</translation>
+    </message>
+    <message>
+        <source>Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)</source>
+        <translation>バー (*.stl *.STL *.obj *.ply *.toml);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Export cut tooth</source>
+        <translation>削った歯を書き出す</translation>
+    </message>
+    <message>
+        <source>STL surfaces (*.stl *.STL);;All files (*)</source>
+        <translation>STL 表面 (*.stl *.STL);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save tooth</source>
+        <translation>歯を保存</translation>
+    </message>
+    <message>
+        <source>Saved teeth (*.tactooth);;All files (*)</source>
+        <translation>保存した歯 (*.tactooth);;すべてのファイル (*)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ViewMenu</name>
+    <message>
+        <source>Dentist&apos;s view</source>
+        <translation>術者の視点</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体表示</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>Turbine</source>
+        <translation>タービン</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>&amp;Second view</source>
+        <translation>第二の視点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::WindowHints</name>
+    <message>
+        <source>Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal</source>
+        <translation>左ボタン：バーを歯に押す・ホイール：強く／弱く・右：回す・スペース：ペダル</translation>
+    </message>
+    <message>
+        <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>
+        <translation>十字キー：項目と値 · ショルダー：パネル · A：押す · B：歯に戻る</translation>
+    </message>
+    <message>
+        <source>Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels</source>
+        <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る · 十字キー：回す · Start：メニュー · Back：パネル</translation>
+    </message>
+    <message>
+        <source>Move the device: the bur follows it · space: pedal · C: cut, T: touch</source>
+        <translation>装置を動かすとバーが従います · スペース：ペダル · C：削る、T：触る</translation>
+    </message>
+    <message>
+        <source>The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; take a tooth of fewer triangles (&apos;tactooth simplify&apos;) or a bur of fewer triangles, and close other programs.</source>
+        <translation>このコンピューターには負荷が大きすぎます：100 回に 1 回の計算が、使える %2 µs のうち %1 µs を要しています。三角形の少ない歯（&apos;tactooth simplify&apos;）または三角形の少ないバーを使い、他のプログラムを終了してください。</translation>
+    </message>
+    <message>
+        <source>In Touch the bur stands still: choose Cut (C), and the pedal turns it</source>
+        <translation>触診ではバーは回りません：切削（C）を選ぶとペダルで回ります</translation>
+    </message>
+    <message>
+        <source>Blue glass: still to cut, darker where deeper. Dark line: the outline.</source>
+        <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
+    </message>
+    <message>
+        <source>The hand is at the end of the device&apos;s room: hold the bur (X), bring the hand back and let go</source>
+        <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
+    </message>
+    <message>
+        <source>The bur stands still: hold the pedal (%1), or tick Keep down</source>
+        <translation>バーは止まっています。ペダル（%1）を踏み続けるか、「踏んだまま」を選んでください</translation>
+    </message>
+    <message>
+        <source>The bur only touches: choose Cut (C) to remove something</source>
+        <translation>バーは触れているだけです。削るには「切削」（C）を選んでください</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::WindowMenus</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>表示(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Drill</source>
+        <translation>ドリル(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Stand the bur &amp;upright</source>
+        <translation>バーを垂直に立てる(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turn the handle &amp;left</source>
+        <translation>柄を左に回す(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn the handle &amp;right</source>
+        <translation>柄を右に回す(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Sound</source>
+        <translation>音(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mute</source>
+        <translation>消音(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::WindowMessages</name>
+    <message>
+        <source>Tactooth</source>
+        <translation>Tactooth</translation>
     </message>
 </context>
 <context>

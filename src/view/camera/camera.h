@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/util/pose.h"
+#include "geometry/util/ray.h"
 
 namespace tactooth {
 
@@ -18,12 +19,6 @@ struct ImageSize {
 
     [[nodiscard]] double aspect() const { return static_cast<double>(width) / height; }
     bool operator==(const ImageSize&) const = default;
-};
-
-/// A half line in world coordinates; `direction` is unit.
-struct Ray {
-    Vec3 origin;
-    Vec3 direction;
 };
 
 /// An infinite plane: the points x with normal . x = offset; `normal` is unit.

@@ -10,12 +10,12 @@
 #include "app/common/distance_legend.h"
 #include "app/common/exit_code.h"
 #include "app/common/inspection.h"
-#include "app/gui/model/session_parts.h"
 #include "assessment/ideal_shape.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "session/io/material_file.h"
+#include "session/model/session_tooth.h"
 #include "view/render/offscreen.h"
 
 namespace tactooth {

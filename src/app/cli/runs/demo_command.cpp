@@ -55,7 +55,7 @@ Expected<ToothInMouth> makeDemoMouth(DemoInputs& cast) {
     const ToothCache cache(defaultCacheFolder());
     Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::Open, .missing = {}}, cache);
     if (!made) return made;
-    cast.props.around = shownAround(*made);
+    cast.props.around = shownAround(made->around);
     cast.surroundings = surroundingsOf(*made);
     return made;
 }

@@ -91,8 +91,8 @@ Viewport GuidedTour::picture() const { return view_.viewport(); }
 Vec2 GuidedTour::pixelAt(double aside) const {
     const Box3 box = model_.tooth()->box();
     const Vec3 fossa(box.center().x() - model_.mesialX() * aside, box.center().y(), box.max().z() - kBelowTop);
-    const auto pixel = project(picture().camera, picture().size, fossa);
-    return pixel.value_or(Vec2(picture().size.width / 2.0, picture().size.height / 2.0));
+    const auto pixel = project(picture().camera(), picture().size(), fossa);
+    return pixel.value_or(Vec2(picture().size().width / 2.0, picture().size().height / 2.0));
 }
 
 }  // namespace tactooth

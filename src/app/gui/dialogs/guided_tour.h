@@ -6,7 +6,8 @@
 #include <QTimer>
 #include <vector>
 
-#include "app/gui/model/session_model.h"
+#include "app/gui/input/viewport.h"
+#include "session/model/session_model.h"
 
 namespace tactooth {
 
@@ -14,8 +15,8 @@ class DrillBar;
 class DrivePanel;
 class ToothView;
 
-/// The demonstration in the window: leads the mouse's hand over the tooth that is on the bench, touches, cuts and takes
-/// the cut back, and says at each step what happens and how to do it oneself. Any click or key ends it.
+/// The demonstration in the window: it moves the mouse's hand over the tooth, touches, cuts and undoes the cut. In each
+/// step a sentence explains how the user does the same. A click or a key ends it.
 class GuidedTour final : public QObject {
     Q_OBJECT
 
@@ -35,7 +36,7 @@ private:
         double seconds;
         QString sentence;
         void (GuidedTour::*begin)();
-        bool strokes;  ///< the hand goes to and fro
+        bool strokes;  ///< the hand moves to and fro
     };
     void advance();
     void beginStep();
@@ -44,7 +45,7 @@ private:
     void lift();
     void cut();
     void undo();
-    /// Where the hand points in the picture, `aside` mm to distal of the tooth's middle.
+    /// The pixel that the hand points at, `aside` mm to distal of the tooth's middle.
     [[nodiscard]] Viewport picture() const;
     [[nodiscard]] Vec2 pixelAt(double aside) const;
 

@@ -17,29 +17,29 @@ class QFormLayout;
 
 namespace tactooth {
 
-/// Shows what was assumed about a scan before it is taken, and lets the person change it. Does no work itself: it says
-/// what is wanted, and is told what came of it.
+/// Shows the assumptions about a scan before the import, and lets the user change them. It does no work itself:
+/// ScanImporter does it and reports here.
 class ImportDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `name`: of the scan; `caseFile`: where it can be kept as a case.
+    /// `name`: of the scan; `caseFile`: where the scan can be saved as a case.
     ImportDialog(const QString& name, const QString& caseFile, QWidget* parent = nullptr);
 
     [[nodiscard]] ImportOptions choices() const;
-    /// Whether the person wants the case file.
+    /// Whether the user wants the case file.
     [[nodiscard]] bool savesCase() const;
 
-    /// The scan is being looked at.
+    /// The scan is being examined.
     void showExamining(bool isReading);
-    /// What was found, or why it cannot be taken with these choices.
+    /// Shows the findings, or why the scan cannot be imported with these choices.
     void showFindings(const Expected<ExaminedScan>& scan);
-    /// The layers are being made; `part` of it is done.
+    /// The layers are being made; `part` of the work is done, 0..1.
     void showBuilding(double part);
 
 signals:
     void choicesChanged();
-    /// The person takes the scan as it was shown.
+    /// The user accepts the scan as shown.
     void importAccepted();
 
 private:

@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-/// Layers in the order in which one meets them from outside.
+/// Layers from the outside to the inside.
 constexpr std::array kLayers = {MaterialId::Enamel, MaterialId::Dentin,      MaterialId::Pulp,
                                 MaterialId::Caries, MaterialId::Restoration, MaterialId::Other};
 

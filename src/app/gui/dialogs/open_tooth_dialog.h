@@ -13,12 +13,12 @@ class QGridLayout;
 
 namespace tactooth {
 
-/// Asks for the files of a tooth: its surface, and the layers inside it, which may be left out.
+/// Asks for the files of a tooth: its surface and, optionally, the layers inside.
 class OpenToothDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `folder`: where the search for files begins.
+    /// `folder`: in which the file dialogs begin.
     explicit OpenToothDialog(QString folder, QWidget* parent = nullptr);
 
 signals:

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One file is a tooth's surface, whatever its name says; of several the names tell.
+/// A single file is the surface of the tooth, whatever its name. Of several files the names tell the layers.
 Expected<Scan> readScan(const std::vector<fs::path>& files) {
     Scan scan{files.front().filename().string(), {}, {}};
     std::optional<Vec3> common;  // all surfaces stay in one frame
@@ -42,7 +42,7 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
     return scan;
 }
 
-/// Without what a system put beside them, as a folder's window drops it with the rest.
+/// Without the files that operating systems add to folders, and that are dropped with the rest.
 std::vector<fs::path> ownFiles(const std::vector<fs::path>& files) {
     std::vector<fs::path> own;
     for (const fs::path& file : files) {

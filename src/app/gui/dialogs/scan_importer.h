@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "app/gui/dialogs/import_dialog.h"
-#include "app/gui/model/session_parts.h"
-#include "app/gui/model/task.h"
+#include "session/model/session_tooth.h"
+#include "session/model/task.h"
 
 namespace tactooth {
 
-/// Brings a scan from files to the bench: reads it, asks the person, makes the layers; all work is done by another
-/// thread, and ends early when the person cancels. One scan at a time: another one takes the place of the first.
+/// Imports a scan from files: reads it, shows the assumptions to the user, and makes the layers. Background threads do
+/// the work; it ends early when the user cancels. A second scan replaces the first.
 class ScanImporter final : public QObject {
     Q_OBJECT
 
@@ -24,10 +24,10 @@ public:
     using QObject::QObject;
     ~ScanImporter() override;
 
-    /// Surfaces of one tooth: one file alone, or layers named as for a case (case_names.h). The dialog belongs to
-    /// `parent`.
+    /// `files`: surfaces of one tooth, either one file or layers named as for a case (case_names.h). `parent` owns the
+    /// dialog.
     void begin(const std::vector<std::filesystem::path>& files, QWidget* parent);
-    /// Takes what has been done. Call often, from the window's thread; returns at once.
+    /// Takes over finished work. Call it often from the window's thread; it returns at once.
     void poll();
     [[nodiscard]] bool isBusy() const { return examining_.isBusy() || building_.isBusy(); }
 
@@ -50,7 +50,7 @@ private:
 
     std::vector<std::filesystem::path> files_;
     QPointer<ImportDialog> dialog_;
-    std::shared_ptr<const Scan> scan_;  // null until it has been read
+    std::shared_ptr<const Scan> scan_;  // null until it is read
     std::shared_ptr<const ExaminedScan> examined_;
     std::shared_ptr<Control> control_;
     Task<Examined> examining_;

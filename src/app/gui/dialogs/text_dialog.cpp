@@ -23,10 +23,10 @@ TextDialog::TextDialog(const QString& title, const QString& html, QWidget* paren
     auto* column = new QVBoxLayout(this);
     column->addWidget(page, 1);
     column->addWidget(buttons);
-    constexpr double kShare = 0.9;  // of the screen, at most
+    constexpr double kShare = 0.9;  // of the screen at most
     const QSize screen = kShare * parent->screen()->availableSize();
     const QMargins around = column->contentsMargins();
-    page->document()->setTextWidth(-1);  // as if there were room for any line
+    page->document()->setTextWidth(-1);  // without line breaks
     const double wanted = page->document()->idealWidth();
     const int width = static_cast<int>(wanted) + page->verticalScrollBar()->sizeHint().width() + around.left() +
                       around.right() + 2 * page->frameWidth();

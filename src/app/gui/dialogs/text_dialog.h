@@ -6,12 +6,12 @@
 
 namespace tactooth {
 
-/// A text that is as long as it needs to be: with large letters on a small screen it is scrolled, by keys as well.
+/// A dialog with a text of any length. With a large font on a small screen the text scrolls, also by keys.
 class TextDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `html`: what it says.
+    /// `html`: the text.
     TextDialog(const QString& title, const QString& html, QWidget* parent);
 
     [[nodiscard]] QString text() const;

@@ -26,15 +26,15 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
     auto* later = new QLabel(tr("All of this is in the menus, too; F1 shows mouse and keys."));
     later->setWordWrap(true);
     column->addWidget(later);
-    constexpr int kLetters = 56;  // a line that is easy to read
+    constexpr int kLetters = 56;  // for a line that is easy to read
     const int wide = std::max(kLetters * fontMetrics().averageCharWidth(), minimumSizeHint().width());
     setMinimumWidth(wide);
-    resize(wide, layout()->totalHeightForWidth(wide));  // else there is room for lines that a narrower one would have
+    resize(wide, layout()->totalHeightForWidth(wide));  // otherwise the height would be that of a narrower dialog
 }
 
 void WelcomeDialog::addChoice(const QString& title, const QString& what, const char* name,
                               void (WelcomeDialog::*requested)()) {
-    auto* button = new QPushButton(title);  // a command link has letters of one size
+    auto* button = new QPushButton(title);  // the texts of a command link have one size
     button->setObjectName(name);
     button->setAccessibleDescription(what);
     QFont large = button->font();

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// Greets who starts the program for the first time with three ways to go on. Closing it is one of them: practise.
+/// The welcome at the first start, with three ways to begin. Closing it means practise.
 class WelcomeDialog final : public QDialog {
     Q_OBJECT
 

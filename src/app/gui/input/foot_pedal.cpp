@@ -39,7 +39,7 @@ double FootPedal::step() {
             choice_ = *taught;
             calibrator_.reset();
         }
-        return 0;  // the foot shows the pedal, it does not drill
+        return 0;  // calibration does not drill
     }
     return pedalOf(choice_, states).value_or(0);
 }

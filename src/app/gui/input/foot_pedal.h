@@ -6,17 +6,17 @@
 
 namespace tactooth {
 
-/// The foot pedal of the window: the one that was chosen, or one that is being taught. Joysticks are read as long as
-/// one of both is wanted. Knows no widgets.
+/// The foot pedal: the chosen one, or one that is being calibrated. Joysticks are read only while one of them needs it.
 class FootPedal {
 public:
-    /// Fails with a sentence if joysticks cannot be read; then there is none.
+    /// Fails with a sentence if joysticks cannot be read; then there is no pedal.
     [[nodiscard]] Expected<void> choose(const PedalBinding& choice);
     [[nodiscard]] const PedalBinding& choice() const { return choice_; }
     [[nodiscard]] Expected<void> setCalibrating(bool on);
     [[nodiscard]] bool isCalibrating() const { return calibrator_.has_value(); }
 
-    /// Call at least as often as the picture changes: 0 up .. 1 down. A pedal that is not plugged in is up.
+    /// Returns the position, 0 up .. 1 down; a pedal that is not plugged in is up. Call it at least as often as the
+    /// picture changes.
     [[nodiscard]] double step();
 
 private:

@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// The ideal shape that a tooth is compared with.
+/// The target shape that a tooth is compared with.
 struct Target {
     QString name;
     std::shared_ptr<const DistanceGrid> distances;
@@ -19,7 +19,7 @@ struct Target {
     std::shared_ptr<CavityMetrics> metrics;
 };
 
-/// `ideal`: closed, in the frame of the tooth; `outer`: the uncut tooth, which lies in `box`. Takes some seconds for a
+/// `ideal`: closed, tooth frame; `outer`: surface of the uncut tooth, which lies in `box`. Takes some seconds for a
 /// large tooth.
 [[nodiscard]] Target makeTarget(const QString& name, TriangleMesh ideal, const SurfacePart& outer, const Box3& box);
 

@@ -13,11 +13,11 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMaxButtons = 8;      // that can be chosen: no device has more within reach of the fingers
-constexpr int kDeviceLetters = 17;  // for which there is room in the lists of devices
+constexpr int kMaxButtons = 8;      // no device has more buttons within reach of the fingers
+constexpr int kDeviceLetters = 17;  // that fit into the lists of devices
 constexpr std::array<double, 4> kRates = {kMinRate, 1000, 2000, kMaxRate};  // Hz
 
-/// What a device that is one of several of its kind ("pen:Left") is called in the lists.
+/// The title of a device among several of its kind ("pen:Left") in the lists.
 QString titleOf(const QString& name) {
     const auto prefix = static_cast<qsizetype>(kNamedPen.size());
     return name.startsWith(kNamedPen.data()) ? DevicePanel::tr("Haptic pen %1").arg(name.mid(prefix)) : name;
@@ -94,7 +94,7 @@ void DevicePanel::addDevices(QGridLayout& grid) {
         if (&kind != &deviceKinds().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
         if (std::string_view(kind.name) == "pen") addNamedPens();
     }
-    for (QComboBox* box : {devices_, seconds_}) {  // no name that a person has given widens the panel
+    for (QComboBox* box : {devices_, seconds_}) {  // the user's names must not widen the panel
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kDeviceLetters);
     }
@@ -104,7 +104,8 @@ void DevicePanel::addDevices(QGridLayout& grid) {
     devices_->setToolTip(tr("What moves the bur. Plug it in before you choose it."));
     state_->setObjectName("deviceState");
     state_->setWordWrap(true);
-    state_->setMinimumHeight(2 * state_->fontMetrics().lineSpacing());  // the panel does not jump with the sentence
+    state_->setMinimumHeight(
+        2 * state_->fontMetrics().lineSpacing());  // the panel keeps its height when the sentence changes
     grid.addWidget(new QLabel(tr("Device")), 0, 0);
     grid.addWidget(devices_, 0, 1, 1, 2);
     grid.addWidget(state_, 1, 0, 1, 3);
@@ -112,11 +113,11 @@ void DevicePanel::addDevices(QGridLayout& grid) {
     grid.addWidget(seconds_, 2, 1, 1, 2);
     secondDeviceState_->setObjectName("secondDeviceState");
     secondDeviceState_->setWordWrap(true);
-    secondDeviceState_->hide();  // most have one device
+    secondDeviceState_->hide();  // most users have one device
     grid.addWidget(secondDeviceState_, 3, 0, 1, 3);
 }
 
-/// Those that the vendor's setup program knows at the moment; one that is set up later can still be named.
+/// Adds the pens that the vendor's setup program knows now. The user can still name another one.
 void DevicePanel::addNamedPens() {
     for (const std::string& pen : configuredPens()) {
         if (pen == kDefaultPen) continue;
@@ -149,7 +150,7 @@ void DevicePanel::addMotionScaling(QGridLayout& grid) {
     fit_->setToolTip(tr("As fine as it can be while the device's room still reaches all of the tooth"));
     fitNote_->setObjectName("fitNote");
     fitNote_->setWordWrap(true);
-    fitNote_->hide();  // there is something to say for few devices
+    fitNote_->hide();  // few devices need the note
     const int row = grid.rowCount();
     grid.addWidget(fit_, row, 1, 1, 2);
     grid.addWidget(fitNote_, row + 1, 0, 1, 3);
@@ -226,7 +227,7 @@ DeviceSettings DevicePanel::settings() const {
 
 void DevicePanel::set(const DeviceSettings& settings) {
     {
-        const QSignalBlocker quiet(this);  // one change, not nine
+        const QSignalBlocker quiet(this);  // one `changed` for all controls
         showDevice(QString::fromStdString(settings.device));
         showSecondDevice(QString::fromStdString(settings.secondDevice));
         fit_->setChecked(settings.motionScaling == kAutoScaling);
@@ -241,7 +242,7 @@ void DevicePanel::set(const DeviceSettings& settings) {
     emit changed();
 }
 
-/// One of several of its kind ("pen:Left") gets an entry of its own.
+/// A device among several of its kind ("pen:Left") gets an entry of its own.
 void DevicePanel::showChosen(QComboBox& box, const QString& name) {
     int place = box.findData(name);
     if (place < 0 && name.contains(':')) {

@@ -20,7 +20,7 @@
 
 namespace tactooth {
 
-/// What the hand and the foot hold: the device that steers, how finely, its buttons, the clutch, and the pedal.
+/// The devices of both hands, motion scaling, buttons, clutch and foot pedal.
 class DevicePanel final : public QWidget {
     Q_OBJECT
 
@@ -29,23 +29,24 @@ public:
 
     [[nodiscard]] DeviceSettings settings() const;
     void set(const DeviceSettings& settings);
-    /// The device that is chosen, as openDevice takes it; emits nothing.
+    /// Shows a device by the name that openDevice takes; emits nothing.
     void showDevice(const QString& name) { showChosen(*devices_, name); }
-    /// The same for the other hand; "none" is an empty one.
+    /// The same for the other hand; "none": it is empty.
     void showSecondDevice(const QString& name) { showChosen(*seconds_, name); }
     void showPedal(const std::string& pedal, double up, double down);
     void setCalibrating(bool calibrating) { calibrate_->setChecked(calibrating); }
 
     [[nodiscard]] ButtonMap buttons() const;
     [[nodiscard]] bool clutch() const { return clutch_->isChecked(); }
-    /// The clutch with its key, for a menu: the key works wherever the panel is, or if it is closed.
+    /// The clutch for a menu. Its key works even if the panel is hidden or closed.
     [[nodiscard]] QAction* clutchAction() { return clutchAction_; }
 
-    /// What the fit to the tooth has come to, if it is chosen; none: nothing has a room that could be fitted.
+    /// Shows the motion scaling that fits the tooth, if the user has chosen the fit; none: no device has a bounded
+    /// workspace.
     void showFit(const std::optional<WorkspaceFit>& fit);
-    /// How it goes with the device at the moment; an empty name is the mouse.
+    /// Shows the state of the device; an empty name means the mouse.
     void showState(const QString& device, ForceState force, const char* faultMessage);
-    /// The same for the other hand; nothing is shown for an empty one.
+    /// The same for the other hand; an empty name shows nothing.
     void showSecondState(const QString& device, const char* faultMessage);
 
 signals:
@@ -76,7 +77,7 @@ private:
     QPushButton* clutch_;
     QAction* clutchAction_;
     QCheckBox* leftHanded_;
-    std::array<QComboBox*, 3> buttons_{};  // turbine or mirror, touch or cut, clutch
+    std::array<QComboBox*, 3> buttons_{};  // swap of turbine and mirror, touch or cut, clutch
     QLabel* pedal_;
     QPushButton* calibrate_;
     QKeySequenceEdit* key_;
@@ -84,10 +85,10 @@ private:
     double pedalUp_ = 0, pedalDown_ = 1;
 };
 
-/// The space key if it names none.
+/// The pedal key; the space key if the settings name none.
 [[nodiscard]] Qt::Key pedalKeyOf(const DeviceSettings& settings);
 
-/// Why the hand feels what it feels: a sentence.
+/// A sentence on why the force is on, off or limited.
 [[nodiscard]] QString forceStateText(ForceState state);
 
 }  // namespace tactooth

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kStart = 220, kSpan = 260;  // degrees, from the left bottom clockwise
+constexpr double kStart = 220, kSpan = 260;  // degrees, clockwise from the bottom left
 
 QString figures(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 

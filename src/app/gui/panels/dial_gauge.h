@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// A round instrument with a needle: the value in large figures, its unit and a name.
+/// A dial gauge with a needle, the value in large figures, its unit and its name.
 class DialGauge final : public QWidget {
     Q_OBJECT
 
@@ -14,9 +14,9 @@ public:
     struct Face {
         QString name;
         QString unit;
-        double largest = 1;  ///< at the end of the scale, in the unit
+        double largest = 1;  ///< at the end of the scale, in `unit`
         int decimals = 0;
-        double warnFrom = 1e9;  ///< from here on the scale is red
+        double warnFrom = 1e9;  ///< the scale is red from this value on
     };
     explicit DialGauge(Face face, QWidget* parent = nullptr);
 
@@ -30,7 +30,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// With larger letters.
+    /// The gauge grows with the font.
     [[nodiscard]] double fontScale() const;
 
     Face face_;

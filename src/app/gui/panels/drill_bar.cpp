@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kFileRole = Qt::UserRole + 1;  // beside the number in the catalogue
+constexpr int kFileRole = Qt::UserRole + 1;  // besides the number in the catalogue
 constexpr int kNameRole = Qt::UserRole + 2;  // not translated
 
 }  // namespace
@@ -40,7 +40,7 @@ DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new Q
         if (!file.isEmpty()) emit burFileChosen(file);
         if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
     });
-    // In a narrow window their texts are cut short.
+    // A narrow window cuts their texts short.
     for (QComboBox* box : {burs_, spindles_}) {
         connect(box, &QComboBox::currentTextChanged, box,
                 [box, tip = box->toolTip()](const QString& text) { box->setToolTip(tip + ": " + text); });

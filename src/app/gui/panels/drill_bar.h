@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// Which bur in which drive, and what it does: touch or cut.
+/// The tool bar of the drill: bur, spindle, and touch or cut.
 class DrillBar final : public QToolBar {
     Q_OBJECT
 
@@ -22,15 +22,15 @@ public:
     [[nodiscard]] QAction* cutAction() { return cut_; }
     [[nodiscard]] QAction* undoAction() { return undo_; }
     [[nodiscard]] QAction* resetAction() { return reset_; }
-    /// Shows what a device's button has chosen; emits nothing.
+    /// Shows touch or cut as a device's button has chosen it; emits nothing.
     void showCutting(bool cutting);
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
-    /// In the catalogue; empty for a bur from a file.
+    /// Number in the catalogue; empty for a bur from a file.
     [[nodiscard]] QString burNumber() const { return burs_->currentData().toString(); }
     [[nodiscard]] QString spindleName() const { return spindles_->currentData().toString(); }
-    /// As if a person had chosen them; what is not in the lists is passed over.
+    /// Chooses them as the user does; ignores what is not in the lists.
     void choose(const QString& burNumber, const QString& spindleName);
-    /// The list shows what is in the handpiece: a bur of the catalogue or, below them, the one of a file.
+    /// Shows the bur in the handpiece: one of the catalogue or, below them, the one of a file.
     void show(const QString& name, const QString& file);
 
 signals:
@@ -48,7 +48,7 @@ private:
     QAction* cut_;
     QAction* undo_;
     QAction* reset_;
-    bool showing_ = false;  // a choice that was made elsewhere
+    bool showing_ = false;  // a choice that the user made elsewhere
 };
 
 }  // namespace tactooth

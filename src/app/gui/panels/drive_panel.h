@@ -11,14 +11,14 @@
 
 namespace tactooth {
 
-/// Foot and ear of the drill: the pedal, the spindle's speed, and the force on the bur.
+/// The gauges of the drill (spindle speed and force on the bur) and the pedal.
 class DrivePanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit DrivePanel(QWidget* parent = nullptr);
 
-    /// The foot on the space key.
+    /// The pedal key is down or up.
     void setKeyDown(bool down);
     [[nodiscard]] double pedal() const;
     void setSpindle(const SpindlePreset& spindle);

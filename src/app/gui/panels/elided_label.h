@@ -6,8 +6,7 @@
 
 namespace tactooth {
 
-/// One line of plain text that takes what room it is given: a text that is too long ends in "…", and its tool tip has
-/// the whole.
+/// One line of plain text that fits any width: a longer text ends in "…", and the tool tip shows all of it.
 class ElidedLabel final : public QLabel {
     Q_OBJECT
 
@@ -16,7 +15,7 @@ public:
 
     [[nodiscard]] QSize minimumSizeHint() const override;
 
-    /// What there is room for.
+    /// The part of the text that is visible.
     [[nodiscard]] QString shown() const;
 
 protected:

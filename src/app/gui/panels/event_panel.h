@@ -12,20 +12,20 @@ class QTableWidget;
 
 namespace tactooth {
 
-/// What has happened to the tooth, with time and place: a line each.
+/// A table of the events at the tooth, each with time and place.
 class EventPanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit EventPanel(QWidget* parent = nullptr);
 
-    /// All of them, those shown before first; fewer than before: another tooth's.
+    /// `events`: all so far, in the order of time. Fewer than before means another tooth's.
     void show(std::span<const CutEvent> events);
 
 signals:
-    /// Something that a student should hear of at once: a sentence.
+    /// A sentence on an event that the student should notice at once.
     void notified(const QString& sentence);
-    /// A line was chosen: its place in the tooth, mm.
+    /// The user has chosen an event; `place` in the tooth frame, mm.
     void placeChosen(const Vec3& place);
     void exportRequested();
 

@@ -100,7 +100,7 @@ QWidget* ExercisePanel::makeNumbers() {
         grid->addWidget(title, fact + 1, 0);
         grid->addWidget(value, fact + 1, 1, Qt::AlignRight);
     }
-    // Those that a tooth is made of first; the others would be a column of zeros.
+    // The materials of a tooth come first; the other materials would only show zeros.
     int row = 1;
     for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries, MaterialId::Pulp}) {
         const QString name = translated(materialName(id));

@@ -18,17 +18,17 @@ namespace tactooth {
 
 struct Exercise;
 
-/// What is practised: the choice of an exercise, how far the student has come, and what was cut beside the cavity.
+/// The list of exercises, the progress of the student, and what was removed outside the target cavity.
 class ExercisePanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit ExercisePanel(QWidget* parent = nullptr);
 
-    /// The exercise on the bench, null for free practice. One that is not in the list yet is added, in the place of one
-    /// from the same file. Tells nobody.
+    /// Shows the active exercise; null: free practice. Adds an unknown exercise to the list, in place of one from the
+    /// same file. Emits nothing.
     void show(const std::shared_ptr<const Exercise>& exercise);
-    /// `seconds`: since the first contact; `cavity`: none without an ideal one.
+    /// `seconds`: since the first contact; `cavity`: none without a target.
     void show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity);
 
 signals:
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] QWidget* makeNumbers();
     [[nodiscard]] QString number(double value, int digits) const;
 
-    std::vector<std::shared_ptr<const Exercise>> known_;  // as the list shows them; the first: free practice
+    std::vector<std::shared_ptr<const Exercise>> known_;  // in the order of the list; the first: free practice
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;

@@ -66,7 +66,7 @@ void ForcePanel::set(const ForceSettings& settings) {
     friction_->setValue(settings.friction);
 }
 
-/// The tissues whose numbers one can take for the whole tooth.
+/// The tissues whose parameters the user can choose for the whole tooth.
 void ForcePanel::addPresets(QGridLayout& grid) {
     grid.addWidget(fromMaterial_, 0, 0, 1, 2);
     grid.addWidget(presets_, 0, 2);

@@ -12,8 +12,8 @@
 
 namespace tactooth {
 
-/// The box of force parameters: spring, damper and friction (the materials' own, those of one tissue everywhere, or
-/// one's own numbers), the scale of the force, and how hard the mouse presses.
+/// The force parameters: spring, damper and friction (the materials' own, those of one tissue everywhere, or the user's
+/// numbers), the scale of the force, and the press depth of the mouse.
 class ForcePanel final : public QWidget {
     Q_OBJECT
 

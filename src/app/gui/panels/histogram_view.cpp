@@ -10,13 +10,13 @@
 namespace tactooth {
 namespace {
 
-constexpr int kOctaves = 14;  // from 1 us: to 16.4 ms
+constexpr int kOctaves = 14;  // from 1 us to 16.4 ms
 constexpr int kPerOctave = 4;
 constexpr int kBars = kOctaves * kPerOctave;
 
 double startOf(int bar) { return std::exp2(static_cast<double>(bar) / kPerOctave); }
 
-/// What is beyond an end of the axis is shown in its last bar.
+/// Values beyond an end of the axis count in its last bar.
 std::uint64_t countIn(const LatencyCounts& counts, int bar) {
     return counts.between(bar == 0 ? 0 : startOf(bar), bar == kBars - 1 ? 1e300 : startOf(bar + 1));
 }
@@ -42,7 +42,7 @@ double HistogramView::placeOf(double microseconds) const {
     return field().left() + field().width() * std::log2(microseconds) / kOctaves;
 }
 
-/// Filled steps; those of another series stay visible behind them.
+/// Filled steps; the series behind stays visible.
 void HistogramView::drawSeries(QPainter& painter, const Series& series, double highest) const {
     QPainterPath steps(field().bottomLeft());
     for (int bar = 0; bar < kBars; ++bar) {
@@ -76,7 +76,7 @@ void HistogramView::drawAxis(QPainter& painter) const {
     painter.drawLine(QPointF(placeOf(period_), field().top()), QPointF(placeOf(period_), field().bottom()));
 }
 
-/// On the right, where few ticks come.
+/// On the right, where few ticks are.
 void HistogramView::drawNames(QPainter& painter) const {
     const double line = fontMetrics().height();
     double widest = 0;

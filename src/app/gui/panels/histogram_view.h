@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// How often each duration came, from a microsecond to sixteen milliseconds: time and number both by their logarithm,
-/// so that one late tick among a million is still seen. A line marks the period that none should reach.
+/// A histogram of durations from 1 us to 16 ms. Both axes are logarithmic, so that one late tick among a million is
+/// visible. A line marks the period that no duration should reach.
 class HistogramView final : public QWidget {
     Q_OBJECT
 

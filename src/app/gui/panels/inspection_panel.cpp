@@ -12,7 +12,7 @@ namespace {
 constexpr int kFull = 100;            // percent
 constexpr int kFarthest = 60;         // tenths of a mm: half a molar
 constexpr double kTenth = 0.1;        // mm
-constexpr double kColourRange = 0.5;  // mm: what an examiner calls too deep or too shallow
+constexpr double kColourRange = 0.5;  // mm; an examiner calls that too deep or too shallow
 
 QSlider* slider(int low, int high, int value, const QString& tip, const char* name) {
     auto* result = new QSlider(Qt::Horizontal);
@@ -75,7 +75,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
         connect(each, &QSlider::valueChanged, this, &InspectionPanel::changed);
     connect(ghost_, &QCheckBox::toggled, showGhost_, &QAction::setChecked);
     connect(showGhost_, &QAction::toggled, ghost_, &QCheckBox::setChecked);
-    // The tint of the one would falsify the colours of the other.
+    // The tint of the ghost would falsify the colours of the distance.
     connect(coloured_, &QCheckBox::toggled, this, [this](bool on) {
         if (on) ghost_->setChecked(false);
         emit changed();
@@ -133,7 +133,7 @@ void InspectionPanel::setTarget(Target target) {
     emit changed();
 }
 
-/// Says what the ghost shows, or why there is none.
+/// Explains in the tool tip what the ghost shows, or why there is none.
 void InspectionPanel::explainGhost() {
     const bool hasGhost = target_.ghost != nullptr && !target_.ghost->empty();
     const QString tip =

@@ -14,28 +14,28 @@
 
 namespace tactooth {
 
-/// How one looks into the tooth: a section, transparent tissues, two eyes; a target as colours by the distance to it,
-/// or as the ghost of what it wants to have cut.
+/// Views into the tooth: a section, transparent tissues, stereo; a target as colours by the distance, or as the ghost
+/// of the volume to be cut.
 class InspectionPanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit InspectionPanel(QWidget* parent = nullptr);
 
-    /// The section cuts `box`; `mesialX`: direction of mesial along x.
+    /// The section plane cuts `box`; `mesialX`: direction of mesial along x.
     [[nodiscard]] Inspection inspection(const Box3& box, double mesialX) const;
     [[nodiscard]] Stereo::Mode stereo() const;
-    /// For the tooth on the bench, whose colours are shown at once; empty: none.
+    /// Sets the target of the tooth and shows its colours; empty: no target.
     void setTarget(Target target);
-    /// What has been chosen here.
+    /// The user's choices.
     struct Choice {
-        int section = 0, place = 0, enamel = 100, dentin = 100, stereo = 0;  ///< as the controls count
+        int section = 0, place = 0, enamel = 100, dentin = 100, stereo = 0;  ///< in the units of the controls
         bool coloured = false, ghost = false;
     };
     [[nodiscard]] Choice choice() const;
-    /// Colours and ghost only as far as the target has them.
+    /// Colours and ghost are chosen only if the target has them.
     void choose(const Choice& choice);
-    /// Shows the ghost; enabled where the target has one.
+    /// Shows the ghost; enabled if the target has one.
     [[nodiscard]] QAction* ghostAction() const { return showGhost_; }
 
 signals:
@@ -47,7 +47,7 @@ private:
     void explainGhost();
 
     QComboBox* section_;
-    QSlider* place_;  // of the section, tenths of a mm from the middle
+    QSlider* place_;  // of the section, tenths of a mm from the centre
     QSlider* enamel_;
     QSlider* dentin_;
     QComboBox* stereo_;

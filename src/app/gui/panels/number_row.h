@@ -8,7 +8,7 @@
 
 namespace tactooth {
 
-/// A number that can be set with a slider and typed into a box; both always agree.
+/// A slider and a number box that always show the same value.
 class NumberRow final : public QObject {
     Q_OBJECT
 
@@ -16,10 +16,10 @@ public:
     struct Range {
         double low, high, step;
         int decimals;
-        QString unit;  ///< with the space before it
+        QString unit;  ///< begins with a space
     };
 
-    /// Adds a row to `grid`: label, slider, box. Lives as long as the widget that the grid lays out.
+    /// Adds a row to `grid`: label, slider, box. The widget of the grid owns it.
     NumberRow(QGridLayout& grid, const QString& label, const Range& range, double value, const QString& tip);
 
     [[nodiscard]] double value() const { return box_->value(); }

@@ -43,7 +43,7 @@ Expected<void> writeDrawing(QWidget& plots, const std::filesystem::path& file) {
     return writeFile(file, std::as_bytes(std::span(text.constData(), static_cast<std::size_t>(text.size()))));
 }
 
-/// Twice as fine as the screen: for print.
+/// At twice the resolution of the screen, for print.
 Expected<void> writePicture(QWidget& plots, const std::filesystem::path& file) {
     constexpr int kFiner = 2;
     QImage image(plots.size() * kFiner, QImage::Format_RGB32);

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace tactooth {
 
-/// Writes the plots: as a table t,depth,speed,force (s, mm, mm/s, N) if the file's name ends in .csv, as a drawing of
-/// `plots` if it ends in .svg or .png. Fails with one sentence.
+/// Writes the plots: a table t,depth,speed,force (s, mm, mm/s, N) if the file's name ends in .csv, a drawing of `plots`
+/// if it ends in .svg or .png. Fails with one sentence.
 [[nodiscard]] Expected<void> exportPlots(const TickTrace& trace, QWidget& plots, const std::filesystem::path& file);
 
 }  // namespace tactooth

@@ -27,7 +27,7 @@ void styleAxis(QValueAxis& axis) {
     axis.setLabelsColor(QApplication::palette().color(QPalette::WindowText));
 }
 
-/// The next of 1, 2, 5, 10, ... that is not smaller: an axis that rests instead of trembling.
+/// The next of 1, 2, 5, 10, ... that is not smaller, so that the axis does not change all the time.
 double roundRange(double value) {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double step : {1.0, 2.0, 5.0, 10.0}) {
@@ -89,7 +89,7 @@ void PlotPanel::setStretch(int seconds) {
     fitTicks();
 }
 
-/// As many figures below a plot as have room.
+/// Shows as many figures below a plot as fit.
 void PlotPanel::fitTicks() {
     const int seconds = stretch_->value();
     const int letters = QFontMetrics(QApplication::font()).horizontalAdvance("-10 s") + 8;
@@ -103,7 +103,7 @@ void PlotPanel::resizeEvent(QResizeEvent* event) {
     fitTicks();
 }
 
-/// By the program's palette: a widget that is not shown yet has not heard of a change.
+/// Uses the program's palette: a hidden widget has not received a change yet.
 void PlotPanel::setColours() {
     for (const Plot& plot : {depth_, speed_, force_}) {
         styleAxis(*plot.time);
@@ -121,7 +121,7 @@ void PlotPanel::changeEvent(QEvent* event) {
     fitTicks();
 }
 
-/// The wheel over a plot.
+/// The wheel over a plot changes its time range.
 bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::Wheel) return QWidget::eventFilter(watched, event);
     stretch_->stepBy(static_cast<QWheelEvent*>(event)->angleDelta().y() > 0 ? -1 : 1);

@@ -20,12 +20,12 @@ class PlotPanel final : public QWidget {
 
 public:
     explicit PlotPanel(QWidget* parent = nullptr);
-    /// Costs nothing while nothing happens: flat lines are drawn once. While it is paused, nothing is drawn.
+    /// Draws flat lines only once, and nothing while the user has paused the plots.
     void show(const TickTrace& trace);
-    /// What is drawn.
+    /// The trace that is drawn.
     [[nodiscard]] const TickTrace& shown() const { return shown_; }
     [[nodiscard]] QWidget& plots() { return *plots_; }
-    /// Takes over the palette and the letters, which have changed.
+    /// Takes over a changed palette or font.
     void setColours();
     [[nodiscard]] QSize sizeHint() const override { return {900, 170}; }
 
@@ -42,7 +42,7 @@ private:
         QLineSeries* line;
         QValueAxis* time;
         QValueAxis* value;
-        double smallestRange;  // of the value axis: noise must not fill the plot
+        double smallestRange;  // of the value axis, so that noise does not fill the plot
         QChart* chart = nullptr;
     };
     QWidget* makeButtons();
@@ -56,7 +56,7 @@ private:
     QSpinBox* stretch_;  // s
     Plot depth_, speed_, force_;
     TickTrace shown_;
-    bool flat_ = false;  // what is drawn
+    bool flat_ = false;  // the drawn trace is flat
 };
 
 }  // namespace tactooth

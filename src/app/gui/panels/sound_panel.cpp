@@ -92,7 +92,7 @@ void SoundPanel::showSounds(const QString& file) {
     sounds_->setCurrentIndex(file.isEmpty() ? kSynthesised : 1);
 }
 
-/// The last entry is a wish, not a state: what is played stays until there is a file.
+/// The last entry asks for a file. The sounds in use go on until the file is read.
 void SoundPanel::chooseSounds(int index) {
     if (index == sounds_->count() - 1) {
         showSounds(shownFile_);

@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// The volumes, the mute switch, headphones, and whose sounds are played.
+/// Volumes, mute switch, headphones, and the choice between synthesised and own sounds.
 class SoundPanel final : public QWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
     void setMuted(bool muted) { mute_->setChecked(muted); }
     [[nodiscard]] bool headphones() const { return headphones_->isChecked(); }
     void setHeadphones(bool headphones) { headphones_->setChecked(headphones); }
-    /// Shows which file's sounds are played; empty: the synthesised ones.
+    /// Shows the file of the sounds in use; empty: synthesised sounds.
     void showSounds(const QString& file);
 
 signals:

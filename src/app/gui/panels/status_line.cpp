@@ -14,7 +14,7 @@ namespace {
 QString removedText(const MaterialVolumes& removed) {
     QStringList parts;
     for (std::size_t i = 0; i < removed.size(); ++i) {
-        constexpr double kShown = 0.005;  // mm^3: less would be shown as 0.00
+        constexpr double kShown = 0.005;  // mm^3: less would show as 0.00
         if (removed[i] < kShown) continue;
         const std::string_view name = materialName(static_cast<MaterialId>(i));
         parts += translated(name) + ' ' + QLocale().toString(removed[i], 'f', 2);
@@ -23,7 +23,7 @@ QString removedText(const MaterialVolumes& removed) {
     return StatusLine::tr("Removed: %1 mm³").arg(parts.join(", "));
 }
 
-constexpr int kOverrunSteps = 100;  // of a tenth of a percent: a tenth of all ticks fills the meter
+constexpr int kOverrunSteps = 100;  // of a tenth of a percent: the bar is full when a tenth of all ticks is late
 constexpr double kFeltOverrun = 1;  // percent
 
 }  // namespace
@@ -36,7 +36,7 @@ StatusLine::StatusLine(QWidget* parent)
       overrun_(new QProgressBar),
       sound_(new QLabel) {
     hint_->setObjectName("hint");
-    addWidget(hint_, 1);  // in a small window the numbers come first
+    addWidget(hint_, 1);  // in a small window the numbers keep their space
     for (QWidget* part : std::initializer_list<QWidget*>{removed_, servo_, overrun_, sound_}) addPermanentWidget(part);
     overrun_->setObjectName("overrun");
     overrun_->setRange(0, kOverrunSteps);
@@ -58,12 +58,12 @@ void StatusLine::fitMeter() {
     overrun_->setFixedWidth(fontMetrics().horizontalAdvance(tr("late %1 %").arg("00.0")) + kAround);
 }
 
-/// With large letters or in a small window the hint would have no room beside the whole of it.
+/// With a large font or in a small window the full texts would leave no space for the hint.
 void StatusLine::showServo(const QString& brief, const QString& whole) {
     constexpr double kMost = 0.36;  // of the window
     const bool fits = servo_->fontMetrics().horizontalAdvance(whole) < kMost * width();
     servo_->setText(fits ? whole : brief);
-    servo_->setMinimumWidth(servo_->sizeHint().width());  // the bar would lay out a longer text too late
+    servo_->setMinimumWidth(servo_->sizeHint().width());  // the status bar would make space for a longer text too late
     servo_->setToolTip(whole + '\n' +
                        tr("The force is computed by a thread of its own, 1000 times a second.\np99: 99 % of the ticks "
                           "take less. Missed: ticks that the system gave no time for."));
@@ -74,7 +74,7 @@ void StatusLine::showOverrun(std::uint64_t inTime, std::uint64_t missed) {
     const double percent = all > 0 ? 100 * static_cast<double>(missed) / static_cast<double>(all) : 0;
     const QString text = tr("late %1 %").arg(QLocale().toString(percent, 'f', 1));
     if (text == overrun_->format()) return;
-    overrun_->setUpdatesEnabled(false);  // each of the following would have the whole window composed anew
+    overrun_->setUpdatesEnabled(false);  // each call below would make the desktop compose the whole window
     overrun_->setValue(std::min(kOverrunSteps, static_cast<int>(std::lround(10 * percent))));
     overrun_->setFormat(text);
     QPalette colours;
@@ -88,7 +88,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     const std::uint64_t ticks = timing.ticks.load(std::memory_order_relaxed);
     const std::uint64_t updates = simulator.surfaceUpdates();
     const double seconds = since_.isValid() ? static_cast<double>(since_.restart()) / 1000 : (since_.start(), 0.0);
-    // A new simulator counts from zero again.
+    // Another simulator counts from zero.
     const bool counts = seconds > 0 && ticks >= ticks_ && updates >= updates_;
     const double rate = counts ? static_cast<double>(ticks - ticks_) / seconds : 0;
     const double updateRate = counts ? static_cast<double>(updates - updates_) / seconds : 0;
@@ -97,7 +97,8 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
     ticks_ = ticks;
     missed_ = missed;
     updates_ = updates;
-    constexpr double kRounding = 10;  // Hz: a rate that trembles would have the whole window composed anew each second
+    constexpr double kRounding =
+        10;  // Hz: a rate that varies would make the desktop compose the whole window each second
     constexpr double kWholeMicroseconds = 5;
     const double shownRate = kRounding * std::round(rate / kRounding);
     showServo(tr("Servo %1 Hz").arg(shownRate, 0, 'f', 0),

@@ -13,16 +13,16 @@
 
 namespace tactooth {
 
-/// The numbers at the window's foot: what was removed, and whether the machine keeps up.
+/// The status line: hint, removed volume, and whether the machine keeps the rate of the servo.
 class StatusLine final : public QStatusBar {
     Q_OBJECT
 
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// Call about once a second: the rates are those since the last call.
+    /// Call it about once a second: it shows the rates since the last call.
     void show(const Simulator& simulator, SoundStatus sound);
-    /// A hint that stays on the left side until the next one.
+    /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
 
 protected:

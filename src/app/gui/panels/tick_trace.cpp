@@ -9,7 +9,7 @@ namespace tactooth {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a stretch: a tick on the border begins the next one
+constexpr double kRounding = 1e-6;  // of an interval: a tick on the border begins the next interval
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void TickTrace::add(std::span<const Tick> ticks) {
 }
 
 bool TickTrace::isFlat() const {
-    constexpr double kSpeed = 0.1, kElse = 0.001;  // mm/s; mm and N: below what a plot shows
+    constexpr double kSpeed = 0.1, kElse = 0.001;  // mm/s; mm and N: less than a plot can show
     return std::none_of(points_.begin(), points_.end(), [](const Point& point) {
         return point.speed > kSpeed || point.depth > kElse || point.force > kElse;
     });

@@ -9,28 +9,28 @@
 
 namespace tactooth {
 
-/// The last seconds of a simulation, thinned for a plot: one point for each stretch of time, with the largest values
-/// in it, so that no peak is lost.
+/// The last seconds of a simulation, decimated for a plot: one point for each interval, with the largest values in it,
+/// so that no peak is lost.
 class TickTrace {
 public:
     static constexpr double kInterval = 0.05;  // s: 20 points a second are finer than the plot's pixels
     static constexpr double kShown = 10;       // s
 
     struct Point {
-        double time;   ///< end of the stretch, s
+        double time;   ///< end of the interval, s
         double depth;  ///< mm
         double speed;  ///< mm/s
         double force;  ///< N
     };
 
-    /// Ticks in the order of their time.
+    /// `ticks` in the order of their time.
     void add(std::span<const Tick> ticks);
     void clear();
 
-    /// Complete stretches, oldest first; none older than kShown before the newest.
+    /// Complete intervals, oldest first; none older than kShown before the newest.
     [[nodiscard]] const std::deque<Point>& points() const { return points_; }
 
-    /// Whether nothing but rest is to be seen in the points.
+    /// Whether all points show rest.
     [[nodiscard]] bool isFlat() const;
 
 private:

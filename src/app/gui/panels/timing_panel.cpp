@@ -18,7 +18,8 @@ namespace tactooth {
 namespace {
 
 constexpr std::array<double, 4> kQuantiles = {0.5, 0.99, 0.999, 1.0};
-const QColor kWorkColour(0, 114, 178), kLateColour(213, 94, 0);  // told apart by colour-blind people (Okabe and Ito)
+const QColor kWorkColour(0, 114, 178),
+    kLateColour(213, 94, 0);  // colour-blind people can distinguish them (Okabe and Ito)
 
 }  // namespace
 
@@ -75,7 +76,7 @@ TimingPanel::Snapshot TimingPanel::now(const Simulator& simulator) {
         timing.missed.load(std::memory_order_relaxed)};
 }
 
-/// Numbers of another simulator would be taken for this one's until the next look.
+/// Otherwise the counters of another simulator would count for this one until the next show.
 void TimingPanel::reset() {
     latest_ = from_ = {};
     summary_->setText({});

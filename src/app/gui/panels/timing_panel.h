@@ -14,22 +14,22 @@ namespace tactooth {
 
 class ElidedLabel;
 
-/// Whether the machine keeps up with the hand: how long the servo's ticks took, how late they began, how many were
-/// missed, and what the system allows.
+/// Real-time behaviour: how long the ticks of the servo took, how late they began, how many were missed, and what the
+/// system allows.
 class TimingPanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit TimingPanel(QWidget* parent = nullptr);
 
-    /// `device`: what the hand holds, for people. Call about once a second.
+    /// `device`: its name for people. Call it about once a second.
     void show(const Simulator& simulator, const QString& device, double rateHz);
-    /// What is shown next belongs to another simulator, which counts from zero.
+    /// The next values belong to another simulator, which counts from zero.
     void reset();
 
 private:
     static constexpr std::size_t kRows = 4, kColumns = 4;
-    /// All that is counted, at one moment.
+    /// All counters at one moment.
     struct Snapshot {
         std::array<LatencyCounts, kRows> rows;
         std::uint64_t ticks = 0, missed = 0;
@@ -39,8 +39,8 @@ private:
     HistogramView* picture_;
     std::array<std::array<QLabel*, kColumns>, kRows> cells_{};
     ElidedLabel* summary_;
-    Snapshot latest_;  // of the newest show
-    Snapshot from_;    // counted from here on
+    Snapshot latest_;  // of the last show
+    Snapshot from_;    // the counters of the panel begin here
 };
 
 }  // namespace tactooth

@@ -13,18 +13,18 @@
 namespace tactooth {
 namespace {
 
-constexpr double kShortestMs = 30;   // between two pictures: about 30 a second are enough for the eye
-constexpr double kLongestMs = 100;   // a slower picture would lose the hand
-constexpr double kSpinMs = 120;      // between two pictures of a bur that does nothing but spin
-constexpr double kShareOfTime = 2;   // the way from picture to picture takes this many times the drawing
-constexpr double kTooSlowMs = 18;    // a full picture that takes longer is replaced by coarse ones ...
-constexpr double kFastEnoughMs = 7;  // ... until a coarse one takes less; it has half the pixels
+constexpr double kShortestMs = 30;   // between two pictures: the eye needs about 30 a second
+constexpr double kLongestMs = 100;   // with a slower picture the user loses the hand
+constexpr double kSpinMs = 120;      // between two pictures of a bur that only spins
+constexpr double kShareOfTime = 2;   // the interval between pictures is this many times the drawing time
+constexpr double kTooSlowMs = 18;    // slower full pictures are replaced by coarse ones ...
+constexpr double kFastEnoughMs = 7;  // ... until a coarse one is faster than this; it has half the pixels
 constexpr double kCoarse = 0.7;      // along each side
 constexpr double kSmoothing = 0.25;  // share of the newest cost
-constexpr double kCardMs = 2;        // a plain picture that takes no longer comes from a graphics card ...
-constexpr int kCardPictures = 20;    // ... if so many have come: then smooth ones are tried,
-constexpr double kSmoothMs = 10;     // and kept if they take no longer
-constexpr int kNice = 5;             // a third of the share of an ordinary thread
+constexpr double kCardMs = 2;        // a plain picture as fast as this comes from a graphics card ...
+constexpr int kCardPictures = 20;    // ... after so many of them; then smooth ones are tried,
+constexpr double kSmoothMs = 10;     // and kept if they are as fast as this
+constexpr int kNice = 5;             // gives a third of the share of an ordinary thread
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void FramePacer::recordFrame(Change change, double ms) {
     ++drawn_;
     if (smooth_ == Smooth::NotYet && !coarse_ && cost_ < kCardMs && drawn_ >= kCardPictures) smooth_ = Smooth::Yes;
     if (smooth_ == Smooth::Yes && cost_ > kSmoothMs) {
-        smooth_ = Smooth::TooSlow;  // once and for all: the pictures would flicker
+        smooth_ = Smooth::TooSlow;  // for good: otherwise the pictures would flicker
         cost_ = 0;
         return;
     }
@@ -70,7 +70,7 @@ void lowerSoftwareRendererPriority() {
         const std::string number = task.path().filename().string();
         id_t thread = 0;
         std::from_chars(number.data(), number.data() + number.size(), thread);
-        setpriority(PRIO_PROCESS, thread, kNice);  // Linux: of this thread alone
+        setpriority(PRIO_PROCESS, thread, kNice);  // on Linux this is for one thread
     }
 }
 

@@ -4,38 +4,38 @@
 
 namespace tactooth {
 
-/// How often and how finely the picture is drawn while things move, so that the cutting and the hand keep their share
-/// of a computer that draws by software: never more than half of the time goes into pictures, and where they are slow
-/// they get coarser first. Where a graphics card makes them in no time they are as smooth as those at rest.
+/// Rate and resolution of the picture while something moves. With a software renderer, pictures take at most half of
+/// the time, so that the simulation keeps its share of the processor. Slow pictures first get a lower resolution. With
+/// a graphics card moving pictures are as smooth as those at rest.
 class FramePacer {
 public:
-    /// What has changed since the last picture.
+    /// The change since the last picture.
     enum class Change {
         None,
-        Spin,  ///< nothing but the turn of the bur, which is a blur anyway
+        Spin,  ///< only the angle of the bur, which is blurred anyway
         Motion
     };
 
-    /// Whether it is time for a picture, `ms` after the last one began.
+    /// Whether the next picture is due, `ms` after the last one began.
     [[nodiscard]] bool isDue(Change change, double ms) const;
-    /// Share of the picture's pixels along each side.
+    /// Resolution along each side, as a share of the full one.
     [[nodiscard]] double resolution(Change change) const;
-    /// Whether pictures of motion may have smooth edges and soft shadows as well, as where a graphics card draws.
+    /// Whether pictures of motion also have smooth edges and soft shadows, as with a graphics card.
     [[nodiscard]] bool isSmooth() const { return smooth_ == Smooth::Yes; }
-    /// The picture of `change` took `ms` to draw.
+    /// A picture of `change` took `ms` to draw.
     void recordFrame(Change change, double ms);
 
 private:
     enum class Smooth { NotYet, Yes, TooSlow };
 
-    double cost_ = 0;  ///< of a picture while things move, ms, smoothed
+    double cost_ = 0;  ///< of a picture of motion, ms, smoothed
     bool coarse_ = false;
     Smooth smooth_ = Smooth::NotYet;
     int drawn_ = 0;  ///< pictures of motion
 };
 
-/// Lets the threads of the software renderer give way to all others of this computer. Call after the first OpenGL
-/// context was made; without a software renderer it does nothing.
+/// Lowers the priority of the threads of the software renderer. Call it after the first OpenGL context is made. Without
+/// a software renderer it does nothing.
 void lowerSoftwareRendererPriority();
 
 }  // namespace tactooth

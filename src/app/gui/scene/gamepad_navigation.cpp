@@ -25,10 +25,10 @@
 namespace tactooth {
 namespace {
 
-constexpr double kFirstRepeat = 0.4;     // s that an arrow is held until it repeats,
-constexpr double kNextRepeat = 0.1;      // and from then on
+constexpr double kFirstRepeat = 0.4;     // s until a held arrow repeats for the first time,
+constexpr double kNextRepeat = 0.1;      // and between its repetitions
 constexpr double kOrbitSpeed = 1.0 / 3;  // picture heights a second: half of one turns the tooth by 90 degrees
-constexpr double kNearer = 0.5;          // of the distance that is left after a second
+constexpr double kNearer = 0.5;          // factor of the distance for one second
 
 constexpr std::array kArrows = {std::pair{PadButton::Up, Qt::Key_Up}, std::pair{PadButton::Down, Qt::Key_Down},
                                 std::pair{PadButton::Left, Qt::Key_Left}, std::pair{PadButton::Right, Qt::Key_Right}};
@@ -38,21 +38,21 @@ std::optional<Qt::Key> arrowKeyOf(PadButton button) {
     return found == kArrows.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Later, from the event loop: what it does may end the window.
+/// Posts the key to the event loop: its effect may close the window.
 void post(QWidget& to, Qt::Key key) {
     for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
         QCoreApplication::postEvent(&to, new QKeyEvent(type, key, Qt::NoModifier));
     }
 }
 
-/// What a click does. Space is the pedal, and Return leaves a dialog.
+/// Clicks a button directly: Space is the pedal key, and Return leaves a dialog.
 void activate(QWidget& widget) {
     if (auto* button = qobject_cast<QAbstractButton*>(&widget)) return button->animateClick();
     if (auto* box = qobject_cast<QComboBox*>(&widget)) return box->showPopup();
     post(widget, Qt::Key_Return);
 }
 
-/// The arrow that changes the value of `control`: not in each of them the one that points the same direction.
+/// The arrow key that changes the value of `control` in this direction; controls differ in it.
 Qt::Key valueKey(const QWidget& control, bool more) {
     if (qobject_cast<const QAbstractSpinBox*>(&control) != nullptr) return more ? Qt::Key_Up : Qt::Key_Down;
     const bool isList = qobject_cast<const QComboBox*>(&control) != nullptr ||
@@ -67,7 +67,7 @@ bool isControl(const QWidget& widget, const QWidget& panel) {
            widget.isVisibleTo(&panel);
 }
 
-/// In the order of the Tab key.
+/// Controls in the order of the Tab key.
 std::vector<QWidget*> controlsOf(const QWidget& panel) {
     std::vector<QWidget*> controls;
     const auto* const first = &panel;
@@ -77,7 +77,7 @@ std::vector<QWidget*> controlsOf(const QWidget& panel) {
     return controls;
 }
 
-/// The one `direction` places on in a round.
+/// The item `direction` places on; the last is followed by the first.
 QWidget* neighbour(const std::vector<QWidget*>& round, const QWidget* now, int direction) {
     const auto place = std::ranges::find(round, now) - round.begin();
     const auto count = static_cast<std::ptrdiff_t>(round.size());
@@ -95,7 +95,7 @@ GamepadNavigation::GamepadNavigation(QMainWindow& window, ToothView& view) : win
 void GamepadNavigation::setGamepad(const std::optional<std::string>& pad) {
     name_ = pad.value_or(std::string());
     if (pad.has_value() == (joysticks_ != nullptr)) return;
-    // A dialog of the desktop takes no keys of ours.
+    // The desktop's own dialogs receive no keys from this program.
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs, pad.has_value());
     joysticks_.reset();
     last_.reset();
@@ -119,7 +119,7 @@ bool GamepadNavigation::step(double dt) {
     const std::vector<JoystickState> joysticks = joysticks_->states();
     const JoystickState* const pad = find(joysticks);
     const PadButtons now = pad != nullptr ? pad->padButtons : PadButtons();
-    const bool isNew = !last_ || pad == nullptr;  // what has been down since before does not count
+    const bool isNew = !last_ || pad == nullptr;  // a button that was down before does not count
     const bool pressed = !isNew && handlePresses(now);
     last_ = pad != nullptr ? std::optional(now) : std::nullopt;
     const bool isElsewhere = frontWidget() != nullptr || control_ != nullptr;
@@ -155,25 +155,25 @@ void GamepadNavigation::press(PadButton button) {
     if (button == PadButton::Back) enterPanels();
 }
 
-/// The widget that gets the keys of an open menu or dialog; null if there is none.
+/// The widget that receives the keys of an open menu or dialog; null if none is open.
 QWidget* GamepadNavigation::frontWidget() const {
     for (QWidget* const front : {QApplication::activePopupWidget(), QApplication::activeModalWidget()}) {
         if (front != nullptr) return front->focusWidget() != nullptr ? front->focusWidget() : front;
     }
-    // The bar has been chosen by keys. It may keep the focus with no menu chosen, and one that the mouse is over is
-    // chosen without the focus.
+    // The keys have chosen an entry of the menu bar. The bar may have the focus without an entry; an entry under the
+    // mouse is active without the focus.
     QMenuBar* const bar = window_.menuBar();
     return window_.focusWidget() == bar && bar->activeAction() != nullptr ? bar : nullptr;
 }
 
-/// Whether it is a menu of the bar: Escape may leave one for the bar, where a second one would be needed.
+/// Whether it is a menu of the menu bar. There Escape may only return to the bar, and a second one is needed.
 bool GamepadNavigation::isMenuOfBar(const QWidget& front) const {
     const auto* const menu = qobject_cast<const QMenu*>(&front);
     return menu != nullptr && window_.menuBar()->actions().contains(menu->menuAction());
 }
 
-/// To what is in front when the key's turn comes: in a window that is drawn late two presses come at once, and the
-/// first of them may open another menu.
+/// Posts the key to the widget that is in front when the key is processed. In a slow window two presses come at once,
+/// and the first of them may open another menu.
 void GamepadNavigation::postToFrontWidget(Qt::Key key) {
     const auto send = [this, key] {
         const QPointer<QWidget> taker = frontWidget();
@@ -206,7 +206,7 @@ void GamepadNavigation::pressOnFrontWidget(PadButton button, QWidget& taker) {
     }
 }
 
-/// All menus, however deep, or one dialog.
+/// Closes all menus of any depth, or one dialog.
 void GamepadNavigation::closeFrontWidget() {
     bool closed = false;
     while (QWidget* const popup = QApplication::activePopupWidget()) {
@@ -247,7 +247,7 @@ void GamepadNavigation::pressInPanel(PadButton button) {
     }
 }
 
-/// Those with something to set: tool bars and docks, also docks behind others.
+/// Tool bars and docks that have controls; docks behind others count too.
 std::vector<QWidget*> GamepadNavigation::panels() const {
     std::vector<QWidget*> all;
     const auto add = [&all](QWidget* panel) {
@@ -287,7 +287,7 @@ void GamepadNavigation::goToControl(int direction) {
     take(*neighbour(controlsOf(*panel), control_, direction));
 }
 
-/// Goes to `control`, so that it is seen, and seen to be chosen.
+/// Moves to `control`, makes it visible and marks it.
 void GamepadNavigation::take(QWidget& control) {
     control_ = &control;
     lastPanel_ = panelOf(control);
@@ -299,7 +299,7 @@ void GamepadNavigation::take(QWidget& control) {
     }
 }
 
-/// An arrow that is held in a menu, a dialog or a panel goes on.
+/// Repeats an arrow that is held in a menu, a dialog or a panel.
 void GamepadNavigation::repeatArrow(const PadButtons& now, double dt) {
     if (arrow_ && !now.isDown(*arrow_)) arrow_.reset();
     if (!arrow_) return;
@@ -310,8 +310,8 @@ void GamepadNavigation::repeatArrow(const PadButtons& now, double dt) {
     untilRepeat_ = kNextRepeat;
 }
 
-/// The d-pad turns the tooth, with the right shoulder, which holds the bur, it shifts the picture; the sticks as
-/// buttons come nearer and go back.
+/// The d-pad turns the tooth. With the right shoulder button, which holds the bur, it shifts the picture. Pressing the
+/// sticks zooms in and out.
 void GamepadNavigation::orbitBy(const PadButtons& now, double dt) {
     using enum PadButton;
     const Vec2 direction = kOrbitSpeed * dt * Vec2(axis(now, Left, Right), axis(now, Up, Down));

@@ -15,18 +15,19 @@ namespace tactooth {
 
 class ToothView;
 
-/// A gamepad instead of mouse and keyboard: its buttons open the menus, walk through menus, dialogs and panels, and
-/// turn the picture. As long as one of these has the pad, the pad must not work on the tooth: see capturesInput.
+/// Works the window by a gamepad instead of mouse and keyboard: it opens menus, moves through menus, dialogs and
+/// panels, and turns the picture. While one of them has the pad, the pad must not move the tool: see capturesInput.
 class GamepadNavigation {
 public:
     GamepadNavigation(QMainWindow& window, ToothView& view);
 
-    /// From now on the first pad whose name holds `pad` counts; nothing: none, and none is read.
+    /// Uses the first pad whose name contains `pad`; none: reads no pad.
     void setGamepad(const std::optional<std::string>& pad);
-    /// Call at least as often as the picture changes. `dt`: since the last step, s. Returns whether it is being used.
+    /// Call it at least as often as the picture changes. `dt`: since the last step, s. Returns whether the user uses
+    /// the pad.
     bool step(double dt);
 
-    /// A menu, a dialog or a panel has the pad, or a button that was meant for one is still down.
+    /// A menu, a dialog or a panel has the pad, or a button that was pressed for it is still down.
     [[nodiscard]] bool capturesInput() const { return capturesInput_; }
     [[nodiscard]] bool isInPanels() const { return control_ != nullptr; }
 
@@ -53,12 +54,12 @@ private:
 
     QMainWindow& window_;
     ToothView& view_;
-    std::shared_ptr<SdlJoysticks> joysticks_;  // none: not listening
+    std::shared_ptr<SdlJoysticks> joysticks_;  // null: no pad is read
     std::string name_;
-    std::optional<PadButtons> last_;  // none: no pad has been there yet
-    std::optional<PadButton> arrow_;  // that is held
+    std::optional<PadButtons> last_;  // none: no pad has been connected yet
+    std::optional<PadButton> arrow_;  // the one that is held
     double untilRepeat_ = 0;          // s
-    QPointer<QWidget> control_;       // that the pad is at; none: not in the panels
+    QPointer<QWidget> control_;       // where the pad is; null: outside the panels
     QPointer<QWidget> lastPanel_;
     bool capturesInput_ = false;
 };

@@ -10,14 +10,14 @@
 namespace tactooth {
 namespace {
 
-const QColor kLine(235, 240, 245, 200);  // seen before the picture's dark and bright parts alike
+const QColor kLine(235, 240, 245, 200);  // visible on dark and bright parts of the picture
 constexpr int kPad = 5;
 
 }  // namespace
 
 SecondViewFrame::SecondViewFrame(QWidget* parent) : QAbstractButton(parent) {
     setObjectName("secondViewFrame");
-    setFocusPolicy(Qt::NoFocus);  // the keys belong to the picture
+    setFocusPolicy(Qt::NoFocus);  // the tooth view receives the keys
     setCursor(Qt::PointingHandCursor);
     setToolTip(tr("Click: the large picture looks from there"));
 }

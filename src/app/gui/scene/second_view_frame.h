@@ -8,15 +8,15 @@
 
 namespace tactooth {
 
-/// The frame with a title around the small picture in the corner of the tooth's view. A click wants the large picture
-/// to look from there.
+/// The frame and title of the small picture in the corner of the tooth view. A click turns the large picture to that
+/// view.
 class SecondViewFrame final : public QAbstractButton {
     Q_OBJECT
 
 public:
     explicit SecondViewFrame(QWidget* parent);
 
-    /// Stands where the picture is drawn in a view of this many pixels.
+    /// Moves the frame to the small picture in a view of this size, pixels.
     void fitTo(ImageSize picture);
 
 protected:

@@ -12,23 +12,24 @@
 #include <utility>
 
 #include "app/common/spin_blur.h"
+#include "app/gui/scene/session_scene.h"
 
 namespace tactooth {
 namespace {
 
-constexpr int kRestMs = 400;        // without a change until the careful picture is drawn
-constexpr int kSecondLasts = 4;     // pictures while things move, so that the small one hardly slows them
+constexpr int kRestMs = 400;        // without a change until the full-quality picture is drawn
+constexpr int kSecondLasts = 4;     // pictures of motion for which the small picture is kept: it hardly slows them
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kZoomStep = 0.88;  // for one notch, or one press of a key
-constexpr double kKeyStep = 0.006;  // of the picture's height, for one press of an arrow key: 0.2 mm on a molar
-constexpr double kKeyTurn = 6;      // times that when the tooth is turned
+constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar
+constexpr double kKeyTurn = 6;      // times kKeyStep for a turn of the tooth
 
-/// A twentieth of a pixel at a bur's rim; so the last creeping of a bur that runs down is not drawn.
+/// A twentieth of a pixel at the bur's rim: the slow end of a bur that runs down is not drawn.
 constexpr double kSeenSpin = 0.003;  // rad
 constexpr float kSeenBlur = 0.02F;   // of spinBlur
 
 bool samePose(const Pose& a, const Pose& b) {
-    constexpr double kSeen = 0.002;  // mm, and rad times a tool's length: a twentieth of a pixel
+    constexpr double kSeen = 0.002;  // mm, and rad times the length of the tool: a twentieth of a pixel
     return (a.position - b.position).norm() < kSeen && a.rotation.angularDistance(b.rotation) < kSeen / 20;
 }
 
@@ -38,7 +39,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     : QOpenGLWidget(parent), model_(model), secondFrame_(new SecondViewFrame(this)) {
     secondFrame_->hide();
     connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { setView(*second_); });
-    setUpdateBehavior(PartialUpdate);  // the last picture stays
+    setUpdateBehavior(PartialUpdate);  // keeps the last picture
     setMinimumSize(320, 240);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -46,8 +47,8 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     setObjectName("toothView");
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
-        // On a slow computer the next quick picture may just be late: a careful one now would make it later still.
-        careful_ = changeTo(model_.contents(showsTurbine_, showsMirror_)) == FramePacer::Change::None;
+        // On a slow machine the next quick picture may just be late. A full-quality picture now would delay it more.
+        careful_ = changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
         if (careful_) {
             redraw();
         } else {
@@ -86,7 +87,7 @@ void ToothView::report(const Error& error) {
 }
 
 void ToothView::initializeGL() {
-    // Called again whenever the widget gets a new context; nothing of the old one is of use then.
+    // Qt calls it again for each new context. All objects of the old context are lost.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::forgetRenderer);
     isStale_ = true;
     Expected<Renderer> renderer = Renderer::create();
@@ -98,7 +99,7 @@ void ToothView::initializeGL() {
     }
 }
 
-/// The picture has to be drawn again. What the desktop wants to have anew can be taken from the last one.
+/// Draws the picture again. When only the desktop needs it, Qt reuses the last one.
 void ToothView::redraw() {
     isStale_ = true;
     update();
@@ -106,12 +107,13 @@ void ToothView::redraw() {
 
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
-    SceneContents contents = model_.contents(showsTurbine_, showsMirror_);
+    SceneContents contents = sceneContents(model_, showsTurbine_, showsMirror_);
     if (!std::exchange(isStale_, false) && changeTo(contents) == FramePacer::Change::None) return;
     contents.camera = camera_.camera();
     drawn_ = contents;
     sinceDrawn_.start();
     const bool careful = std::exchange(careful_, false);
+    showsCareful_ = careful;
     const FramePacer::Change change = std::exchange(change_, FramePacer::Change::Motion);
     RenderSettings settings = kFine;
     if (!careful) {
@@ -123,9 +125,14 @@ void ToothView::paintGL() {
     scene.second = secondPicture(careful);
     auto done = renderer_->render(scene, defaultFramebufferObject(), imageSize(), settings);
     if (!done) report(done.error());
-    context()->functions()->glFinish();  // a software renderer works after the last call, too
+    context()->functions()->glFinish();  // a software renderer still works after the last call
     if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
     ++pictures_;
+}
+
+bool ToothView::isAtRest() const {
+    return showsCareful_ && !isStale_ &&
+           changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
 }
 
 Scene ToothView::sceneFor(const SceneContents& contents) const {
@@ -133,15 +140,16 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
     if (contents.tooth != nullptr && inspection_ != Inspection()) {
         applyInspection(scene, model_.tooth()->piece->tooth(), inspection_);
     }
-    constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by that of the tooth: easy to look at
+    constexpr double kEyesPerFocus =
+        1.0 / 30;  // eye distance as a share of the distance of the tooth: comfortable to look at
     scene.stereo = {stereo_, camera_.distance(), kEyesPerFocus * camera_.distance()};
     return scene;
 }
 
-/// Not where there is nothing to be seen yet, and not for two eyes.
+/// Not without a tooth, and not in stereo.
 bool ToothView::drawsSecond() const { return second_ && model_.tooth() && stereo_ == Stereo::Mode::Off; }
 
-/// While things move it is not drawn as often as the large one.
+/// While things move, it is drawn less often than the large picture.
 std::optional<SecondView> ToothView::secondPicture(bool careful) {
     if (!drawsSecond()) return std::nullopt;
     const bool anew = careful || secondAge_ == 0;
@@ -167,23 +175,23 @@ FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
     }
     const float blur = spinBlur(now.tool->speedRpm, now.tool->edge);
     if (std::abs(blur - spinBlur(drawn_.tool->speedRpm, drawn_.tool->edge)) > kSeenBlur) return Spin;
-    if (blur == 1 && now.tool->blurred != nullptr) return None;  // the same at every turn
+    if (blur == 1 && now.tool->blurred != nullptr) return None;  // a full blur looks the same at each angle
     const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
     return std::abs(turned) > kSeenSpin && (second_ || seesTip(now)) ? Spin : None;
 }
 
-/// Whether the bur may be in the picture.
+/// Whether the bur may be visible in the picture.
 bool ToothView::seesTip(const SceneContents& now) const {
     const ImageSize size = imageSize();
     const auto pixel = project(camera_.camera(), size, now.tool->toolInTooth.position);
-    constexpr double kAround = 0.3;  // of the picture's size: the shaft is still seen where the tip has left
+    constexpr double kAround = 0.3;  // of the picture's size: the shaft may be visible when the tip is outside
     return pixel && std::abs(pixel->x() / size.width - 0.5) < 0.5 + kAround &&
            std::abs(pixel->y() / size.height - 0.5) < 0.5 + kAround;
 }
 
 void ToothView::refresh() {
-    secondFrame_->setVisible(drawsSecond());  // a tooth has come
-    const FramePacer::Change change = changeTo(model_.contents(showsTurbine_, showsMirror_));
+    secondFrame_->setVisible(drawsSecond());  // a tooth may have come
+    const FramePacer::Change change = changeTo(sceneContents(model_, showsTurbine_, showsMirror_));
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
     redraw();
@@ -191,7 +199,7 @@ void ToothView::refresh() {
 
 void ToothView::fit() {
     if (!model_.tooth()) return;
-    // The crown is what is worked on; the roots may leave the picture, the head of the handpiece should not.
+    // The user works on the crown. The roots may be outside the picture, the head of the handpiece should not.
     constexpr double kAbove = 13;  // mm
     camera_.fit(crownBox(model_.tooth()->box(), kAbove), imageSize().aspect());
     redraw();
@@ -223,7 +231,7 @@ void ToothView::centreOn(const Vec3& place) {
 }
 
 void ToothView::resetView() {
-    camera_.setView(model_.defaultView());
+    camera_.setView(defaultView(model_));
     redraw();
 }
 
@@ -295,11 +303,11 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     } else if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(viewport(), to);
     } else {
-        model_.manipulator().aim(viewport(), to, *model_.felt());
+        model_.manipulator().aim(viewport(), to, *touchableSurface(model_));
     }
 }
 
-/// Arrows move the hand as the mouse does, with Ctrl the tooth turns; Enter presses as long as it is held.
+/// Arrow keys move the hand like the mouse; with Ctrl they turn the tooth. Enter presses while it is held.
 bool ToothView::obeyKey(const QKeyEvent& key) {
     const std::array<std::pair<int, Vec2>, 4> ways = {{{Qt::Key_Left, Vec2(-1, 0)},
                                                        {Qt::Key_Right, Vec2(1, 0)},
@@ -339,7 +347,7 @@ void ToothView::keyReleaseEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat()) endKeyPress();
 }
 
-/// A dialog in front gets the key's release.
+/// A dialog in front receives the key's release.
 void ToothView::focusOutEvent(QFocusEvent* event) {
     endKeyPress();
     QOpenGLWidget::focusOutEvent(event);

@@ -7,16 +7,18 @@
 #include <QTimer>
 
 #include "app/common/inspection.h"
-#include "app/gui/model/session_model.h"
+#include "app/common/scene_builder.h"
+#include "app/gui/input/viewport.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
+#include "session/model/session_model.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/renderer.h"
 
 namespace tactooth {
 
-/// The picture in the middle of the window, and the mouse in it. Draws when something has changed: quickly while things
-/// move, as often as the computer has time for it, and once more with all care when they have come to rest.
+/// The picture in the middle of the window, with the mouse in it. It draws when something has changed: quickly and as
+/// often as the machine can while things move, and once with full quality when they have come to rest.
 class ToothView final : public QOpenGLWidget {
     Q_OBJECT
 
@@ -24,38 +26,40 @@ public:
     explicit ToothView(SessionModel& model, QWidget* parent = nullptr);
     ~ToothView() override;
 
-    /// Draws again if what there is to see has changed and it is time for it.
+    /// Draws again if the scene has changed and the next picture is due.
     void refresh();
-    /// Pictures drawn so far.
+    /// Number of pictures drawn so far.
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
+    /// Whether it shows the full-quality picture of a scene at rest.
+    [[nodiscard]] bool isAtRest() const;
     void fit();
     void setView(StandardView view);
-    /// Shows this place of the tooth in the middle.
+    /// Brings this place of the tooth to the middle.
     void centreOn(const Vec3& place);
-    /// How the picture is turned, shifted and enlarged.
+    /// Direction, centre and distance of the view.
     [[nodiscard]] const OrbitCamera& orbitCamera() const { return camera_; }
     void setOrbitCamera(const OrbitCamera& eye);
-    /// Turns the tooth by `displacement`, in heights of the picture: half of one by 90 degrees. `shifts`: shifts it
+    /// Turns the tooth by `displacement`, in picture heights: half a height turns it by 90 degrees. `shifts`: shifts it
     /// instead.
     void orbitBy(const Vec2& displacement, bool shifts);
-    /// Leaves `factor` of the distance to the middle of the picture.
+    /// Multiplies the distance to the centre of the picture by `factor`.
     void zoomBy(double factor);
     /// From buccal and above, as a dentist sees a lower tooth.
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
-    /// How one looks into the tooth.
+    /// Section, transparency, colours and ghost, and stereo.
     void setInspection(const Inspection& inspection, Stereo::Mode stereo);
-    /// A small picture from another side as well; none without a view.
+    /// Shows a small picture from another side too; none: no small picture.
     void setSecondView(std::optional<StandardView> view, const QString& title = {});
-    /// What the mouse points into.
+    /// The picture for the mouse manipulator.
     [[nodiscard]] Viewport viewport() const { return {camera_.camera(), imageSize()}; }
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
 
 signals:
-    /// The pressing depth was changed by the mouse wheel, mm.
+    /// The mouse wheel has changed the press depth, mm.
     void pressDepthChanged(double depth);
     /// The graphics system cannot draw; a sentence.
     void failed(const QString& sentence);
@@ -98,17 +102,19 @@ private:
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
     SecondViewFrame* secondFrame_;
-    int secondAge_ = 0;  // pictures that it has been shown in
+    int secondAge_ = 0;  // number of pictures that have shown it unchanged
     SceneContents drawn_;
-    bool careful_ = false;  // the next picture
-    bool isStale_ = true;   // the last picture: beside what changeTo sees
+    bool careful_ = false;       // the next picture is drawn with full quality
+    bool showsCareful_ = false;  // the last picture has full quality
+    bool isStale_ = true;        // something that changeTo does not see has changed
     FramePacer framePacer_;
-    FramePacer::Change change_ = FramePacer::Change::Motion;  // that the next picture shows
-    QTimer rest_;                                             // runs out when nothing has moved for a while
+    FramePacer::Change change_ = FramePacer::Change::Motion;  // of the next picture
+    QTimer rest_;                                             // runs out when nothing has moved for kRestMs
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
     bool isPressedByKey_ = false;
-    Vec2 mouse_ = Vec2::Constant(-1);  // or what the keys point at; outside until there is one
+    Vec2 mouse_ =
+        Vec2::Constant(-1);  // position of the mouse or of the arrow keys, pixels; outside until the first event
 };
 
 }  // namespace tactooth

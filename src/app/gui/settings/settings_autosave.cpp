@@ -5,16 +5,12 @@
 #include <utility>
 
 namespace tactooth {
-namespace {
 
-constexpr int kLook = 1000;  // ms
-
-}  // namespace
-
-SettingsAutosave::SettingsAutosave(std::function<WindowSettings()> settings, std::filesystem::path file)
+SettingsAutosave::SettingsAutosave(std::function<WindowSettings()> settings, std::filesystem::path file,
+                                   std::chrono::milliseconds interval)
     : settings_(std::move(settings)), file_(std::move(file)), seen_(windowSettingsText(settings_())), tried_(seen_) {
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { check(); });
-    timer_.start(kLook);
+    timer_.start(interval);
 }
 
 void SettingsAutosave::check() {

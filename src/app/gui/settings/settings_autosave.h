@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTimer>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,21 +12,22 @@
 
 namespace tactooth {
 
-/// Writes the window's settings soon after they have changed, so that they are not lost with a program that is killed.
-/// It looks at them itself once a second: whatever part of the window has changed one need not know of it. A change is
-/// written when nothing has changed for a second more. What cannot be written is told at the end of the program.
+/// Writes the window's settings soon after they have changed, so that a program that is killed does not lose them. It
+/// compares them once in each interval, so no part of the window has to report a change. It writes a change when
+/// nothing has changed for one interval more. A failure is reported only when the program ends.
 class SettingsAutosave {
 public:
-    /// `settings` are those of the window; they count as written when this is made.
-    SettingsAutosave(std::function<WindowSettings()> settings, std::filesystem::path file);
+    /// `settings` returns those of the window. Those of the first call count as written.
+    SettingsAutosave(std::function<WindowSettings()> settings, std::filesystem::path file,
+                     std::chrono::milliseconds interval = std::chrono::seconds(1));
 
 private:
     void check();
 
     std::function<WindowSettings()> settings_;
     std::filesystem::path file_;
-    std::string seen_;   // by the last look
-    std::string tried_;  // to be written
+    std::string seen_;   // in the last interval
+    std::string tried_;  // in the last attempt to write
     QTimer timer_;
 };
 

@@ -16,7 +16,7 @@
 namespace tactooth {
 namespace {
 
-/// Takes values out of a file; one that cannot be meant is passed over and told.
+/// Reads values from a file; skips and reports an invalid one.
 class SettingsReader {
 public:
     SettingsReader(const toml::table& root, std::string_view name) : root_(root), name_(name) {}
@@ -71,7 +71,7 @@ private:
     void reportError(const toml::node& node, std::string_view key, std::string_view wanted) {
         Error error{std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" +
                     std::string(key) + "' must be " + std::string(wanted) + "."};
-        // What should be a table is asked for each of its keys.
+        // A value in place of a table is reported for each key of the table.
         if (refused_.empty() || refused_.back().message != error.message) refused_.push_back(std::move(error));
     }
 
@@ -160,7 +160,7 @@ std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::pat
 
 Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file) {
     std::error_code failure;
-    std::filesystem::create_directories(file.parent_path(), failure);  // the file says it if that failed
+    std::filesystem::create_directories(file.parent_path(), failure);  // opening the file reports the failure
     return writeFile(file, windowSettingsText(settings));
 }
 

@@ -16,48 +16,48 @@
 
 namespace tactooth {
 
-/// The box of force parameters as it was set.
+/// The settings of the force panel.
 struct ForceSettings {
     bool fromMaterial = true;
     double spring = MaterialTable()[MaterialId::Enamel].stiffness;  ///< N/mm
     double damper = MaterialTable()[MaterialId::Enamel].damping;    ///< N*s/mm
     double scale = 1;
-    double press = 1;  ///< how deep the mouse presses, mm
+    double press = 1;  ///< press depth of the mouse, mm
     double friction = MaterialTable()[MaterialId::Enamel].friction;
 
     bool operator==(const ForceSettings&) const = default;
 };
-/// Which device steers and how, as it was set.
+/// The settings of the device panel.
 struct DeviceSettings {
     std::string device = "mouse";       ///< see openDevice
     std::string secondDevice = "none";  ///< of the other hand, likewise
     double motionScaling = 1;           ///< mm of the hand for each mm of the tool, or kAutoScaling
-    double rate = 1000;                 ///< forces a second
+    double rate = 1000;                 ///< of the servo, Hz
     bool leftHanded = false;
-    double swapButton = 1;  ///< turbine or mirror; buttons are counted from 1, 0 is none
+    double swapButton = 1;  ///< swaps turbine and mirror; buttons count from 1, 0 is none
     double cutButton = 2;   ///< touch or cut
     double clutchButton = 3;
     std::string pedal;  ///< see parsePedal
     double pedalUp = 0, pedalDown = 1;
-    std::string pedalKey = "Space";  ///< as Qt writes keys in English
+    std::string pedalKey = "Space";  ///< Qt's English name of the key
 
     bool operator==(const DeviceSettings&) const = default;
 };
-inline constexpr double kAutoScaling = 0;                 ///< as fine as the device's room allows: see Workbench::fit
+inline constexpr double kAutoScaling = 0;                 ///< motion scaling by SessionModel::fit
 inline constexpr double kMinRate = 500, kMaxRate = 4000;  ///< Hz
 inline constexpr double kMaxButton = 8;
 
-// Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm with luck; 2 N*s/m is what a hand does not feel as
-// viscous, ten times that it does.
+// Ranges: a desk-top device renders 1 N/mm cleanly and 3 N/mm at best. A hand does not feel 2 N*s/m as viscous; it
+// feels ten times that.
 inline constexpr double kMaxSpring = 3;     ///< N/mm
 inline constexpr double kMaxDamper = 0.02;  ///< N*s/mm
 inline constexpr double kMaxForceScale = 3;
 inline constexpr double kMaxFriction = 1;
 inline constexpr double kMinTextScale = 1, kMaxTextScale = 2;
 
-/// The mouth mirror in the window.
+/// The settings of the mouth mirror.
 struct MirrorSettings {
-    std::string number = "4";  ///< its size, as dealers count them: see mirrorSizes
+    std::string number = "4";  ///< its size number, see kMirrorSizes
     bool fogged = false;
     bool wet = false;
 
@@ -69,11 +69,11 @@ struct MirrorSize {
 };
 inline constexpr std::array<MirrorSize, 3> kMirrorSizes = {{{"2", 18}, {"4", 22}, {"5", 24}}};
 
-/// What the window remembers from one start to the next. Empty texts stand for what the window chooses by itself.
+/// The settings that the window keeps from one start to the next. An empty text means the default of the window.
 struct WindowSettings {
-    std::string geometry;  ///< of the window, as Qt packs it, in base64
-    std::string docks;     ///< docks and tool bars, likewise
-    std::string folder;    ///< in which the last file was opened or saved
+    std::string geometry;  ///< of the window, in Qt's format, base64
+    std::string docks;     ///< state of docks and tool bars, likewise
+    std::string folder;    ///< of the last file that was opened or saved
     std::string bur;       ///< number in the catalogue
     std::string spindle;   ///< name
     bool showsTurbine = true;
@@ -82,19 +82,19 @@ struct WindowSettings {
     DeviceSettings hand;
     SoundMixer sound;
     bool headphones = false;
-    std::string ownSounds;  ///< file of the recordings that are played; empty: all synthesised
-    std::string language;   ///< "en" or "ja"; empty: that of the system
+    std::string ownSounds;  ///< file of the user's sounds; empty: synthesised sounds
+    std::string language;   ///< "en" or "ja"; empty: the language of the system
     bool dark = false;
-    std::string recent;  ///< the teeth that were opened last, one path a line, newest first
+    std::string recent;  ///< paths of the last teeth, one a line, newest first
     MirrorSettings mirror;
-    bool water = true;                ///< the spray comes with the pedal
-    bool suction = false;             ///< an assistant holds the tube
-    double textScale = 1;             ///< of all texts, kMinTextScale..kMaxTextScale
+    bool water = true;                ///< water flows with the pedal
+    bool suction = false;             ///< an assistant holds the suction tube
+    double textScale = 1;             ///< of all fonts, kMinTextScale..kMaxTextScale
     std::string secondView = "none";  ///< or one of kStandardViews
 };
 
-/// One setting: how it is called in the file ([table] key) and on the command line (--table-key), and what it may be.
-/// This table is the only list of them.
+/// One setting: its name in the file ([table] key) and on the command line (--table-key), and its range.
+/// windowOptions() is the only list of them.
 struct WindowOption {
     using Text = std::string& (*)(WindowSettings&);
     using Switch = bool& (*)(WindowSettings&);
@@ -104,9 +104,9 @@ struct WindowOption {
     const char* key;
     std::variant<Text, Switch, Number> value;
     double highest;              ///< of a number
-    const char* help;            ///< null: of no use on a command line
+    const char* help;            ///< null: not for the command line
     double lowest = 0;           ///< of a number
-    const char* zero = nullptr;  ///< a word that stands for 0, which may be below the lowest number
+    const char* zero = nullptr;  ///< a word for 0, which may be below `lowest`
 };
 [[nodiscard]] std::span<const WindowOption> windowOptions();
 
@@ -120,27 +120,26 @@ struct WindowOption {
 /// `window.toml` in the user's folder for settings.
 [[nodiscard]] std::filesystem::path windowSettingsFile();
 
-/// What was read of a file.
+/// The settings of a file.
 struct ParsedSettings : WindowSettings {
-    std::vector<Error>
-        refused;  ///< for each value that cannot be meant, and has its default: one sentence with its line
+    std::vector<Error> refused;  ///< one sentence with its line for each invalid value, which keeps its default
 };
 
-/// Value by value: one that cannot be meant costs only itself. Fails with one sentence that names the line if the text
-/// is not TOML. Keys that are not known belong to another version and are passed over. `name`: of the file, for the
+/// Reads value by value: an invalid value keeps its default, the others count. Fails with one sentence that names the
+/// line if the text is not TOML. Ignores unknown keys, which belong to another version. `name`: of the file, for the
 /// sentences.
 [[nodiscard]] Expected<ParsedSettings> parseWindowSettings(std::string_view text, std::string_view name);
 [[nodiscard]] std::string windowSettingsText(const WindowSettings& settings);
 
-/// The settings of the last time; the defaults if there is no file yet.
+/// The settings in the file; the defaults if there is no file yet.
 [[nodiscard]] Expected<ParsedSettings> readWindowSettings(const std::filesystem::path& file);
-/// Puts a file aside that cannot be read, as "window.toml.bad" in the place of an older one of that name, before a new
-/// one is written. Fails with a few words of the system.
+/// Renames an unreadable file to "window.toml.bad" and replaces an older one of that name. Fails with a few words of
+/// the system.
 [[nodiscard]] Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::path& file);
-/// Puts the defaults in the place of devices that no Tactooth knows, so that a slip of the pen is not kept for ever.
-/// One sentence that says so and names the file; empty if all are known.
+/// Replaces unknown devices by the defaults, so that a typing error does not stay for ever. Returns one sentence that
+/// names the file; empty if all are known.
 [[nodiscard]] std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
-/// Makes the folder if need be.
+/// Makes the folder if it is missing.
 [[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
 
 }  // namespace tactooth

@@ -14,6 +14,7 @@
 #include "app/common/display_check.h"
 #include "app/common/exit_code.h"
 #include "app/common/termination.h"
+#include "app/gui/model/exercise_tooth.h"
 #include "app/gui/settings/settings_autosave.h"
 #include "app/gui/text/error_translation.h"
 #include "app/gui/window/main_window.h"
@@ -28,7 +29,7 @@
 namespace tactooth {
 namespace {
 
-constexpr const char* kFirstBur = "4";  // round, 1.4 mm: what one opens a fissure with
+constexpr const char* kFirstBur = "4";  // round, 1.4 mm: a dentist opens a fissure with it
 
 Expected<void> checkOpenGl() {
     QOpenGLContext context;
@@ -44,7 +45,7 @@ Expected<void> checkOpenGl() {
         "software renderer (package libgl1-mesa-dri).");
 }
 
-/// The settings with those of the command line in their place.
+/// The settings of the file with those of the command line.
 Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions& options) {
     for (const WindowOption& option : windowOptions()) {
         const auto given = options.settings.find(flagOf(option));
@@ -61,7 +62,7 @@ Expected<SessionTooth> exerciseOf(const std::filesystem::path& file) {
     return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
 }
 
-/// What the person should know about the file of the settings, which is put aside if nothing of it could be read.
+/// What the user should know about the settings file. A file that is not TOML is renamed.
 QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::filesystem::path& file) {
     QStringList sentences;
     if (settings) {
@@ -79,23 +80,23 @@ QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::fil
     return sentences.join(' ');
 }
 
-/// As if the person had closed the window and whatever stands before it.
+/// Closes the window and its dialogs as the user does.
 void closeAll() {
     QApplication::closeAllWindows();
     QCoreApplication::exit(kExitOk);
 }
 
-/// Zero force, and the devices' ordinary farewell.
+/// Stops the force and closes the devices.
 void letGo(SessionModel& model) {
     model.stop();
-    model.useMouse();
-    model.installSecond(nullptr);
+    model.install(DeviceSlot::First, nullptr);
+    model.install(DeviceSlot::Second, nullptr);
 }
 
 WindowOwner* shownWindow = nullptr;  // while the event loop runs
 
-/// Where the display goes, its library ends the program (exit) in the midst of Qt. No part of the window can be touched
-/// then, nor destroyed, but the hand is still let go. The settings were kept as they changed.
+/// When the display goes, the X library calls exit inside Qt. The window can then neither be used nor destroyed. This
+/// still releases the hand. Settings have been written as they changed.
 void letGoWithoutDisplay() {
     if (shownWindow == nullptr) return;
     constexpr unsigned kTimeout = 5;  // s
@@ -109,7 +110,7 @@ void letGoWithoutDisplay() {
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
-    const Expected<void> display = checkDisplay();  // before there are threads; said after what is wrong with the files
+    const Expected<void> display = checkDisplay();  // before there are threads; reported after errors in the files
     const std::filesystem::path settingsFile = windowSettingsFile();
     std::error_code ignored;
     const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
@@ -143,7 +144,7 @@ int runWindow(const WindowOptions& options) {
         [&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
     if (const auto openGl = checkOpenGl(); !openGl) return reportError(openGl.error());
 
-    lockMemory();  // where it is allowed: the timing panel says so, 'tactooth doctor' how to get it
+    lockMemory();  // if the system allows it: the timing panel shows that, and 'tactooth doctor' tells how to get it
     OpenAlOutput sound;
     WindowOwner holder(*application, sound);
     int exitCode = kExitOk;
@@ -151,31 +152,31 @@ int runWindow(const WindowOptions& options) {
         exitCode = reportError({sentence.toStdString()});
         QApplication::exit(exitCode);
     });
-    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the one of the command line counts, or of the case
+    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the bur of the command line or of the case counts
     if (options.device) start->hand.device = *options.device;
     MainWindow& window = holder.open(*start);
     if (tooth) {
         window.model().install(std::move(*tooth));
     } else if (options.mouth) {
-        window.loadMouth(*options.mouth);
+        window.teeth().loadMouth(*options.mouth);
     } else {
-        window.loadBuiltinTooth(kBuiltinTeeth.front());
+        window.teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     }
     if (bur) window.model().install(std::move(*bur));
     window.show();
     if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
-        window.showError(sentences);
+        window.messages().showError(sentences);
     }
-    if (!forgotten.empty()) window.showError(Error{forgotten});
+    if (!forgotten.empty()) window.messages().showError(Error{forgotten});
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(letGoWithoutDisplay);
     shownWindow = &holder;
     QApplication::exec();
     shownWindow = nullptr;
-    letGo(holder.window().model());  // first of all: what else ends with the window may take its time
+    letGo(holder.window().model());  // first: the rest of the shutdown may take time
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
-        (void)reportError(written.error());  // a word about it; the session itself went well
+        (void)reportError(written.error());  // only reported: the session itself went well
     }
     return exitCode;
 }

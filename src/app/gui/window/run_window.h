@@ -7,24 +7,25 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/model/session_parts.h"
+#include "session/model/session_tooth.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
 
-/// What the window opens with; whatever is not given is the built-in one.
+/// What the window opens; a missing value means the built-in tooth or bur.
 struct WindowOptions {
     std::optional<ToothSource> tooth;
-    std::string workOn;                ///< tooth of a case; empty: the first
-    std::optional<MouthChoice> mouth;  ///< the whole mouth around one of its teeth; `tooth` is not given then
-    std::optional<std::filesystem::path> exercise;  ///< neither `tooth` nor `mouth` is given then
+    std::string workOn;                             ///< name of the tooth of a case; empty: the first
+    std::optional<MouthChoice> mouth;               ///< a tooth in a whole mouth; excludes `tooth`
+    std::optional<std::filesystem::path> exercise;  ///< excludes `tooth` and `mouth`
     std::optional<std::filesystem::path> bur;
-    std::map<std::string, std::string> settings;  ///< by their flag (see windowOptions); they win over the file's
-    std::optional<std::string> device;  ///< see openDevice; one that does not open leaves the mouse, and it is said
+    std::map<std::string, std::string> settings;  ///< by their flags (see windowOptions); they override the file
+    std::optional<std::string>
+        device;  ///< see openDevice; if it does not open, the window says so and the mouse moves the bur
 };
 
-/// Opens the simulator's window and returns when it is closed: an ExitCode. Without a display or OpenGL 4.1, or with
-/// files that cannot be used, it says so on stderr and opens nothing.
+/// Opens the window and returns an ExitCode when it is closed. Without a display or OpenGL 4.1, or with unusable files,
+/// it opens nothing and prints why on stderr.
 [[nodiscard]] int runWindow(const WindowOptions& options);
 
 }  // namespace tactooth

@@ -29,7 +29,7 @@ void WindowOwner::reopen() {
     QApplication::setQuitOnLastWindowClosed(false);
     window_.reset();
     open(settings);
-    if (!work.tooth) window_->loadBuiltinTooth(kBuiltinTeeth.front());  // none has come yet
+    if (!work.tooth) window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());  // no tooth had come yet
     window_->restoreSession(std::move(work));
     window_->show();
     QApplication::setQuitOnLastWindowClosed(quits);

@@ -14,19 +14,19 @@ namespace tactooth {
 class MainWindow;
 class SoundOutput;
 
-/// Holds the program's window. Whoever chooses another language gets a window that speaks it at once, with the tooth
-/// and its cuts, the bur, and all that was set; a target of one's own has to be chosen again.
+/// Owns the program's window. When the user chooses another language, another window takes over the tooth with its
+/// cuts, the bur, the view and all settings.
 class WindowOwner final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive the holder.
+    /// Both outlive the owner.
     WindowOwner(QApplication& application, SoundOutput& sound);
     ~WindowOwner() override;
 
-    /// Makes the window, in the language of `settings`; it is not shown yet.
+    /// Makes the window in the language of `settings`; it is not shown yet.
     MainWindow& open(const WindowSettings& settings);
-    /// Until the next change of the language.
+    /// The window; another one after a change of the language.
     [[nodiscard]] MainWindow& window() { return *window_; }
 
 signals:

@@ -18,19 +18,19 @@
 namespace tactooth {
 namespace {
 
-/// Before there is an application.
+/// Call it before there is an application.
 void useOpenGl41() {
     QSurfaceFormat format;
     format.setVersion(4, 1);
     format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(0);  // the renderer has its own
-    format.setSwapInterval(0);     // the window draws on change; waiting for the screen would hold up the hand
+    format.setDepthBufferSize(0);  // the renderer has its own depth buffer
+    format.setSwapInterval(0);     // the window draws on a change; waiting for the screen would delay the hand
     QSurfaceFormat::setDefaultFormat(format);
 }
 
-/// When a dialog ends, its window has the keyboard again, as window managers do it. Where none runs (a kiosk), nobody
-/// would; and Qt, which lends it to each menu, takes the program for left and closes them all when the next menu comes
-/// later than 0.1 s after the last.
+/// Returns the keyboard to the window when a dialog ends, as window managers do. Without a window manager (a kiosk)
+/// nobody does. Qt lends the keyboard to each menu; without an active window it would think that the user has left, and
+/// close all menus when the next menu opens more than 0.1 s after the last.
 class KeyboardReturns : public QObject {
 public:
     using QObject::QObject;
@@ -47,7 +47,7 @@ protected:
     }
 
 private:
-    /// No window of the program, and no other program either.
+    /// Neither a window of this program nor another program has the keyboard.
     [[nodiscard]] static bool nobodyHasIt() {
         return QApplication::activeWindow() == nullptr && QApplication::applicationState() == Qt::ApplicationActive;
     }
@@ -92,14 +92,15 @@ void applyColours(bool dark) {
 }
 
 void applyTextScale(double scale) {
-    static const QFont usual = QApplication::font();  // as it is before the first call
+    static const QFont usual = QApplication::font();  // the default font: of the first call
     QFont font = usual;
     font.setPointSizeF(scale * usual.pointSizeF());
     QApplication::setFont(font);
 }
 
 void applyLanguage(QApplication& application, const QString& language) {
-    for (QTranslator* before : application.findChildren<QTranslator*>()) delete before;  // which removes it
+    for (QTranslator* before : application.findChildren<QTranslator*>())
+        delete before;  // its destructor removes it from the application
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale);
     const std::pair<QString, QString> catalogues[] = {{"tactooth", ":/translations"},

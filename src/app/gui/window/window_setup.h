@@ -9,18 +9,17 @@ class QString;
 
 namespace tactooth {
 
-/// Makes a program one with windows: quiet audio libraries, OpenGL 4.1 core for every window, and the same look on
-/// every desktop. `argc` and `argv` must live as long as the application. To be called first of all, before there are
-/// threads.
+/// Starts Qt for a program with windows: quiet audio libraries, OpenGL 4.1 core for each window, and the same look on
+/// each desktop. `argc` and `argv` must outlive the application. Call it first, before there are threads.
 [[nodiscard]] std::unique_ptr<QApplication> startApplication(int& argc, char** argv);
 
-/// Light or dark, for all windows, at once.
+/// Switches all windows to light or dark colours at once.
 void applyColours(bool dark);
 
-/// The letters of all windows, as a multiple of their usual size, at once.
+/// Scales the font of all windows, relative to its default size, at once.
 void applyTextScale(double scale);
 
-/// Windows made from now on speak `language` ("en", "ja"; empty: the system's) and write its numbers.
+/// Sets the language of new windows and their number format: "en", "ja", or empty for that of the system.
 void applyLanguage(QApplication& application, const QString& language);
 
 }  // namespace tactooth

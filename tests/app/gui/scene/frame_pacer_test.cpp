@@ -53,7 +53,7 @@ TEST(FramePacer, OnlyAGraphicsCardDrawsSmoothEdgesOfWhatMoves) {
     EXPECT_FALSE(card.isSmooth());
     draw(card, 0.8);
     EXPECT_TRUE(card.isSmooth());
-    draw(card, 3);  // smooth ones
+    draw(card, 3);  // smooth pictures
     EXPECT_TRUE(card.isSmooth());
     FramePacer software;
     draw(software, 6, 300);
@@ -73,7 +73,7 @@ TEST(FramePacer, SmoothEdgesThatTurnOutTooSlowAreNotTriedAgain) {
 TEST(FramePacer, ItGoesBackToWholePicturesOnlyWhenTheyWouldBeFastEnough) {
     FramePacer pacer;
     draw(pacer, 30);
-    draw(pacer, 10);  // a whole one would take twice as long
+    draw(pacer, 10);  // a full picture would take twice as long
     EXPECT_LT(pacer.resolution(Motion), 1);
     draw(pacer, 5);
     EXPECT_EQ(pacer.resolution(Motion), 1);

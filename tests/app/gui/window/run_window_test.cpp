@@ -20,8 +20,8 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLook = 100;        // ms between two looks at the window
-constexpr int kLooksBefore = 40;  // that a second message would have to come
+constexpr int kLook = 100;        // ms between two checks of the window
+constexpr int kLooksBefore = 40;  // checks in which a second message could come
 
 std::vector<std::string> messages;
 
@@ -34,7 +34,7 @@ void takeMessages() {
     }
 }
 
-/// Reads the messages as a person would, and closes the window after a while.
+/// Reads the messages and closes the window after a while.
 void visitWindow() {
     auto* const timer = new QTimer(QCoreApplication::instance());
     QObject::connect(timer, &QTimer::timeout, timer, [looks = 0]() mutable {

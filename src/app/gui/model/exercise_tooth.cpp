@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/model/exercise_tooth.h"
+
+namespace tactooth {
+
+Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise->tooth);
+    const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0);
+    Expected<SessionTooth> tooth = request != nullptr
+                                       ? makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "")
+                                       : loadSessionTooth(std::get<ToothSource>(exercise->tooth));
+    if (!tooth) return tooth;
+    const auto* file = std::get_if<std::filesystem::path>(&exercise->bur);
+    Expected<SessionBur> bur =
+        file != nullptr ? loadSessionBur(*file) : makeSessionBur(*findBur(std::get<std::string>(exercise->bur)));
+    if (!bur) return Unexpected{bur.error()};
+    tooth->name = exercise->name;
+    tooth->provenance.emplace_back("exercise", exercise->name);
+    tooth->bur = std::move(*bur);
+    tooth->exercise = exercise;
+    return tooth;
+}
+
+}  // namespace tactooth

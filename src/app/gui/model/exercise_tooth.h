@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "assessment/exercise.h"
+#include "session/model/session_tooth.h"
+
+namespace tactooth {
+
+/// The tooth of an exercise together with its bur. Takes up to a few seconds: run it in a Task. Fails with one sentence
+/// for the user.
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise);
+
+}  // namespace tactooth

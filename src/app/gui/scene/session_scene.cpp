@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/session_scene.h"
+
+#include "app/common/mouth_scene.h"
+#include "app/common/spray_particles.h"
+
+namespace tactooth {
+namespace {
+
+constexpr float kFog = 0.6F, kDrops = 0.5F;  // share of the glass, 0..1: the crown can still be seen in it
+
+ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
+    const Vec3 toEye = directionToEye(dentistView(model.mesialX()));
+    Pose mirror = parkedMirror(model.tooth()->box(), meshes.disc, toEye, handleX(model));
+    const Pose& moved = model.simulator()->mirrorMotion();
+    mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
+    const MirrorState& state = model.instruments().mirror();
+    return {.mesh = meshes.mirror,
+            .disc = meshes.disc,
+            .mirrorInTooth = mirror,
+            .fog = state.fogged ? kFog : 0,
+            .drops = state.wet ? kDrops : 0};
+}
+
+}  // namespace
+
+SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror) {
+    SceneContents contents;
+    contents.materials = model.haptics().materials;
+    if (model.simulator() == nullptr) return contents;
+    const SessionTooth& tooth = *model.tooth();
+    const SessionBur& bur = *model.bur();
+    const Tick& newest = model.log().newest();
+    const std::optional<InstrumentMeshes>& meshes = model.instruments().meshes();
+    contents.tooth = model.simulator()->surface();
+    contents.around = shownAround(tooth.around);
+    contents.tool = ShownTool{.bur = bur.shown,
+                              .turbine = withTurbine && meshes ? meshes->turbine : nullptr,
+                              .material = bur.material,
+                              .toolInTooth = newest.proxy,
+                              .spin = model.animation().spin(),
+                              .speedRpm = newest.speedRpm,
+                              .edge = bur.instrument.edge,
+                              .blurred = bur.blurred};
+    contents.flying = particlesOf(model.animation().particles(), contents.materials);
+    if (!meshes) return contents;
+    if (model.instruments().suction()) {
+        contents.suction = ShownSuction{meshes->suction, parkedSuction(tooth.box(), tooth.mesialX)};
+    }
+    if (withMirror) contents.mirror = shownMirror(model, *meshes);
+    return contents;
+}
+
+OrbitCamera::Direction defaultView(const SessionModel& model) {
+    const ViewDirection view = dentistView(model.mesialX());
+    return {view.azimuth, view.elevation};
+}
+
+}  // namespace tactooth

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/common/scene_builder.h"
+#include "session/model/session_model.h"
+#include "view/camera/orbit_camera.h"
+
+namespace tactooth {
+
+/// What a picture of the session shows; the camera is left out.
+[[nodiscard]] SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror);
+
+/// From buccal and above, as a dentist sees a lower tooth. The parked mirror is turned to this eye.
+[[nodiscard]] OrbitCamera::Direction defaultView(const SessionModel& model);
+
+}  // namespace tactooth

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "app/gui/settings/window_settings.h"
+
+class QMainWindow;
+class QMenu;
+class QToolBar;
+
+namespace tactooth {
+
+class ExerciseController;
+class SessionModel;
+class ToothController;
+
+/// The menu of files with its tool bar, and the list of files that were opened last.
+class FileMenu final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive the menu.
+    FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
+             ExerciseController& exercise);
+
+    void restore(const WindowSettings& settings);
+    void store(WindowSettings& settings) const;
+
+private:
+    void build(QMainWindow& window, QToolBar& bar);
+    void addBuiltinTeeth(QMenu& menu);
+    void addMouth(QMenu& menu);
+    void remember(const QString& file);
+    void fillRecent();
+    void fillCase();
+
+    SessionModel& model_;
+    ToothController& teeth_;
+    ExerciseController& exercise_;
+    QMenu* recentMenu_ = nullptr;
+    QMenu* caseMenu_ = nullptr;
+    QStringList recent_;  // newest first
+};
+
+}  // namespace tactooth

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/instrument_set.h"
+
+#include "instruments/suction_tube.h"
+#include "instruments/turbine.h"
+
+namespace tactooth {
+
+InstrumentSet::InstrumentSet(const TaskExecutor& executor) : task_(executor) {
+    task_.start([] {
+        InstrumentMeshes meshes;
+        meshes.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+        meshes.suction = std::make_shared<const TriangleMesh>(makeSuctionTube());
+        return Expected<InstrumentMeshes>(std::move(meshes));
+    });
+}
+
+void InstrumentSet::poll() {
+    auto made = task_.poll();
+    if (!made) return;
+    meshes_ = std::move(**made);
+    updateMirror();
+}
+
+/// Takes a millisecond.
+void InstrumentSet::updateMirror() {
+    DentalMirror mirror = makeMirror(mirror_.diameter);
+    meshes_->mirror = std::make_shared<const TriangleMesh>(std::move(mirror.surface));
+    meshes_->disc = mirror.disc;
+}
+
+void InstrumentSet::setMirror(const MirrorState& mirror) {
+    const bool isOtherSize = mirror.diameter != mirror_.diameter;
+    mirror_ = mirror;
+    if (isOtherSize && meshes_) updateMirror();
+}
+
+void InstrumentSet::muteIdle(DrillSoundState& heard) const {
+    if (!water_) heard.water = 0;
+    if (!suction_) heard.suction = 0;
+}
+
+}  // namespace tactooth

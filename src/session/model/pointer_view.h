@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/util/ray.h"
+
+namespace tactooth {
+
+using Vec2 = Eigen::Vector2d;
+
+/// The picture that the mouse points into, seen by a camera in the tooth's frame.
+class PointerView {
+public:
+    PointerView() = default;
+    PointerView(const PointerView&) = default;
+    PointerView& operator=(const PointerView&) = default;
+    virtual ~PointerView() = default;
+
+    /// The line of sight through `pixel`: origin at the picture's top left corner, y down.
+    [[nodiscard]] virtual Ray rayThrough(const Vec2& pixel) const = 0;
+    /// From the camera's frame (+x right, +y up, looking along -z) to the tooth's frame.
+    [[nodiscard]] virtual Quat cameraRotation() const = 0;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/scene_animation.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tactooth {
+
+void SceneAnimation::advance(const Tick& tick, bool water, bool suction, const MaterialVolumes& ground, double dt) {
+    spin_ = std::remainder(spin_ + tick.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
+    spray_.advance({.toolInTooth = tick.proxy,
+                    .normal = tick.normal,
+                    .speedRpm = tick.speedRpm,
+                    .water = water && tick.cutting ? tick.pedal : 0,
+                    .suction = suction,
+                    .ground = ground},
+                   dt);
+}
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/session_bur.h"
+
+#include "instruments/bur_shape.h"
+#include "session/model/spin_envelope_mesh.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kShownTriangles = 6000;  // blades look round at full zoom
+
+}  // namespace
+
+Expected<SessionBur> makeSessionBur(const BurSpec& spec) {
+    const Bur felt = makeBur(spec);
+    Expected<CuttingTool> cutting = makeCuttingTool(felt.surface, spec.sharpness);
+    if (!cutting) return Unexpected{cutting.error()};
+    auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
+    return SessionBur{spec.name,
+                      {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting), spec.edge()},
+                      std::make_shared<const TriangleMesh>(makeBur(spec, kShownTriangles).surface),
+                      std::move(blurred),
+                      spec.material,
+                      {}};
+}
+
+Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file) {
+    Expected<CuttingTool> cutting = makeCuttingTool(bur.surface, bur.sharpness);
+    if (!cutting) return unexpected((file.empty() ? bur.name : file.string()) + ": " + cutting.error().message);
+    auto shown = std::make_shared<const TriangleMesh>(bur.surface);
+    auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
+    const BurEdge edge = bur.edge();
+    return SessionBur{
+        bur.name,         {std::make_shared<const ToolShape>(std::move(bur.surface)), std::move(*cutting), edge},
+        std::move(shown), std::move(blurred),
+        bur.material,     file};
+}
+
+Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {
+    Expected<CustomBur> own = readCustomBur(path);
+    if (!own) return Unexpected{own.error()};
+    return makeSessionBur(std::move(*own), path);
+}
+
+}  // namespace tactooth

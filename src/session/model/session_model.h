@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "session/model/device_slots.h"
+#include "session/model/instrument_set.h"
+#include "session/model/mouse_manipulator.h"
+#include "session/model/scene_animation.h"
+#include "session/model/session_tooth.h"
+#include "session/model/tick_log.h"
+#include "sound/output/sound_output.h"
+
+namespace tactooth {
+
+/// How the user's hands work with the devices.
+struct HandSettings {
+    double rate = 1000;        ///< of the servo, Hz
+    bool leftHanded = false;   ///< handles leave to the other side
+    bool autoScaling = false;  ///< motion scaling by SessionModel::fit instead of by the controls
+};
+
+/// A session at the simulator: the tooth and the bur, the devices of both hands, the other instruments, and the running
+/// simulator. All functions are for one thread and return at once; none waits for the servo. A change that needs
+/// another simulator takes effect in the next step.
+class SessionModel {
+public:
+    /// `sound` outlives the model. `executor` makes the meshes of the instruments.
+    explicit SessionModel(SoundOutput& sound, const TaskExecutor& executor = runInThread);
+
+    void install(SessionTooth tooth);
+    void install(SessionBur bur);
+    /// Puts an open device into a slot; null: the mouse moves the tool again, or the second hand is empty.
+    void install(DeviceSlot slot, std::unique_ptr<HapticDevice> device);
+    void setSpindle(const SpindlePreset& spindle);
+    void setHand(const HandSettings& hand);
+    [[nodiscard]] const HandSettings& hand() const { return hand_; }
+    /// Touch or cut, as the user chooses it on the screen. A button of the device may have chosen before.
+    void setCutting(bool cutting);
+    /// Stops the simulator; tooth and bur stay.
+    void stop() { simulator_.reset(); }
+    /// Puts the tooth back as it was before any cut.
+    void resetTooth();
+
+    /// What has changed in a step.
+    struct StepResult {
+        bool newTooth = false;
+        bool newSimulator = false;        ///< the times of ticks start at zero again
+        std::optional<double> heavyTick;  ///< tickP99 in us, once for each simulator that turns out to be overloaded
+        std::optional<const char*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
+    };
+    /// Call it at least as often as the picture changes. `dt`: since the last step, s.
+    [[nodiscard]] StepResult step(double dt);
+
+    [[nodiscard]] const std::optional<SessionTooth>& tooth() const { return tooth_; }
+    [[nodiscard]] const std::optional<SessionBur>& bur() const { return bur_; }
+    /// Null until there are a tooth and a bur.
+    [[nodiscard]] Simulator* simulator() const { return simulator_.get(); }
+    /// Direction of mesial along x.
+    [[nodiscard]] double mesialX() const { return tooth_ ? tooth_->mesialX : 1; }
+    /// The motion scaling with which the devices reach all of the tooth and as far around it as the mouse does; none
+    /// without a tooth, or if no device has a bounded workspace.
+    [[nodiscard]] std::optional<WorkspaceFit> fit() const;
+    /// The motion scaling in use.
+    [[nodiscard]] double motionScaling() const;
+
+    [[nodiscard]] const HapticSettings& haptics() const { return haptics_; }
+    [[nodiscard]] MouseManipulator& manipulator() { return manipulator_; }
+    [[nodiscard]] DeviceSlots& devices() { return devices_; }
+    [[nodiscard]] const DeviceSlots& devices() const { return devices_; }
+    [[nodiscard]] InstrumentSet& instruments() { return instruments_; }
+    [[nodiscard]] const InstrumentSet& instruments() const { return instruments_; }
+    [[nodiscard]] const TickLog& log() const { return log_; }
+    [[nodiscard]] const SceneAnimation& animation() const { return animation_; }
+
+    /// The simulator takes them over in the next step. Motion scaling and clutch are for devices only: the mouse
+    /// points.
+    SimulatorControls controls;
+
+private:
+    void startSimulator();
+    void resetManipulator();
+    void reportOverload(StepResult& stepResult);
+    [[nodiscard]] SimulatorControls currentControls() const;
+    [[nodiscard]] std::optional<DeviceRegistration> registration() const;
+
+    SoundOutput& sound_;
+    HapticSettings haptics_;
+    HandSettings hand_;
+    std::optional<SessionTooth> tooth_;
+    std::optional<SessionBur> bur_;
+    bool needsSimulator_ = false;  // another one than the running one
+    bool isToothNew_ = false;
+    bool reportedOverload_ = false;
+    MouseManipulator manipulator_;
+    DeviceSlots devices_;
+    InstrumentSet instruments_;
+    TickLog log_;
+    SceneAnimation animation_;
+    std::unique_ptr<Simulator> simulator_;  // last: it uses the members above
+};
+
+/// All that the bur can touch now. Needs a simulator.
+[[nodiscard]] std::shared_ptr<const Surface> touchableSurface(const SessionModel& model);
+
+/// Direction along x in which the handles leave.
+[[nodiscard]] double handleX(const SessionModel& model);
+
+}  // namespace tactooth

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/session_tooth.h"
+
+#include "session/cases/loaded_tooth.h"
+#include "session/simulation/tooth_cache.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kVoxel = 0.05;  // mm: a twentieth of a small bur's width; cut faces are finer
+
+}  // namespace
+
+Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
+                                        const std::string& remark) {
+    const BuiltinTooth made = ToothCache(defaultCacheFolder()).make(request);
+    Expected<LayeredTooth> layered = layeredTooth(made);
+    if (!layered) return Unexpected{layered.error()};
+    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
+    return SessionTooth{name,
+                        std::make_shared<CutModel>(std::move(shared), kVoxel),
+                        mesialX(made.fdi),
+                        {{"tooth", "built in: " + made.name + remark}}};
+}
+
+Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
+    return makeSessionTooth(builtinToothRequest(entry.kind), entry.name, "");
+}
+
+Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth) {
+    constexpr int kNeighbourTriangles = 20000;
+    const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
+    const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
+    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
+    if (!made) return Unexpected{made.error()};
+    Expected<LayeredTooth> layered = layeredTooth(*made);
+    if (!layered) return Unexpected{layered.error()};
+    SessionTooth tooth{std::to_string(made->tooth.fdi),  // a number needs no translation
+                       std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
+                       mesialX(made->tooth.fdi),
+                       {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
+    tooth.workBox = tooth.piece->tooth().ownBox();
+    tooth.around = made->around;
+    tooth.piece->surroundBy(surroundingsOf(*made));
+    return tooth;
+}
+
+Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn) {
+    Expected<LoadedModel> work = loadModelOrCase(source, workOn, std::nullopt, kVoxel);
+    if (!work) return Unexpected{work.error()};
+    ToothPlacement& place = work->place;
+    SessionTooth tooth{
+        std::move(place.name),      std::move(work->piece),      place.mesialX, std::move(work->provenance), place.box,
+        std::move(place.materials), std::move(place.teethOfCase)};
+    for (const ImportNote& importNote : work->importNotes)
+        tooth.provenance.emplace_back("assumed", inWords(importNote));
+    tooth.importNotes = std::move(work->importNotes);
+    if (place.bur) {
+        Expected<SessionBur> bur = makeSessionBur(std::move(*place.bur), {});
+        if (!bur) return Unexpected{bur.error()};
+        tooth.bur = std::move(*bur);
+    }
+    return tooth;
+}
+
+Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan) {
+    Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers);
+    if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
+    auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
+    SessionTooth tooth{scan.name, std::make_shared<CutModel>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
+    for (const ImportNote& importNote : scan.importNotes) tooth.provenance.emplace_back("assumed", inWords(importNote));
+    return tooth;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/io/import_note.h"
+#include "instruments/builtin_tooth.h"
+#include "patient/scan_import.h"
+#include "session/model/session_bur.h"
+#include "session/simulation/tooth_file.h"
+#include "session/simulation/tooth_in_mouth.h"
+#include "session/simulation/tooth_source.h"
+
+namespace tactooth {
+
+struct Exercise;
+
+/// A tooth that is ready to be worked on.
+struct SessionTooth {
+    std::string name;  ///< for people
+    std::shared_ptr<CutModel> piece;
+    double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
+    Provenance provenance;
+    Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
+    std::optional<MaterialTable> materials = {};    ///< of the case that the tooth is from
+    std::vector<std::string> teethOfCase = {};      ///< names; empty: the tooth is not from a case
+    std::optional<SessionBur> bur = {};             ///< that goes with the tooth: of its case or its exercise
+    std::vector<ToothInMouth::Body> around = {};    ///< the rest of the mouth, which is felt and drawn
+    std::shared_ptr<const Exercise> exercise = {};  ///< that the tooth was made for; the session only hands it on
+    std::vector<ImportNote> importNotes = {};       ///< what was mended in the surfaces that were read
+
+    [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
+};
+
+/// The built-in teeth as a list shows them.
+struct BuiltinToothEntry {
+    BuiltinToothKind kind;
+    const char* name;
+};
+inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
+    {BuiltinToothKind::LowerFirstMolar, "Lower first molar (46)"},
+    {BuiltinToothKind::UpperCentralIncisor, "Upper central incisor (11)"},
+    {BuiltinToothKind::UpperCanine, "Upper canine (13)"},
+}};
+
+/// A tooth in a whole mouth of average teeth, open as for work.
+struct MouthChoice {
+    int fdi = 46;        ///< number of the tooth that is worked on
+    bool cached = true;  ///< teeth and gums may come from the user's cache
+};
+
+// These take up to a few seconds: run them in a Task. They fail with one sentence for the user.
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry);
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth);
+/// `remark`: added to the built-in tooth's name in the provenance.
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
+                                                      const std::string& remark);
+/// `scan`: with layers, as finishScan makes it.
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan);
+/// `workOn`: name of the tooth of a case; empty: its first.
+[[nodiscard]] Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn = {});
+
+}  // namespace tactooth

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/surface_ray.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "collision/narrow/triangle3.h"
+
+// Ray and triangle: T. Moeller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997. Differs
+// in that both sides of a triangle count.
+
+namespace tactooth {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+double alongRay(const Ray& ray, const Triangle3& triangle) {
+    const Vec3 ab = triangle[1] - triangle[0];
+    const Vec3 ac = triangle[2] - triangle[0];
+    const Vec3 p = ray.direction.cross(ac);
+    const double determinant = ab.dot(p);
+    if (determinant == 0) return kNever;  // edge-on, or without area
+    const Vec3 s = ray.origin - triangle[0];
+    const double u = s.dot(p) / determinant;
+    const Vec3 q = s.cross(ab);
+    const double v = ray.direction.dot(q) / determinant;
+    const double t = ac.dot(q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 ? t : kNever;
+}
+
+/// Distance to the entry into child `i` of a node; kNever if the ray misses the box or enters it after `best`.
+double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
+    if (!(node.low[0][i] <= node.high[0][i])) return kNever;
+    double enter = 0;
+    double leave = best;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double inverse = 1 / ray.direction[axis];
+        const double first = (node.low[axis][i] - ray.origin[axis]) * inverse;
+        const double second = (node.high[axis][i] - ray.origin[axis]) * inverse;
+        enter = std::fmax(enter, std::fmin(first, second));
+        leave = std::fmin(leave, std::fmax(first, second));
+    }
+    constexpr double kRounding = 1e-9;  // mm: a box as thin as the triangle in it must not be missed
+    return enter <= leave + kRounding ? enter : kNever;
+}
+
+double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, double best) {
+    const auto& [tree, hidden] = visible;
+    if (tree.empty()) return best;
+    std::array<AabbTree::Link, AabbTree::kStackSize> stack;
+    int size = 0;
+    stack[size++] = tree.rootLink();
+    while (size > 0) {
+        const AabbTree::Link link = stack[--size];
+        if (!link.isLeaf()) {
+            const AabbTree::Node& node = tree.node(link);
+            for (int i = 0; i < AabbTree::kWidth; ++i) {
+                if (entry(node, i, ray, best) < kNever) stack[size++] = node.child[i];
+            }
+            continue;
+        }
+        const AabbTree::Leaf& leaf = tree.leaf(link);
+        for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
+            const std::uint32_t triangle = leaf.triangle[lane];
+            if (hidden != nullptr && isHidden(*hidden, triangle)) continue;
+            best = std::fmin(best, alongRay(ray, cornersOf(part.mesh(), triangle)));
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
+    double best = alongPart(*surface.base, visibleBase(surface), ray, kNever);
+    for (const auto& patch : surface.patches) best = alongPart(*patch, {patch->tree(), nullptr}, ray, best);
+    return best < kNever ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace tactooth

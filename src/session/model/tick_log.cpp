@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/tick_log.h"
+
+namespace tactooth {
+
+void TickLog::restart(const Tick& start) {
+    timeBefore_ += newest_.time;
+    newest_ = start;
+}
+
+void TickLog::clearEvents() {
+    events_ = {};
+    timeBefore_ = -newest_.time;
+}
+
+void TickLog::record(std::span<const Tick> ticks, const ToothLoss& loss) {
+    ticks_.assign(ticks.begin(), ticks.end());
+    if (!ticks_.empty()) newest_ = ticks_.back();
+    for (const Tick& tick : ticks_) events_.update(timeBefore_ + tick.time, tick, loss);
+}
+
+double TickLog::workSeconds() const {
+    const std::vector<CutEvent>& events = events_.all();
+    return events.empty() ? 0 : timeBefore_ + newest_.time - events.front().time;
+}
+
+}  // namespace tactooth

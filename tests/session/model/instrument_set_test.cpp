@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/instrument_set.h"
+
+#include <gtest/gtest.h>
+
+#include "model/model_scene.h"
+
+namespace tactooth {
+namespace {
+
+TEST(InstrumentSet, HasNoMeshesUntilTheyAreMadeAndFetched) {
+    test::ManualExecutor later;
+    InstrumentSet instruments(later.executor());
+    instruments.poll();
+    EXPECT_TRUE(instruments.isBusy());
+    EXPECT_FALSE(instruments.meshes());
+    later.runNext();
+    EXPECT_FALSE(instruments.meshes());
+    instruments.poll();
+    EXPECT_FALSE(instruments.isBusy());
+    ASSERT_TRUE(instruments.meshes());
+    EXPECT_FALSE(instruments.meshes()->turbine->triangles.empty());
+    EXPECT_FALSE(instruments.meshes()->suction->triangles.empty());
+    EXPECT_FALSE(instruments.meshes()->mirror->triangles.empty());
+}
+
+TEST(InstrumentSet, TheMirrorHasTheSizeThatWasChosenBeforeItWasMade) {
+    test::ManualExecutor later;
+    InstrumentSet instruments(later.executor());
+    instruments.setMirror({.diameter = 18});
+    later.runNext();
+    instruments.poll();
+    EXPECT_EQ(instruments.meshes()->disc.radius, makeMirror(18).disc.radius);
+}
+
+TEST(InstrumentSet, AnotherSizeReplacesTheMirrorAlone) {
+    InstrumentSet instruments(test::runInline);
+    instruments.poll();
+    const InstrumentMeshes before = *instruments.meshes();
+    instruments.setMirror({.diameter = 24});
+    EXPECT_NE(instruments.meshes()->mirror, before.mirror);
+    EXPECT_EQ(instruments.meshes()->turbine, before.turbine);
+    EXPECT_EQ(instruments.meshes()->disc.radius, makeMirror(24).disc.radius);
+    EXPECT_EQ(instruments.mirror().diameter, 24);
+}
+
+TEST(InstrumentSet, FogAndDropsKeepTheMesh) {
+    InstrumentSet instruments(test::runInline);
+    instruments.poll();
+    const auto mesh = instruments.meshes()->mirror;
+    instruments.setMirror({.fogged = true, .wet = true});
+    EXPECT_EQ(instruments.meshes()->mirror, mesh);
+    EXPECT_TRUE(instruments.mirror().fogged && instruments.mirror().wet);
+}
+
+TEST(InstrumentSet, WaterIsOnAndSuctionOffAtFirst) {
+    const InstrumentSet instruments(test::runInline);
+    EXPECT_TRUE(instruments.water());
+    EXPECT_FALSE(instruments.suction());
+}
+
+TEST(InstrumentSet, OnlyWhatIsOnIsHeard) {
+    InstrumentSet instruments(test::runInline);
+    for (const bool water : {false, true}) {
+        for (const bool suction : {false, true}) {
+            instruments.setWater(water);
+            instruments.setSuction(suction);
+            DrillSoundState heard;
+            heard.water = 0.7;
+            heard.suction = 0.4;
+            heard.speedRpm = 1000;
+            instruments.muteIdle(heard);
+            EXPECT_EQ(heard.water, water ? 0.7 : 0);
+            EXPECT_EQ(heard.suction, suction ? 0.4 : 0);
+            EXPECT_EQ(heard.speedRpm, 1000);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/mouse_manipulator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "session/model/instrument_poses.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+const Box3 kTooth(Vec3(-5, -5, -10), Vec3(5, 5, 5));
+
+/// A pinhole camera that looks at the origin's neighbourhood, 1000 x 800 pixels.
+class Pinhole final : public PointerView {
+public:
+    explicit Pinhole(const ViewDirection& view = {1.2, 0.8}) {
+        constexpr double kDistance = 60;  // mm
+        const Vec3 back = directionToEye(view);
+        const Vec3 right = Vec3::UnitZ().cross(back).normalized();
+        Mat3 axes;
+        axes << right, back.cross(right), back;
+        rotation_ = Quat(axes);
+        eye_ = kDistance * back;
+    }
+    [[nodiscard]] Ray rayThrough(const Vec2& pixel) const override {
+        const Vec3 inCamera((pixel.x() - 500) / kFocal, (400 - pixel.y()) / kFocal, -1);
+        return {eye_, (rotation_ * inCamera).normalized()};
+    }
+    [[nodiscard]] Quat cameraRotation() const override { return rotation_; }
+    [[nodiscard]] Vec2 pixelOf(const Vec3& point) const {
+        const Vec3 inCamera = rotation_.conjugate() * (point - eye_);
+        return {500 - kFocal * inCamera.x() / inCamera.z(), 400 + kFocal * inCamera.y() / inCamera.z()};
+    }
+
+private:
+    static constexpr double kFocal = 1800;  // pixels
+    Quat rotation_;
+    Vec3 eye_;
+};
+
+class MouseManipulatorTest : public testing::Test {
+protected:
+    MouseManipulatorTest() {
+        surface_.base = std::make_shared<const SurfacePart>(test::box(kTooth.min(), kTooth.max()));
+    }
+    void lookFrom(const ViewDirection& direction) { picture_ = Pinhole(direction); }
+    [[nodiscard]] Vec2 pixelOf(const Vec3& point) const { return picture_.pixelOf(point); }
+
+    Surface surface_;
+    Pinhole picture_;
+    MouseManipulator hand_{kTooth, 1};
+};
+
+TEST_F(MouseManipulatorTest, AimingHoversRightAboveThePointUnderTheMouse) {
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    const Vec3 tip = hand_.pose().position;
+    EXPECT_NEAR(tip.x(), 2, 1e-6);
+    EXPECT_NEAR(tip.y(), 1, 1e-6);
+    EXPECT_GT(tip.z(), 6);
+    EXPECT_LT(tip.z(), 8);
+}
+
+TEST_F(MouseManipulatorTest, APressedHandGoesStraightDownUntilItStandsThePressDepthBeyondTheTool) {
+    hand_.setPressDepth(0.7);
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    hand_.press(picture_, pixelOf(Vec3(2, 1, 5)));
+    Vec3 tool = hand_.pose().position;
+    for (int i = 0; i < 200; ++i) {
+        hand_.advance(0.016, tool, 0);
+        tool = hand_.pose().position;
+        tool.z() = std::max(tool.z(), 5.0);  // a flat tooth
+    }
+    const Vec3 tip = hand_.pose().position;
+    EXPECT_NEAR(tip.x(), 2, 1e-6);
+    EXPECT_NEAR(tip.y(), 1, 1e-6);
+    EXPECT_NEAR(tip.z(), 5 - 0.7, 1e-9);
+}
+
+TEST_F(MouseManipulatorTest, TheApproachIsNoFasterThanACarefulHand) {
+    hand_.aim(picture_, pixelOf(Vec3(0, 0, 5)), surface_);
+    hand_.press(picture_, pixelOf(Vec3(0, 0, 5)));
+    const Vec3 before = hand_.pose().position;
+    hand_.advance(0.016, before, 0);
+    EXPECT_LE((hand_.pose().position - before).norm(), 20 * 0.016);
+}
+
+TEST_F(MouseManipulatorTest, DraggingFollowsTheMouseInThePlaneSquareToTheShaft) {
+    hand_.aim(picture_, pixelOf(Vec3(0, 0, 5)), surface_);
+    const Vec3 start = hand_.pose().position;
+    const Vec3 goal = start + Vec3(1.5, -2, 0);
+    hand_.press(picture_, pixelOf(start));
+    hand_.drag(picture_, pixelOf(goal));
+    EXPECT_LT((hand_.pose().position - goal).norm(), 1e-9);
+}
+
+TEST_F(MouseManipulatorTest, AHandPulledFarFromItsToolSlipsAfterIt) {
+    hand_.aim(picture_, pixelOf(Vec3(0, 0, 5)), surface_);
+    const Vec3 start = hand_.pose().position;
+    hand_.press(picture_, pixelOf(start));
+    hand_.drag(picture_, pixelOf(start + Vec3(4, 0, 0)));
+    hand_.advance(0.016, start, 0);
+    const Vec3 offset = hand_.pose().position - start;
+    EXPECT_NEAR(Vec3(offset.x(), offset.y(), 0).norm(), 2, 1e-9);
+}
+
+TEST_F(MouseManipulatorTest, LettingGoLiftsTheToolOffTheTooth) {
+    hand_.setPressDepth(1);
+    hand_.press(picture_, Vec2(500, 400));
+    hand_.advance(0.1, hand_.pose().position, 0);
+    const double pressed = hand_.pose().position.z();
+    hand_.release();
+    EXPECT_GT(hand_.pose().position.z(), pressed + 1);
+    EXPECT_FALSE(hand_.isPressing());
+}
+
+TEST_F(MouseManipulatorTest, AWallSeenFromTheSideIsPressedFromTheSide) {
+    lookFrom({std::numbers::pi / 2, 0});
+    hand_.aim(picture_, pixelOf(Vec3(0, 5, 0)), surface_);
+    EXPECT_NEAR(hand_.pressDirection().y(), -1, 1e-9);
+    EXPECT_NEAR(hand_.pose().position.y(), 6.5, 1e-6);
+}
+
+TEST_F(MouseManipulatorTest, PressDepthStaysWithinWhatADeviceRenders) {
+    hand_.setPressDepth(99);
+    EXPECT_EQ(hand_.pressDepth(), MouseManipulator::kMaxPressDepth);
+    hand_.setPressDepth(-1);
+    EXPECT_EQ(hand_.pressDepth(), 0);
+}
+
+TEST_F(MouseManipulatorTest, LeaningKeepsTheTipAndStopsWhenTheShaftLiesDown) {
+    const Vec3 tip = hand_.pose().position;
+    for (int i = 0; i < 100; ++i) hand_.tilt(picture_, Vec2(50, 0));
+    EXPECT_EQ(hand_.pose().position, tip);
+    const double upright = (hand_.pose().rotation * Vec3::UnitZ()).z();
+    EXPECT_LT(upright, 0.2);
+    EXPECT_GT(upright, -0.05);
+    hand_.resetOrientation();
+    EXPECT_NEAR((hand_.pose().rotation * Vec3::UnitZ()).z(), 1, 1e-12);
+}
+
+TEST_F(MouseManipulatorTest, TheHandStaysNearTheTooth) {
+    hand_.aim(picture_, Vec2(-300, 0), surface_);
+    EXPECT_LE(hand_.pose().position.x(), kTooth.max().x() + 6);
+    EXPECT_GE(hand_.pose().position.x(), kTooth.min().x() - 6);
+}
+
+TEST_F(MouseManipulatorTest, AToolCaughtInItsCavityIsDrawnOutAlongItsShaftBeforeItGoesToTheNextPlace) {
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    const Vec3 aimed = hand_.pose().position;
+    Vec3 tool(-1, -1, 3);  // 2 mm below the top: it can only move along z
+    double dearest = 0;
+    int steps = 0;
+    for (; steps < 100 && (hand_.pose().position != aimed || steps == 0); ++steps) {
+        hand_.advance(0.016, tool, (hand_.pose().position - tool).norm());
+        if (hand_.pose().position == aimed) break;
+        dearest = std::max(dearest, (hand_.pose().position - tool).head<2>().norm());
+        tool.z() = hand_.pose().position.z();
+    }
+    EXPECT_LT(steps, 20);
+    EXPECT_LT(dearest, 1e-9);
+    EXPECT_GT(tool.z(), 6);
+    EXPECT_EQ(hand_.pose().position, aimed);
+}
+
+TEST_F(MouseManipulatorTest, APlaceThatCannotBeReachedIsTriedOnce) {
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    const Vec3 aimed = hand_.pose().position;
+    hand_.advance(0.016, Vec3(0, 0, 8), 5);  // drawn out as far as need be
+    for (int i = 0; i < 5; ++i) hand_.advance(0.016, Vec3(0, 0, 3), 5);
+    EXPECT_EQ(hand_.pose().position, aimed);
+}
+
+TEST_F(MouseManipulatorTest, StartsAboveTheMiddleOfTheTooth) {
+    EXPECT_EQ(hand_.pose().position.head<2>(), kTooth.center().head<2>());
+    EXPECT_GT(hand_.pose().position.z(), kTooth.max().z());
+    EXPECT_FALSE(hand_.isPressing());
+}
+
+TEST_F(MouseManipulatorTest, ReleasingAHandThatDoesNotPressMovesNothing) {
+    const Pose before = hand_.pose();
+    hand_.release();
+    EXPECT_EQ(hand_.pose().position, before.position);
+}
+
+TEST_F(MouseManipulatorTest, TurningTheHandleKeepsTipAndShaft) {
+    const Pose before = hand_.pose();
+    hand_.rotateHandle(0.5);
+    EXPECT_EQ(hand_.pose().position, before.position);
+    EXPECT_LT((hand_.pose().rotation * Vec3::UnitZ() - Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_NEAR(hand_.pose().rotation.angularDistance(before.rotation), 0.5, 1e-12);
+}
+
+TEST_F(MouseManipulatorTest, OnTheOtherSideTheHandleLeavesTheOtherWay) {
+    const MouseManipulator other(kTooth, -1);
+    const Vec3 one = hand_.pose().rotation * Vec3::UnitX();
+    const Vec3 opposite = other.pose().rotation * Vec3::UnitX();
+    EXPECT_LT((opposite - Vec3(-one.x(), one.y(), one.z())).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace tactooth

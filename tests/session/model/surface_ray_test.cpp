@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/surface_ray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+Surface ball() {
+    Surface surface;
+    surface.base = std::make_shared<const SurfacePart>(test::sphere(Vec3(1, 2, 3), 2, 128, 64));
+    return surface;
+}
+
+/// Closed form: a ray against a sphere. The faceted ball lies up to 2 * (1 - cos(pi / 64)) = 0.0024 mm inside it.
+TEST(SurfaceRay, FindsTheNearSideOfABall) {
+    const Surface surface = ball();
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 origin = Vec3(1, 2, 3) + 9 * Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+        const Vec3 goal = Vec3(1, 2, 3) + 2.8 * Vec3(uniform(random), uniform(random), uniform(random));
+        const Ray ray{origin, (goal - origin).normalized()};
+        const double along = (Vec3(1, 2, 3) - origin).dot(ray.direction);
+        const double aside = (origin + along * ray.direction - Vec3(1, 2, 3)).norm();
+        if (std::abs(aside - 2) < 0.05) continue;  // grazing: facets and sphere differ
+        const auto hit = firstHit(surface, ray);
+        ASSERT_EQ(hit.has_value(), aside < 2) << i;
+        if (!hit) continue;
+        ++hits;
+        EXPECT_NEAR(*hit, along - std::sqrt(4 - aside * aside), 0.03) << i;
+    }
+    EXPECT_GT(hits, 600);
+    EXPECT_LT(hits, 1700);
+}
+
+TEST(SurfaceRay, LooksThroughWhatWasCutAwayAndSeesThePatches) {
+    Surface surface = ball();
+    const Ray down{Vec3(1.01, 2.02, 10), -Vec3::UnitZ()};
+    ASSERT_NEAR(firstHit(surface, down).value(), 5, 0.01);
+    surface.hidden = std::make_shared<const TriangleMask>(
+        TriangleMask((surface.base->mesh().triangles.size() + 63) / 64, ~std::uint64_t{0}));
+    EXPECT_FALSE(firstHit(surface, down).has_value());
+    surface.patches.push_back(std::make_shared<const SurfacePart>(test::box(Vec3(0, 0, 0), Vec3(4, 4, 4))));
+    EXPECT_NEAR(firstHit(surface, down).value(), 6, 1e-6);
+}
+
+TEST(SurfaceRay, WhatIsBehindIsNotHit) {
+    EXPECT_FALSE(firstHit(ball(), Ray{Vec3(1, 2, 10), Vec3::UnitZ()}).has_value());
+}
+
+}  // namespace
+}  // namespace tactooth
