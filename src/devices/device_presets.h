@@ -24,7 +24,11 @@ struct DevicePreset {
     Vec3 workspace;          ///< mm
 };
 
-/// omni, touch, touch-x, omega, inverse3.
+/// Those that OpenHaptics drives or that are like them: omni, touch, touch-x, omega.
+[[nodiscard]] std::span<const DevicePreset> penPresets();
+/// inverse3.
+[[nodiscard]] std::span<const DevicePreset> inverse3Presets();
+/// All of them.
 [[nodiscard]] std::span<const DevicePreset> devicePresets();
 /// The preset of that name; nullptr if there is none.
 [[nodiscard]] const DevicePreset* findDevicePreset(std::string_view name);

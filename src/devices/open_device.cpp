@@ -2,38 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
-#include <array>
-
-#include "devices/haply/haply_device.h"
-#include "devices/openhaptics/hd_library.h"
-#include "devices/openhaptics/openhaptics_device.h"
-#include "devices/sdl/gamepad_device.h"
-#include "devices/spacemouse/space_mouse_device.h"
+#include "devices/device_backend.h"
 
 namespace tactooth {
 namespace {
 
-constexpr const char* kMouse = "mouse";
 constexpr const char* kNoDevice = "none";  // for the second hand
-constexpr double kDefaultRate = 1000;      // Hz
-
-constexpr std::array<DeviceKind, 5> kKinds = {{
-    {kMouse, "Mouse and keyboard"},
-    {"pen", "Haptic pen (OpenHaptics)"},
-    {"inverse3", "Haply Inverse3"},
-    {"gamepad", "Gamepad"},
-    {"spacemouse", "SpaceMouse"},
-}};
-
-/// `own`: what stands behind the colon.
-std::unique_ptr<HapticDevice> makeDevice(const std::string& kind, const std::string& own, bool leftHanded,
-                                         double rateHz) {
-    if (kind == "pen") return std::make_unique<OpenHapticsDevice>(own, HdLibrary::defaultPath(), rateHz);
-    if (kind == "inverse3") return std::make_unique<HaplyDevice>(own);
-    if (kind == "gamepad") return std::make_unique<GamepadDevice>(own, leftHanded);
-    if (kind == "spacemouse" && own.empty()) return std::make_unique<SpaceMouseDevice>();
-    return nullptr;
-}
 
 /// A name as a person gives it: "gamepad:Wireless".
 struct DeviceName {
@@ -43,34 +17,47 @@ struct DeviceName {
         : kind(name.substr(0, name.find(':'))), own(name.size() > kind.size() ? name.substr(kind.size() + 1) : "") {}
 };
 
+/// The kind that a name means; nullptr if there is none, or it takes no name of one of several.
+const DeviceBackend* backendOf(const DeviceName& name) {
+    const DeviceBackend* backend = findDeviceBackend(name.kind);
+    const bool isKnown = backend != nullptr && backend->create != nullptr;
+    return isKnown && (name.own.empty() || backend->unitWord != nullptr) ? backend : nullptr;
+}
+
 Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
-    std::string kinds = isSecond ? "none" : kMouse;
-    for (const DeviceKind& each : deviceKinds().subspan(1)) kinds += ", " + std::string(each.name);
-    return {option + " takes " + kinds +
-            ", pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not '" + name +
+    return {option + " takes " + deviceNames(isSecond) + ", or replay:FILE.csv, not '" + name +
             "'; 'tactooth devices' shows what is there."};
 }
 
 }  // namespace
 
-std::span<const DeviceKind> deviceKinds() { return kKinds; }
+std::string deviceNames(bool isSecond) {
+    const auto backends = deviceBackends();
+    std::string names = isSecond ? kNoDevice : backends.front().name;
+    std::vector<std::string> units;
+    for (const DeviceBackend& each : backends.subspan(1)) {
+        names += std::string(", ") + each.name;
+        if (each.unitWord != nullptr) units.push_back(std::string(each.name) + ':' + each.unitWord);
+    }
+    for (std::size_t i = 0; i < units.size(); ++i) names += (i + 1 < units.size() ? ", " : " or ") + units[i];
+    return names + " for one of several";
+}
 
 Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond) {
-    const DeviceName parts(name);
-    const bool isKnown = name == (isSecond ? kNoDevice : kMouse) || isReplay(name) ||
-                         makeDevice(parts.kind, parts.own, false, kDefaultRate) != nullptr;
+    const bool isKnown = name == (isSecond ? kNoDevice : deviceBackends().front().name) || isReplay(name) ||
+                         backendOf(DeviceName(name)) != nullptr;
     if (isKnown) return {};
     return Unexpected{unknownDevice(name, option, isSecond)};
 }
 
 Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded, double rateHz) {
     const DeviceName parts(name);
-    std::unique_ptr<HapticDevice> device = makeDevice(parts.kind, parts.own, leftHanded, rateHz);
-    if (device == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
-    if (parts.kind == "pen") {
-        if (const auto tried = HdLibrary::probeLibrary(HdLibrary::defaultPath()); !tried)
-            return Unexpected{tried.error()};
+    const DeviceBackend* const backend = backendOf(parts);
+    if (backend == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
+    if (backend->trial != nullptr) {
+        if (const auto tried = backend->trial(); !tried) return Unexpected{tried.error()};
     }
+    std::unique_ptr<HapticDevice> device = backend->create({parts.own, leftHanded, rateHz});
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return device;
 }

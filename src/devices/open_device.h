@@ -3,21 +3,12 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "devices/haptic_device.h"
 
 namespace tactooth {
-
-/// A kind of device that can move the tool.
-struct DeviceKind {
-    const char* name;   ///< as openDevice takes it
-    const char* title;  ///< for people
-};
-/// The mouse, which is always there and needs no opening, comes first.
-[[nodiscard]] std::span<const DeviceKind> deviceKinds();
 
 /// "pen:NAME" is the pen of that name in the vendor's setup program.
 inline constexpr std::string_view kNamedPen = "pen:";
@@ -28,11 +19,15 @@ inline constexpr std::string_view kReplay = "replay:";
     return name.starts_with(kReplay) && name.size() > kReplay.size();
 }
 
+/// The names that checkDeviceName accepts, for help and messages, without replays: "mouse, pen, ..., pen:NAME or ... for
+/// one of several". `isSecond`: see there.
+[[nodiscard]] std::string deviceNames(bool isSecond = false);
+
 /// Whether openDevice knows `name`, or it is the mouse or a replay; nothing is opened. Fails with one sentence that
 /// says what `option`, of the command line or a file, takes. `isSecond`: of the other hand, which is none or no mouse.
 [[nodiscard]] Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond = false);
 
-/// Opens the device that a person has named: one of deviceKinds() but the mouse. "pen" is the default pen of
+/// Opens the device that a person has named: one of deviceBackends() but the mouse. "pen" is the default pen of
 /// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
 /// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that
 /// name. Fails with one sentence that says what to do. May take seconds. `leftHanded`: for devices that are not the

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+#include "devices/device_backend.h"
 #include "standin/standin_hd.h"
 #include "virtual_pad.h"
 
@@ -17,11 +18,11 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(OpenDevice, KnowsItsKindsAndTheMouseComesFirst) {
-    EXPECT_STREQ(deviceKinds().front().name, "mouse");
+    EXPECT_STREQ(deviceBackends().front().name, "mouse");
     for (const char* name : {"joystick", "", ":", "spacemouse:left", "mouse"}) {
         const auto opened = openDevice(name);
         ASSERT_FALSE(opened) << name;
-        for (const DeviceKind& kind : deviceKinds()) EXPECT_THAT(opened.error().message, HasSubstr(kind.name));
+        for (const DeviceBackend& kind : deviceBackends()) EXPECT_THAT(opened.error().message, HasSubstr(kind.name));
     }
 }
 

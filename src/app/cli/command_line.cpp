@@ -18,6 +18,7 @@
 #include "app/cli/runs/feel_command.h"
 #include "app/cli/runs/sound_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/manual.h"
 #include "app/cli/terminal/number_range.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
@@ -36,38 +37,40 @@ void addInfo(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* command =
         addCommand(program, chosen, "info",
-                   "Shows what the surfaces in STL, OBJ and PLY files are like: size, closed or not, volume, findings.",
+                   "Describes the surfaces in STL, OBJ and PLY files: size, whether they are closed, volume, findings.",
                    options, runInfo);
-    command->add_option("FILE", options->files, "STL (binary or ASCII), OBJ or PLY files, in mm")
+    command->add_option("FILE", options->files, "STL (binary or ASCII), OBJ or PLY files, mm")
         ->required()
         ->type_name("");
-    command->add_flag("--json", options->json, "Write one JSON object for each file, one a line");
+    command->add_flag("--json", options->json, "Writes one JSON object for each file, one in each line");
 }
 
 /// The option that feel, cut and demo share.
 void addMaterials(CLI::App& command, std::filesystem::path& file) {
     command
-        .add_option("--materials", file, "TOML file that changes the materials' numbers (pattern: data/materials.toml)")
+        .add_option("--materials", file,
+                    "TOML file that changes the values of materials (example: data/materials.toml)")
         ->type_name("FILE");
 }
 
 /// The option that feel, cut and demo share.
 void addWorkOn(CLI::App& command, std::string& name) {
-    command.add_option("--work-on", name, "The tooth of a case to work on, by name or FDI number (default: the first)")
+    command.add_option("--work-on", name, "Tooth of the case to work on, by name or FDI number (default: the first)")
         ->type_name("NAME");
 }
 
 void addContact(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
-        addCommand(program, chosen, "contact",
-                   "How deep a tool stands in a tooth at single poses, and the shortest way out.", options, runContact);
-    command->add_option("--tooth", options->tooth, "The tooth's STL file, mm")->required()->type_name("FILE");
-    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+        addCommand(program, chosen, "contact", "Computes the penetration depth of a tool in a tooth at single poses.",
+                   options, runContact);
+    command->add_option("--tooth", options->tooth, "STL file of the tooth, mm")->required()->type_name("FILE");
+    command->add_option("--tool", options->tool, "STL file of the tool, mm: tip at the origin, +z along the shaft")
         ->required()
         ->type_name("FILE");
     command
-        ->add_option("--poses", options->poses, "CSV file t,x,y,z,qw,qx,qy,qz: the tool in the tooth's frame, s and mm")
+        ->add_option("--poses", options->poses,
+                     "CSV file t,x,y,z,qw,qx,qy,qz: poses of the tool in the tooth frame, s and mm")
         ->required()
         ->type_name("FILE");
     command->add_option("--out", options->out, "CSV file to write: t,touching,depth,nx,ny,nz,px,py,pz,contacts,micros")
@@ -77,42 +80,47 @@ void addContact(CLI::App& program, CommandAction& chosen) {
 
 void addFeel(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<FeelOptions>();
-    CLI::App* command = addCommand(program, chosen, "feel",
-                                   "What a hand that follows a trajectory feels, tick by tick.", options, runFeel);
-    command->add_option("--tooth,--case", options->tooth, "The tooth's STL file, mm, or a case")
+    CLI::App* command =
+        addCommand(program, chosen, "feel", "Computes the force of each tick while a hand follows a trajectory.",
+                   options, runFeel);
+    command->add_option("--tooth,--case", options->tooth, "STL file of the tooth, mm, or a case")
         ->required()
         ->type_name("FILE");
     addWorkOn(*command, options->workOn);
-    command->add_option("--tool", options->tool, "The tool's STL file, mm: tip at the origin, +z along the shaft")
+    command->add_option("--tool", options->tool, "STL file of the tool, mm: tip at the origin, +z along the shaft")
         ->required()
         ->type_name("FILE");
-    command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
+    command
+        ->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: poses of the hand, s and mm")
         ->required()
         ->type_name("FILE");
-    command->add_option("--out", options->out, "CSV file to write, one row a tick: depth, normal, force, torque, proxy")
+    command
+        ->add_option("--out", options->out,
+                     "CSV file to write, one row for each tick: depth, normal, force, torque, proxy")
         ->required()
         ->type_name("FILE");
     addMaterials(*command, options->materials);
     command
-        ->add_option("--mode", options->mode,
-                     "proxy: never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
+        ->add_option(
+            "--mode", options->mode,
+            "proxy: a tool that never enters the tooth (default); penalty: deepest pair of triangles, for comparison")
         ->check(CLI::IsMember({"proxy", "penalty"}))
         ->type_name("MODE");
     command
         ->add_option("--freedom", options->freedom,
-                     "3: the proxy turns as the hand does (default); 6: it also gives way by turning, as for a device "
-                     "that renders torque")
+                     "3: the proxy has the orientation of the hand (default); 6: contacts also turn it, as for a "
+                     "device that renders torque")
         ->check(CLI::IsMember({3, 6}))
         ->type_name("DEGREES");
-    command->add_option("--stiffness", options->stiffness, "Spring, N/mm (default: the material's)")
+    command->add_option("--stiffness", options->stiffness, "Stiffness, N/mm (default: that of the material)")
         ->transform(numberFrom(0, kMaxStiffness))
         ->type_name("K");
-    command->add_option("--damping", options->damping, "Damper, N*s/mm (default: the material's)")
+    command->add_option("--damping", options->damping, "Damping, N*s/mm (default: that of the material)")
         ->transform(numberFrom(0, kMostDamping))
         ->type_name("C");
     command
         ->add_option("--friction", options->friction,
-                     "Coulomb friction coefficient (default: 0, the bare spring and damper)")
+                     "Coulomb friction coefficient (default: 0, spring and damper alone)")
         ->transform(numberFrom(0, kMaxFriction))
         ->type_name("MU");
 }
@@ -123,7 +131,7 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         addCommand(program, chosen, "cut", "Cuts a tooth with a spinning bur along a trajectory.", options, runCut);
     command
         ->add_option("--tooth,--case", options->tooth,
-                     "The tooth's outer surface, a closed STL file, mm, a case, or a tooth that --save has saved")
+                     "Outer surface of the tooth (a closed STL file, mm), a case, or a tooth saved by --save")
         ->required()
         ->type_name("FILE");
     addWorkOn(*command, options->workOn);
@@ -139,40 +147,41 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->type_name("NAME");
     command
         ->add_option("--tool", options->tool,
-                     "The bur's STL file, mm: tip at the origin, +z along the shaft, or its TOML description "
-                     "(default: the case's own)")
+                     "STL file of the bur (mm, tip at the origin, +z along the shaft) or its TOML description "
+                     "(default: the bur of the case)")
         ->type_name("FILE");
-    command->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: the hand's way, s and mm")
+    command
+        ->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: poses of the hand, s and mm")
         ->required()
         ->type_name("FILE");
-    command->add_option("--speed-rpm", options->speedRpm, "Speed of the bur, rev/min; a bur at rest cuts nothing")
+    command
+        ->add_option("--speed-rpm", options->speedRpm,
+                     "Speed of the bur, rev/min; a bur that does not spin cuts nothing")
         ->required()
         ->transform(numberFrom(0.0, 1e6))
         ->type_name("N");
     command
         ->add_option("--voxel", options->voxel,
-                     "Spacing of the cut volume, mm (default: 0.025, or that of a saved tooth)")
+                     "Voxel size of the cut volume, mm (default: 0.025, or that of the saved tooth)")
         ->transform(numberFrom(0.005, 0.5))
         ->type_name("MM");
     command
-        ->add_option("--feed", options->feed, "law: the material resists (default); rigid: everything on the way goes")
+        ->add_option("--feed", options->feed,
+                     "law: the material limits the feed rate (default); rigid: the bur removes all that it sweeps")
         ->check(CLI::IsMember({"law", "rigid"}))
         ->type_name("FEED");
     command->add_option("--out", options->out, "STL file to write: the cut tooth")->required()->type_name("FILE");
     command
         ->add_option("--save", options->save,
-                     "File to save the tooth to, with its layers and all that was cut: --tooth takes it to cut on; "
-                     "name it *.tactooth")
+                     "File (*.tactooth) to save the tooth to, with its layers and cuts; --tooth opens it to continue")
         ->type_name("FILE");
-    command->add_option("--forces", options->forces, "CSV file to write, one row a tick, as 'feel' does")
+    command->add_option("--forces", options->forces, "CSV file to write, one row for each tick, as by 'feel'")
         ->type_name("FILE");
     command
         ->add_option(
             "--events", options->events,
-            "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, neighbour touched, "
-            "gum or bone touched, cut beside the tooth, piece came loose (none of these with --feed rigid, which takes "
-            "only what the bur "
-            "sweeps), bur stalled")
+            "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, neighbour touched, gum "
+            "or bone touched, cut beside the tooth, piece came loose (not with --feed rigid), bur stalled")
         ->type_name("FILE");
     command
         ->add_option("--removed", options->removed,
@@ -180,12 +189,12 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->type_name("FILE");
     command
         ->add_option("--export-layers", options->layersOut,
-                     "Folder to write what is left of each layer to, one closed STL file a layer, named after it")
+                     "Folder for what remains of each layer: one closed STL file for each, named after it")
         ->type_name("DIR");
     command
         ->add_option("--vdb", options->vdb,
-                     "OpenVDB file to write: how much of each voxel every material fills, one grid a material, mm; "
-                     "only in programs built with OpenVDB")
+                     "OpenVDB file to write: the volume fraction of each material, one grid for each, mm (only if "
+                     "built with OpenVDB)")
         ->type_name("FILE");
 }
 
@@ -193,71 +202,68 @@ void addExercise(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ExerciseOptions>();
     CLI::App* command =
         addCommand(program, chosen, "exercise",
-                   "What an exercise of your own asks for: reads and checks its TOML file (docs/exercises.md).",
+                   "Reads and checks your own exercise, a TOML file (docs/exercises.md), and shows what it asks for.",
                    options, runExercise);
-    command->add_option("FILE", options->file, "The exercise; the window opens it with --exercise FILE")
+    command->add_option("FILE", options->file, "TOML file of the exercise; the window opens it by --exercise FILE")
         ->required()
         ->type_name("");
-    command->add_option("--out", options->out, "Write the ideal shape as STL")->type_name("FILE");
+    command->add_option("--out", options->out, "STL file to write: the ideal shape")->type_name("FILE");
 }
 
 void addScore(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ScoreOptions>();
-    CLI::App* command =
-        addCommand(program, chosen, "score",
-                   "How much of an ideal cavity was cut from a tooth, and what was cut beside it.", options, runScore);
-    command->add_option("FILE", options->tooth, "The tooth, as 'cut --save' or the window (Ctrl+S) has saved it")
+    CLI::App* command = addCommand(
+        program, chosen, "score", "Compares a cut tooth with an ideal cavity: what was cut inside it and what outside.",
+        options, runScore);
+    command->add_option("FILE", options->tooth, "Saved tooth, from 'cut --save' or the window (Ctrl+S)")
         ->required()
         ->type_name("");
     command
         ->add_option(
             "--target", options->target,
-            "The ideal shape in the same frame: an STL, OBJ or PLY file, mm, or a tooth that an expert has cut "
-            "and saved")
+            "Ideal shape in the same frame: an STL, OBJ or PLY file (mm), or a tooth that an expert has cut and saved")
         ->required()
         ->type_name("FILE");
-    command->add_flag("--json", options->json, "Write one JSON object instead of a table");
+    command->add_flag("--json", options->json, "Writes one JSON object instead of a table");
 }
 
 void addDemo(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<DemoOptions>();
-    CLI::App* command = addCommand(
-        program, chosen, "demo",
-        "Plays a session that touches and cuts a tooth, and leaves pictures, sound, plot, table, the cut tooth "
-        "and a summary in a folder; needs no display, device or sound card.",
-        options, runDemo);
-    command->add_option("--out", options->out, "Folder for what the session leaves")->required()->type_name("DIR");
+    CLI::App* command =
+        addCommand(program, chosen, "demo",
+                   "Plays a session that touches and cuts a tooth, and writes pictures, sound, plot, table, the cut "
+                   "tooth and a summary to a folder. Needs no display, device or sound card.",
+                   options, runDemo);
+    command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");
     command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
         ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
     addMaterials(*command, options->materials);
     command
         ->add_option("--tooth,--case", options->tooth,
-                     "A closed STL file, mm, crown up (+z), or a case (default: the built-in molar)")
+                     "A closed STL file (mm, crown toward +z) or a case (default: the built-in molar)")
         ->type_name("FILE");
     addWorkOn(*command, options->workOn);
-    command->add_option("--layer", options->layers, "What is inside --tooth, as for 'cut'")
+    command->add_option("--layer", options->layers, "Layer inside --tooth, as for 'cut'")
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->needs("--tooth");
-    command->add_flag("--mouth", options->mouth, "The built-in molar in the whole mouth, with neighbours and gums")
+    command->add_flag("--mouth", options->mouth, "Uses the built-in molar in the whole mouth, with neighbours and gums")
         ->excludes("--tooth");
     command
-        ->add_option(
-            "--bur", options->bur,
-            "An STL file, mm: tip at the origin, +z along the shaft, or its TOML description (default: the case's own, "
-            "else the built-in fissure bur 57)")
+        ->add_option("--bur", options->bur,
+                     "STL file of the bur (mm, tip at the origin, +z along the shaft) or its TOML description "
+                     "(default: the bur of the case, else the built-in fissure bur 57)")
         ->type_name("FILE");
 }
 
 void addSound(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SoundOptions>();
-    CLI::App* command =
-        addCommand(program, chosen, "sound",
-                   "What a bur sounds like whose speed, removal power and material a file tells over time; needs no "
-                   "sound card.",
-                   options, runSound);
+    CLI::App* command = addCommand(
+        program, chosen, "sound",
+        "Renders the sound of a bur from its speed, removal power and material over time. Needs no sound card.",
+        options, runSound);
     command
         ->add_option("--profile", options->profile,
                      "CSV file t,speed_rpm,power,material: s, rev/min, W, and enamel, dentin, pulp, caries, amalgam, "
@@ -267,25 +273,49 @@ void addSound(CLI::App& program, CommandAction& chosen) {
     command->add_option("--out", options->out, "WAV file to write: 48 kHz, 16 bits, stereo")
         ->required()
         ->type_name("FILE");
-    command->add_option("--spectrogram", options->spectrogram, "PNG file to write: the frequencies over time")
-        ->type_name("FILE");
+    command->add_option("--spectrogram", options->spectrogram, "PNG file to write: the spectrogram")->type_name("FILE");
     command->add_option("--drive", options->drive, "turbine (default), electric (1:5) or low-speed (contra-angle)")
         ->check(CLI::IsMember({"turbine", "electric", "low-speed"}))
         ->type_name("DRIVE");
     command
         ->add_option("--sounds", options->sounds,
-                     "Your own sounds: a recording (WAV, FLAC, Ogg) of the drive running free, or a TOML preset that "
-                     "names a recording for each part (pattern: docs/sound.md)")
+                     "Your own sounds: a recording (WAV, FLAC, Ogg) of the drive without load, or a TOML preset that "
+                     "names a recording for each part (docs/sound.md)")
         ->type_name("FILE");
     command
         ->add_option("--blades", options->blades,
-                     "Of a carbide bur, whose passing is heard at low speed (default: 0, a diamond)")
+                     "Number of blades of a carbide bur, heard at low speed (default: 0, a diamond bur)")
         ->transform(wholeNumberFrom(0, 60))
         ->type_name("N");
-    command->add_flag("--water", options->water, "Add the cooling spray, as long as the drive has air or current");
-    command->add_flag("--suction", options->suction, "Add the suction in the mouth");
+    command->add_flag("--water", options->water, "Adds the cooling spray while the drive runs");
+    command->add_flag("--suction", options->suction, "Adds the suction in the mouth");
     command->add_flag("--headphones", options->headphones,
-                      "Place the sound by the ears' own filtering (HRTF) instead of by left-right balance");
+                      "Places the sound by head-related transfer functions (HRTF) instead of stereo panning");
+}
+
+struct ManualOptions {
+    std::string form;
+    const CLI::App* program = nullptr;  ///< outlives the command
+};
+
+int runManual(const ManualOptions& options) {
+    const CLI::App& program = *options.program;
+    print("{}", options.form == "bash"       ? bashCompletion(program)
+                : options.form == "markdown" ? commandsPage(program)
+                                             : manPage(program, TACTOOTH_VERSION));
+    return kExitOk;
+}
+
+void addManual(CLI::App& program, CommandAction& chosen) {
+    const auto options = std::make_shared<ManualOptions>();
+    options->program = &program;
+    addCommand(program, chosen, "manual", "Prints the manual of all commands in one of several forms.", options,
+               runManual)
+        ->add_option("FORM", options->form,
+                     "man: a man page; bash: a completion script for bash; markdown: the page docs/user/commands.md")
+        ->required()
+        ->check(CLI::IsMember({"man", "bash", "markdown"}))
+        ->type_name("");
 }
 
 /// Output that could not be written (a full disk, a closed pipe) must not look like success.
@@ -334,7 +364,7 @@ int runCommandLine(int argc, const char* const* argv) {
     CLI::App program("Tactooth, a dental drilling simulator: see, feel and hear a bur cut a real tooth.", "tactooth");
     program.set_version_flag("--version", "tactooth " TACTOOTH_VERSION, "Print the version and exit");
     program.set_help_flag("-h,--help", "Print this help and exit");
-    program.footer("'tactooth COMMAND --help' tells more about a command.");
+    program.footer("'tactooth COMMAND --help' describes a command.");
     program.get_formatter()->column_width(28);
     program.get_formatter()->label("SUBCOMMAND", "COMMAND");
     program.require_subcommand(0, 1);
@@ -354,6 +384,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addPictureCommands(program, chosen);
     addMeshCommands(program, chosen);
     addMeasuringCommands(program, chosen);
+    addManual(program, chosen);
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {  // --help or --version

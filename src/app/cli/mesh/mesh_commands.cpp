@@ -13,9 +13,9 @@ void addSimplify(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SimplifyOptions>();
     CLI::App* command = addCommand(
         program, chosen, "simplify",
-        "Writes a closed surface with fewer triangles; it stays closed and keeps its handles.", options, runSimplify);
+        "Writes a closed surface with fewer triangles. It stays closed and keeps its topology.", options, runSimplify);
     command->add_option("IN", options->in, "STL file, mm")->required()->type_name("");
-    command->add_option("--keep", options->keep, "A share of the triangles (50%) or how many (20000)")
+    command->add_option("--keep", options->keep, "Share of the triangles to keep (50%), or their number (20000)")
         ->required()
         ->type_name("SHARE");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
@@ -23,16 +23,16 @@ void addSimplify(CLI::App& program, CommandAction& chosen) {
 
 void addSubdivide(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SubdivideOptions>();
-    CLI::App* command = addCommand(program, chosen, "subdivide",
-                                   "Writes the same surface from more triangles (without --triangles and --times: from "
-                                   "four times as many).",
-                                   options, runSubdivide);
+    CLI::App* command =
+        addCommand(program, chosen, "subdivide",
+                   "Writes the same surface with more triangles (default: four times as many).", options, runSubdivide);
     command->add_option("IN", options->in, "STL file, mm")->required()->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
-    CLI::Option* triangles =
-        command->add_option("--triangles", options->triangles, "How many, longest edges halved first");
+    CLI::Option* triangles = command->add_option("--triangles", options->triangles,
+                                                 "Number of triangles; the longest edges are split first");
     triangles->transform(wholeNumberFrom(1, kMaxSubdivided))->type_name("N");
-    command->add_option("--times", options->times, "How often every edge is halved: 4^N as many triangles")
+    command
+        ->add_option("--times", options->times, "Number of times that every edge is split: 4^N times as many triangles")
         ->transform(wholeNumberFrom(0, 12))
         ->type_name("N")
         ->excludes(triangles);

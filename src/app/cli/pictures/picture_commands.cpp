@@ -11,37 +11,37 @@ namespace {
 void addSubject(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--tooth,--case,FILE", options.tooth,
-                    "STL file, mm, crown up (+z), a case, or a saved tooth (default: built-in molar)")
+                    "STL file (mm, crown toward +z), a case or a saved tooth (default: the built-in molar)")
         ->type_name("FILE");
-    command.add_option("--work-on", options.workOn, "The tooth of a case to look at (default: all of it)")
+    command.add_option("--work-on", options.workOn, "Tooth of the case to show (default: all teeth)")
         ->type_name("NAME")
         ->needs("--tooth");
-    command.add_option("--layer", options.layers, "What is inside --tooth, as for 'cut'")
+    command.add_option("--layer", options.layers, "Layer inside --tooth, as for 'cut'")
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->needs("--tooth");
     command
         .add_option("--materials", options.materials,
-                    "TOML file that changes the materials' colours (pattern: data/materials.toml)")
+                    "TOML file that changes the colours of materials (example: data/materials.toml)")
         ->type_name("FILE");
     command
         .add_option("--mirror", options.mirror,
                     "Adds a mouth mirror with a head of this diameter, mm: 18 (No. 2) to 26 (No. 6)")
         ->transform(numberFrom(10.0, 40.0))
         ->type_name("MM");
-    command.add_option("--fog", options.fog, "Breath on the mirror, 0 to 1")
+    command.add_option("--fog", options.fog, "Fog on the mirror, 0 to 1")
         ->transform(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
-    command.add_option("--drops", options.drops, "Share of the mirror where drops of spray stand, 0 to 1")
+    command.add_option("--drops", options.drops, "Share of the mirror covered by drops, 0 to 1")
         ->transform(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
 }
 
 void addMouth(CLI::App& command, RenderOptions& options) {
     CLI::Option* mouth = command.add_flag("--mouth", options.mouth,
-                                          "The whole built-in mouth; then --view is front, right, left, upper, lower, "
-                                          "dentist, or AZIMUTH,ELEVATION (90,0 from the front)");
+                                          "Shows the whole built-in mouth; then --view is front, right, left, upper, "
+                                          "lower, dentist, or AZIMUTH,ELEVATION (90,0: from the front)");
     addMouthSpecOptions(command, options.mouthSpec, mouth);
     for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
                               "--stereo", "--second"}) {
@@ -57,26 +57,27 @@ std::vector<std::string> standardViewNames() {
 
 void addEye(CLI::App& command, RenderOptions& options) {
     command
-        .add_option(
-            "--view", options.view,
-            "occlusal, buccal, lingual, mesial, distal, dentist (default), or AZIMUTH,ELEVATION in degrees: 0,0 "
-            "from mesial, 90,0 from buccal, 90 up from above")
+        .add_option("--view", options.view,
+                    "occlusal, buccal, lingual, mesial, distal, dentist (default), or AZIMUTH,ELEVATION in degrees "
+                    "(0,0: from mesial; 90,0: from buccal; elevation 90: from occlusal)")
         ->type_name("VIEW");
-    command.add_option("--at", options.at, "Middle of the picture, mm in the tooth's frame")->type_name("X,Y,Z");
-    command.add_option("--span", options.span, "Millimetres that the picture is high (default: the whole tooth)")
+    command.add_option("--at", options.at, "Centre of the picture in the tooth frame, mm")->type_name("X,Y,Z");
+    command.add_option("--span", options.span, "Height of the picture, mm (default: the whole tooth)")
         ->transform(numberFrom(0.2, 1000.0))
         ->type_name("MM");
-    command.add_option("--turntable", options.turntable, "Pictures of a whole turn: X-000.png, X-001.png and so on")
+    command
+        .add_option("--turntable", options.turntable,
+                    "Number of pictures of a full turn: X-000.png, X-001.png and so on")
         ->transform(wholeNumberFrom(2, 3600))
         ->type_name("N");
-    CLI::Option* stereo =
-        command
-            .add_option("--stereo", options.stereo, "For two eyes: side-by-side, or anaglyph for red and cyan glasses")
-            ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
-            ->type_name("MODE");
+    CLI::Option* stereo = command
+                              .add_option("--stereo", options.stereo,
+                                          "Stereo picture: side-by-side, or anaglyph for red and cyan glasses")
+                              ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
+                              ->type_name("MODE");
     command
         .add_option("--second", options.second,
-                    "A small picture from another side in the corner: occlusal, buccal, lingual, mesial or distal")
+                    "Adds a small second view in the corner: occlusal, buccal, lingual, mesial or distal")
         ->check(CLI::IsMember(standardViewNames()))
         ->excludes(stereo)
         ->type_name("VIEW");
@@ -85,27 +86,24 @@ void addEye(CLI::App& command, RenderOptions& options) {
 void addInspection(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--clip", options.clip,
-                    "Takes away what lies on this side (occlusal, buccal, lingual, mesial, distal) of the tooth's "
-                    "middle, or of a plane so many mm from it")
+                    "Removes what lies on this side (occlusal, buccal, lingual, mesial, distal) of the centre of the "
+                    "tooth, or of a plane so many mm from it")
         ->type_name("SIDE[=MM]");
     command
-        .add_option("--transparent", options.transparent,
-                    "Opacity of a tissue, 0 to 1 (enamel=0.3); may be given several times")
+        .add_option("--transparent", options.transparent, "Opacity of a tissue, 0 to 1 (enamel=0.3); may be repeated")
         ->type_name("NAME=OPACITY")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command
-        .add_option(
-            "--target", options.target,
-            "Closed STL file of the ideal shape: colours the tooth by its distance to it, orange where too much "
-            "was cut, blue where something is left")
+        .add_option("--target", options.target,
+                    "Closed STL file of the ideal shape: colours the tooth by its distance to it (orange: too much was "
+                    "cut; blue: too little)")
         ->type_name("FILE");
     command
         .add_flag("--ghost", options.ghost,
-                  "Shows instead of the colours what of --target lies inside the tooth: the cavity that is to be cut, "
-                  "as a body of blue glass, as far as no cut has reached it")
+                  "Shows the cavity that is still to be cut as blue glass, instead of the colours")
         ->needs("--target");
-    command.add_option("--range", options.range, "Distance of the strongest colours, mm (default: 0.5)")
+    command.add_option("--range", options.range, "Distance with the strongest colour, mm (default: 0.5)")
         ->transform(numberFrom(0.001, 100.0))
         ->type_name("MM");
 }
@@ -116,15 +114,15 @@ void addPictureCommands(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<RenderOptions>();
     CLI::App* command = addCommand(
         program, chosen, "render",
-        "Draws a tooth into a picture (PNG) or the pictures of a turn; needs no display and no graphics card.", options,
-        runRender);
+        "Draws a tooth into one picture (PNG) or the pictures of a full turn. Needs no display and no graphics card.",
+        options, runRender);
     addSubject(*command, *options);
     addEye(*command, *options);
     addInspection(*command, *options);
     addMouth(*command, *options);
-    command->add_option("--size", options->size, "Pixels (default: 1600x1000; at most 4096x4096 in all)")
+    command->add_option("--size", options->size, "Size in pixels (default: 1600x1000; at most 4096x4096)")
         ->type_name("WxH");
-    command->add_flag("--no-background", options->noBackground, "Leave the background transparent");
+    command->add_flag("--no-background", options->noBackground, "Leaves the background transparent");
     command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");
 }
 

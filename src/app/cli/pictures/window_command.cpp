@@ -22,9 +22,9 @@ constexpr const char* kSecondDeviceSetting = "--hand-second-device";
 /// What is on the bench instead of the built-in tooth.
 void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
     CLI::Option* tooth = program.add_option("--tooth,--case,CASE", arguments.tooth,
-                                            "Your own tooth: a case, an STL file, mm, or a saved one");
+                                            "Opens your own tooth: a case, an STL file (mm) or a saved tooth");
     tooth->type_name("FILE")->group(kGroup);
-    program.add_option("--work-on", arguments.workOn, "The tooth of a case to work on (default: the first)")
+    program.add_option("--work-on", arguments.workOn, "Tooth of the case to work on (default: the first)")
         ->type_name("NAME")
         ->needs(tooth)
         ->group(kGroup);
@@ -39,17 +39,17 @@ void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
 /// What moves the bur and the mirror.
 void addHands(CLI::App& program, WindowArguments& arguments) {
     program
-        .add_option(kDevice, arguments.device,
-                    "What moves the bur: mouse, pen, inverse3, gamepad or spacemouse; pen:NAME, inverse3:ID or "
-                    "gamepad:NAME for one of several; replay:FILE.csv for a hand that goes the way of a trajectory "
-                    "(default: the one of the last time; docs/haptics.md)")
+        .add_option(
+            kDevice, arguments.device,
+            "Device that moves the bur: " + deviceNames() +
+                "; replay:FILE.csv follows a trajectory (default: the device of the last session; docs/haptics.md)")
         ->type_name("NAME")
         ->group(kGroup);
     program
         .add_option_function<std::string>(
             kSecondDevice, [&arguments](const std::string& name) { arguments.settings[kSecondDeviceSetting] = name; },
-            "Device of the other hand, which holds the mirror, as for --device, but no mouse; is remembered; none: one "
-            "hand alone again")
+            "Device of the other hand, which holds the mirror: a name as for --device, except mouse, or none. The "
+            "window remembers it")
         ->type_name("NAME")
         ->group(kGroup);
 }
@@ -60,15 +60,14 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         [&arguments](const std::string& fdi) {
             arguments.mouth = fdi.empty() ? MouthChoice().fdi : toNumber<int>(fdi).value_or(0);
         },
-        "The whole built-in mouth, to work on this tooth of it (default: 46)");
+        "Opens the whole built-in mouth to work on this tooth (default: 46)");
     mouth->type_name("[FDI]")->expected(0, 1)->excludes("--tooth")->group(kGroup);
-    program
-        .add_flag("--no-cache", arguments.noCache, "Make the teeth and gums of the mouth anew, and do not keep them")
+    program.add_flag("--no-cache", arguments.noCache, "Generates teeth and gums again and does not use the cache")
         ->needs(mouth)
         ->group(kGroup);
     program
         .add_option("--bur", arguments.bur,
-                    "Your own bur: an STL file, tip at the origin, +z along the shaft, or its TOML description")
+                    "Uses your own bur: an STL file (tip at the origin, +z along the shaft) or its TOML description")
         ->type_name("FILE")
         ->group(kGroup);
 }
@@ -76,7 +75,7 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
 void addExercise(CLI::App& program, WindowArguments& arguments) {
     program
         .add_option("--exercise", arguments.exercise,
-                    "An exercise of your own: a TOML file (docs/exercises.md) with tooth, bur and ideal cavity")
+                    "Opens your own exercise: a TOML file with tooth, bur and ideal cavity (docs/exercises.md)")
         ->type_name("FILE")
         ->excludes("--tooth")
         ->excludes("--mouth")

@@ -14,24 +14,24 @@ namespace {
 constexpr int kMaxOfTooth = 2'000'000, kMaxOfMouth = 250'000;
 
 CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMaxOfTooth) {
-    return command.add_option("--triangles", triangles, ofWhat + ", about (default: 20000)")
+    return command.add_option("--triangles", triangles, ofWhat + ", approximately (default: 20000)")
         ->transform(wholeNumberFrom(1000, most))
         ->type_name("N");
 }
 
 void addBur(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<BurOptions>();
-    CLI::App* command = addCommand(program, chosen, "bur",
-                                   "Writes a bur of the catalogue as a closed STL surface: tip at the origin, +z along "
-                                   "the shaft, mm.",
-                                   options, runBur);
+    CLI::App* command =
+        addCommand(program, chosen, "bur",
+                   "Writes a bur of the catalogue as a closed STL surface, mm: tip at the origin, +z along the shaft.",
+                   options, runBur);
     command->add_option("NUMBER", options->number, "US number (330), shape and size (856-016) or ISO 6360 number")
         ->type_name("");
-    command->add_flag("--list", options->list, "List the catalogue: numbers, size, blades or grit");
+    command->add_flag("--list", options->list, "Lists the catalogue: numbers, size, blades or grit");
     command->add_option("--out", options->out, "STL file to write")->type_name("FILE");
     command
         ->add_option("--triangles", options->triangles,
-                     "How many, one fewer if odd (default: 340, as for contact; from some 5000 on all details show)")
+                     "Number of triangles, made even (default: 340, as for contact; all details need about 5000)")
         ->transform(wholeNumberFrom(200, 2'000'000))
         ->type_name("N");
 }
@@ -43,23 +43,23 @@ void addInstrument(CLI::App& program, CommandAction& chosen) {
                    options, runInstrument);
     command
         ->add_option("NAME", options->name,
-                     "turbine, contra-angle, mirror-22, mirror-24 (head, mm), explorer (No. 23) or probe (periodontal, "
-                     "mm marks)")
+                     "turbine, contra-angle, mirror-22 or mirror-24 (head diameter, mm), explorer (No. 23) or probe "
+                     "(periodontal, mm marks)")
         ->required()
         ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe"}))
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
-    command->add_option("--triangles", options->triangles, "Of the turbine or contra-angle (default: 16000)")
+    command->add_option("--triangles", options->triangles, "Triangles of the turbine or contra-angle (default: 16000)")
         ->transform(wholeNumberFrom(2000, 24000))
         ->type_name("N");
 }
 
 void addTooth(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ToothOptions>();
-    CLI::App* command = addCommand(program, chosen, "tooth",
-                                   "Makes a permanent tooth with enamel, dentin and pulp and writes its layers as "
-                                   "closed STL surfaces, mm.",
-                                   options, runTooth);
+    CLI::App* command = addCommand(
+        program, chosen, "tooth",
+        "Generates a permanent tooth with enamel, dentin and pulp, and writes its layers as closed STL surfaces, mm.",
+        options, runTooth);
     command->add_option("FDI", options->fdi, "Tooth number: 11-18, 21-28, 31-38, 41-48")
         ->required()
         ->transform(fdiNumber())
@@ -67,20 +67,21 @@ void addTooth(CLI::App& program, CommandAction& chosen) {
     command->add_option("--out", options->out, "Folder for outer.stl, enamel.stl, dentin.stl, pulp.stl, caries.stl")
         ->required()
         ->type_name("DIR");
-    addTriangles(*command, options->triangles, "Of the outer surface");
-    command->add_option("--seed", options->seed, "Another patient for each number (default: 0, the average tooth)")
+    addTriangles(*command, options->triangles, "Triangles of the outer surface");
+    command->add_option("--seed", options->seed, "Seed of the patient (default: 0, the average tooth)")
         ->transform(seedNumber())
         ->type_name("N");
-    command->add_flag("--no-cache", options->noCache, "Make it anew, and do not keep it for the next time");
-    CLI::Option* caries = command->add_option("--caries", options->caries,
-                                              "Decay that begins there: occlusal, mesial, distal, buccal, lingual");
+    command->add_flag("--no-cache", options->noCache, "Generates the tooth again and does not use the cache");
+    CLI::Option* caries = command->add_option(
+        "--caries", options->caries, "Surface where decay begins: occlusal, mesial, distal, buccal or lingual");
     caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
-    command->add_option("--caries-width", options->cariesWidth, "Where it spreads in the dentin, mm (default: 2.4)")
+    command->add_option("--caries-width", options->cariesWidth, "Width of the decay in the dentin, mm (default: 2.4)")
         ->transform(numberFrom(0.4, 4.0))
         ->needs(caries)
         ->type_name("MM");
     command
-        ->add_option("--caries-depth", options->cariesDepth, "Below the surface, mm (default: as its width suggests)")
+        ->add_option("--caries-depth", options->cariesDepth,
+                     "Depth of the decay below the surface, mm (default: from its width)")
         ->transform(numberFrom(0.3, 6.0))
         ->needs(caries)
         ->type_name("MM");
@@ -88,10 +89,10 @@ void addTooth(CLI::App& program, CommandAction& chosen) {
 
 void addWholeMouth(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<MouthOptions>();
-    CLI::App* command = addCommand(program, chosen, "mouth",
-                                   "Makes all teeth of a mouth, in place on two arches, with their layers and the "
-                                   "gingiva, and writes closed STL surfaces, mm.",
-                                   options, runMouth);
+    CLI::App* command = addCommand(
+        program, chosen, "mouth",
+        "Generates all teeth of a mouth on two arches, with layers and gingiva, and writes closed STL surfaces, mm.",
+        options, runMouth);
     command->add_option("--out", options->out, "Folder for gingiva-upper.stl, gingiva-lower.stl and 46/outer.stl etc.")
         ->required()
         ->type_name("DIR");
@@ -100,38 +101,37 @@ void addWholeMouth(CLI::App& program, CommandAction& chosen) {
 
 void addGallery(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<GalleryOptions>();
-    CLI::App* command = addCommand(program, chosen, "gallery",
-                                   "Draws the built-in teeth and instruments as contact sheets, teeth.png and "
-                                   "instruments.png; needs no display.",
-                                   options, runGallery);
+    CLI::App* command = addCommand(
+        program, chosen, "gallery",
+        "Draws the built-in teeth and instruments as contact sheets, teeth.png and instruments.png. Needs no display.",
+        options, runGallery);
     command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
-    addTriangles(*command, options->triangles, "Of each tooth");
-    command->add_option("--seed", options->seed, "The teeth of another patient (default: 0, average teeth)")
+    addTriangles(*command, options->triangles, "Triangles of each tooth");
+    command->add_option("--seed", options->seed, "Seed of the patient (default: 0, average teeth)")
         ->transform(seedNumber())
         ->type_name("N");
-    command->add_option("--teeth", options->teeth, "Only these teeth (FDI numbers), larger, and no instruments")
+    command->add_option("--teeth", options->teeth, "Draws only these teeth (FDI numbers), larger, without instruments")
         ->transform(fdiNumber())
         ->type_name("N");
-    command->add_flag("--no-cache", options->noCache, "Make all teeth anew, and do not keep them for the next time");
+    command->add_flag("--no-cache", options->noCache, "Generates all teeth again and does not use the cache");
 }
 
 }  // namespace
 
 void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed) {
     const std::vector<CLI::Option*> all = {
-        addTriangles(command, spec.triangles, "Of each tooth", kMaxOfMouth),
-        command.add_option("--seed", spec.seed, "Another patient for each number (default: 0, average teeth)")
+        addTriangles(command, spec.triangles, "Triangles of each tooth", kMaxOfMouth),
+        command.add_option("--seed", spec.seed, "Seed of the patient (default: 0, average teeth)")
             ->transform(seedNumber())
             ->type_name("N"),
         command.add_option("--jaw", spec.jaw, "open (40 mm between the incisors) or closed (default)")
             ->check(CLI::IsMember({"open", "closed"}))
             ->type_name("POSE"),
-        command.add_option("--missing", spec.missing, "Teeth that are lost, as 18,28,46; their places have healed")
+        command.add_option("--missing", spec.missing, "Missing teeth, for example 18,28,46; their sites have healed")
             ->delimiter(',')
             ->transform(fdiNumber())
             ->type_name("FDI"),
-        command.add_flag("--no-cache", spec.noCache,
-                         "Make all teeth and gums anew, and do not keep them for the next time")};
+        command.add_flag("--no-cache", spec.noCache, "Generates all teeth and gums again and does not use the cache")};
     if (needed == nullptr) return;
     for (CLI::Option* option : all) option->needs(needed);
 }

@@ -7,6 +7,7 @@
 
 #include "app/gui/text/error_translation.h"
 #include "app/gui/text/term_translation.h"
+#include "devices/device_backend.h"
 #include "devices/open_device.h"
 #include "devices/openhaptics/pen_names.h"
 
@@ -89,9 +90,9 @@ DevicePanel::DevicePanel(QWidget* parent)
 
 void DevicePanel::addDevices(QGridLayout& grid) {
     seconds_->addItem(tr("empty"), QString("none"));
-    for (const DeviceKind& kind : deviceKinds()) {
+    for (const DeviceBackend& kind : deviceBackends()) {
         devices_->addItem(translated(kind.title), QString(kind.name));
-        if (&kind != &deviceKinds().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
+        if (&kind != &deviceBackends().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
         if (std::string_view(kind.name) == "pen") addNamedPens();
     }
     for (QComboBox* box : {devices_, seconds_}) {  // the user's names must not widen the panel

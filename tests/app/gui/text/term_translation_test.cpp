@@ -6,7 +6,7 @@
 
 #include <QTranslator>
 
-#include "devices/open_device.h"
+#include "devices/device_backend.h"
 
 namespace tactooth {
 namespace {
@@ -20,7 +20,7 @@ protected:
 };
 
 TEST_F(Words, EachKindOfDeviceHasATranslation) {
-    for (const DeviceKind& kind : deviceKinds()) EXPECT_TRUE(isTranslated(kind.title)) << kind.title;
+    for (const DeviceBackend& kind : deviceBackends()) EXPECT_TRUE(isTranslated(kind.title)) << kind.title;
 }
 
 }  // namespace

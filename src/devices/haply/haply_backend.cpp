@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/haply/haply_backend.h"
+
+#include "devices/device_probe.h"
+#include "devices/haply/haply_connection.h"
+#include "devices/haply/haply_device.h"
+#include "devices/haply/haply_enumeration.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kName = "inverse3";
+constexpr double kLinkTimeout = 1;  // s: the service is on this machine
+
+/// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
+DetectedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
+    const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
+    const bool isServed = why != noneFound && HaplyConnection::open(address, kLinkTimeout).has_value();
+    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
+}
+
+/// One line for each Inverse3; one that says why not if there is none.
+std::vector<DetectedDevice> probeInverse3() {
+    constexpr const char* kBackend = "Haply Inverse3";
+    const std::string address = HaplyDevice::defaultAddress();
+    const auto found = enumerateHaply(address);
+    if (!found) return {noInverse3(kBackend, address, found.error().message)};
+    std::vector<DetectedDevice> devices;
+    for (const HaplyNames& names : *found) {
+        HaplyDevice device(names.device);
+        const auto opened = device.open();
+        devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::Unusable,
+                           opened ? capabilityText(device.info()) : opened.error().message,
+                           opened ? capabilitiesOf(device.info()) : DeviceCapabilities()});
+    }
+    return devices;
+}
+
+std::unique_ptr<HapticDevice> createArm(const DeviceRequest& request) {
+    return std::make_unique<HaplyDevice>(request.unit);
+}
+
+}  // namespace
+
+DeviceBackend haplyBackend() {
+    return {kName, "Haply Inverse3", "ID", createArm, nullptr, probeInverse3, inverse3Presets()};
+}
+
+}  // namespace tactooth

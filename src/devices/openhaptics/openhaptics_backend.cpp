@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/openhaptics/openhaptics_backend.h"
+
+#include <dlfcn.h>
+
+#include "devices/device_probe.h"
+#include "devices/openhaptics/hd_library.h"
+#include "devices/openhaptics/openhaptics_device.h"
+#include "devices/openhaptics/pen_names.h"
+
+namespace tactooth {
+namespace {
+
+constexpr const char* kName = "pen";
+
+/// `name`: empty for the default one.
+ProbeResult probePen(const std::string& name, const std::string& library) {
+    OpenHapticsDevice pen(name, library);
+    const auto opened = pen.open();
+    if (opened) return {DeviceState::Ready, capabilityText(pen.info()), capabilitiesOf(pen.info())};
+    const bool isInstalled = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
+    const bool isUnplugged = opened.error().message.ends_with(hdErrorText(hd::kLinkFault));
+    return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message};
+}
+
+/// One line for each pen that is set up; without any, one for the default pen, which says what to do.
+std::vector<DetectedDevice> probePens() {
+    const std::string library = HdLibrary::defaultPath();
+    std::vector<std::string> pens = configuredPens();
+    if (pens.empty()) pens.emplace_back(kDefaultPen);
+    std::vector<DetectedDevice> devices;
+    for (const std::string& pen : pens) {
+        const std::string own = pen == kDefaultPen ? "" : pen;
+        devices.push_back(probeInChild(
+            own.empty() ? kName : std::string(kName) + ':' + own, "OpenHaptics (PHANToM, Touch)", library,
+            "install the device's driver anew; Tactooth leaves it alone.", [&] { return probePen(own, library); }));
+    }
+    return devices;
+}
+
+std::unique_ptr<HapticDevice> createPen(const DeviceRequest& request) {
+    return std::make_unique<OpenHapticsDevice>(request.unit, HdLibrary::defaultPath(), request.rateHz);
+}
+
+Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultPath()); }
+
+}  // namespace
+
+DeviceBackend openHapticsBackend() {
+    return {kName, "Haptic pen (OpenHaptics)", "NAME", createPen, tryLibrary, probePens, penPresets()};
+}
+
+}  // namespace tactooth

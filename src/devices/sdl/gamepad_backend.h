@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "devices/device_backend.h"
+
+namespace tactooth {
+
+/// Gamepads that SDL knows.
+[[nodiscard]] DeviceBackend gamepadBackend();
+
+}  // namespace tactooth
