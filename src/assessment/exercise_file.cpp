@@ -104,9 +104,9 @@ private:
         }
         if (const toml::table* layers = toml_.table(root, "layers")) {
             for (auto&& [name, entry] : *layers) {
-                if (!materialFromName(name.str())) {
-                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) +
-                                          "; choose enamel, dentin, pulp, caries, restoration or other");
+                if (!builtinMaterials().find(name.str())) {
+                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) + "; the materials are " +
+                                          builtinMaterials().names());
                 }
                 source.layers.push_back(
                     {std::string(name.str()), beside(entry, toml_.text(*layers, name.str(), true))});

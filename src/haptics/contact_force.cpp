@@ -39,9 +39,7 @@ ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& c
 double ContactForce::stiffnessOf(const SurfaceProperties& feel, const MaterialTable& materials) const {
     if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(feel.stiffness);
     double hardest = 0;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
-    }
+    for (const MaterialId id : materials.registry().ids()) hardest = std::max(hardest, materials[id].stiffness);
     const double softened = hardest > maxStiffness_ ? feel.stiffness * maxStiffness_ / hardest : feel.stiffness;
     const double spring = overrides_.stiffness.value_or(softened);
     return scale_ > 0 ? std::min(spring, maxStiffness_ / scale_) : spring;

@@ -40,12 +40,12 @@ struct Tick {
     double load = 0;          ///< torque on the bur, N*mm
     double removalPower = 0;  ///< tangential force times rim speed
     double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; meaningless without contact
-    std::optional<MaterialId> around;          ///< of a body around the tooth, if one holds the tool
-    std::uint32_t contactOnsets = 0;           ///< how often the tool has come to touch
-    double impactSpeed = 0;                    ///< along the normal at the last landing, mm/s
-    std::uint32_t ownListRebuilds = 0;         ///< how often a tick has had to look itself for what is near
-    double micros = 0;                         ///< that the tick took to compute; filled in by whoever has a clock
+    MaterialId material{};    ///< that holds the tool most; meaningless without contact
+    std::optional<MaterialId> around;   ///< of a body around the tooth, if one holds the tool
+    std::uint32_t contactOnsets = 0;    ///< how often the tool has come to touch
+    double impactSpeed = 0;             ///< along the normal at the last landing, mm/s
+    std::uint32_t ownListRebuilds = 0;  ///< how often a tick has had to look itself for what is near
+    double micros = 0;                  ///< that the tick took to compute; filled in by whoever has a clock
 };
 
 /// Of the tick of a bur that cuts. With it the slowest of a thousand ticks take some 0.2 ms of their 1 ms

@@ -27,6 +27,7 @@ struct LayerModel {
 /// height and a canal down the middle of each root, found as the places of the sections that lie deepest, at least
 /// 0.5 mm below the surface; a surface with a hollow of its own keeps that as its pulp space. Fails with the sentence
 /// "stopped" when told to stop.
-[[nodiscard]] Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress = {});
+[[nodiscard]] Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress = {},
+                                               const MaterialRegistry& materials = builtinMaterials());
 
 }  // namespace tactooth

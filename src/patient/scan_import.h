@@ -19,10 +19,11 @@ struct Scan {
     TriangleMesh outer;                        ///< empty: made from the layers
     std::vector<LayerMesh> layers;             ///< empty: modelled
     std::vector<ImportNote> importNotes = {};  ///< on reading the files
+    const MaterialRegistry* materials = &builtinMaterials();
 };
 
 /// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.
-[[nodiscard]] bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
+[[nodiscard]] bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
 
 /// What a person says about a scan; what is left open is guessed.
 struct ImportOptions {
@@ -42,6 +43,7 @@ struct ExaminedScan {
     std::vector<ImportNote> importNotes;
     bool layersAreModelled = false;
     bool enamelIsOuter = false;  ///< the enamel is what the other layers leave of the outer surface
+    const MaterialRegistry* materials = &builtinMaterials();
 };
 
 /// Mends, scales and turns. Fails with one sentence, which begins with the scan's name, if the surfaces are empty or

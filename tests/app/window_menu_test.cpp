@@ -289,7 +289,7 @@ void WindowMenuTest::aTissueFillsInTheForceParameters() {
     QVERIFY(caries > 0);
     presets->setCurrentIndex(caries);
     emit presets->activated(caries);
-    const Material numbers = MaterialTable()[MaterialId::Caries];
+    const Material numbers = MaterialTable()[test::kCaries];
     QVERIFY(!window_->findChild<QCheckBox*>("fromMaterial")->isChecked());
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("spring")->value(), numbers.stiffness);
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("friction")->value(), numbers.friction);
@@ -383,4 +383,5 @@ int main(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
+#include "support/materials.h"
 #include "window_menu_test.moc"

@@ -12,6 +12,9 @@ namespace tactooth::test {
 /// is there. A test then uses the built-in teeth, and says so on its output.
 [[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
 
+/// The folder of the sources: tests read files of it.
+[[nodiscard]] std::filesystem::path sourceFolder();
+
 /// A fresh folder for the files of one test, removed when the object goes.
 class TemporaryFolder {
 public:

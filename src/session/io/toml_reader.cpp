@@ -14,11 +14,24 @@ namespace {
 
 constexpr std::size_t kLongestText = 2000;  // bytes: a text of a person; more is no text
 
-bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
-
 std::string quoted(std::string_view key) { return quotedWord(key); }
 
 }  // namespace
+
+bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
+
+std::string describedToml(const toml::node& node) {
+    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+    if (const auto* number = node.as_floating_point()) {
+        if (!std::isfinite(number->get())) return "not a finite number";
+        return numberText(number->get());
+    }
+    if (node.is_string()) return "a text in quotes";
+    if (node.is_boolean()) return "true or false";
+    if (node.is_array()) return "a list";
+    if (node.is_table()) return "a table";
+    return "a date or a time";
+}
 
 toml::table TomlReader::parse(std::string_view text) {
     Expected<toml::table> table = parseToml(text, name_);
@@ -32,6 +45,8 @@ void TomlReader::failAt(toml::source_index line, const std::string& what) {
 }
 
 void TomlReader::fail(const toml::node& where, const std::string& what) { failAt(where.source().begin.line, what); }
+
+void TomlReader::fail(const toml::key& where, const std::string& what) { failAt(where.source().begin.line, what); }
 
 void TomlReader::allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys) {
     for (auto&& [key, node] : table) {

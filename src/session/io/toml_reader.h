@@ -43,6 +43,7 @@ public:
 
     /// Keeps a mistake, if it is the first.
     void fail(const toml::node& where, const std::string& what);
+    void fail(const toml::key& where, const std::string& what);
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
@@ -52,5 +53,11 @@ private:
     std::string name_;
     std::optional<Error> error_;
 };
+
+/// What a message says that it found: "-0.5", "a text in quotes", "a list".
+[[nodiscard]] std::string describedToml(const toml::node& node);
+
+/// Whether a message or a menu can show a text as it is: one line, not too long, no control characters.
+[[nodiscard]] bool isPlainText(const std::string& text);
 
 }  // namespace tactooth

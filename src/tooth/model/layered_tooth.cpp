@@ -80,12 +80,15 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
 }  // namespace
 
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
-                                          const ToothContext& toothContext) {
+                                          const ToothContext& toothContext, const MaterialRegistry& materials) {
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
-    std::stable_sort(layers.begin(), layers.end(),
-                     [](const LayerMesh& a, const LayerMesh& b) { return a.material < b.material; });
+    const auto nesting = [&](const LayerMesh& layer) {
+        return std::pair(materials[layer.material].nesting, layer.material);
+    };
+    std::ranges::stable_sort(layers, {}, nesting);
     LayeredTooth tooth;
+    tooth.materials_ = &materials;
     tooth.body_ = body;
     tooth.toothContext_ = toothContext;
     for (LayerMesh& layer : layers) {

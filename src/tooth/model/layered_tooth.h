@@ -8,7 +8,7 @@
 
 #include "collision/bvh/surface.h"
 #include "geometry/util/expected.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -26,8 +26,8 @@ struct ToothContext {
 };
 
 /// A tooth before anything is cut: its outer surface, which is what is touched, and the closed layers inside it.
-/// Layers may lie side by side or within one another; where several hold a point, the latest in the order of
-/// MaterialId wins. Immutable.
+/// Layers may lie side by side or within one another; where several hold a point, the layer whose material has the
+/// highest nesting order is there. Immutable.
 class LayeredTooth {
 public:
     struct Layer {
@@ -39,14 +39,18 @@ public:
     /// Without layers the whole tooth is `body`. Fails with one sentence if a surface is open or inside out, a name is
     /// given twice, or a layer lies outside the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
-                                                     MaterialId body = MaterialId::Enamel,
-                                                     const ToothContext& toothContext = {});
+                                                     MaterialId body = MaterialId{},
+                                                     const ToothContext& toothContext = {},
+                                                     const MaterialRegistry& materials = builtinMaterials());
+
+    /// What its MaterialIds mean.
+    [[nodiscard]] const MaterialRegistry& materials() const { return *materials_; }
 
     /// The surface that is touched; each triangle's tag is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
     /// The same without what stands around the tooth: made anew where something does.
     [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
-    /// In rising order of victory.
+    /// In rising nesting order.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     /// Whether bodies around the tooth reach into it, or into each other: then the nearest triangle does not tell what
     /// is inside. What two of them claim counts as air.
@@ -66,7 +70,8 @@ private:
 
     std::shared_ptr<const SurfacePart> outer_;
     std::vector<Layer> layers_;
-    MaterialId body_ = MaterialId::Enamel;
+    const MaterialRegistry* materials_ = nullptr;
+    MaterialId body_{};
     ToothContext toothContext_;
     bool bodiesOverlap_ = false;
 };

@@ -19,8 +19,8 @@
 
 namespace tactooth {
 
-/// Volumes by MaterialId, mm^3.
-using MaterialVolumes = std::array<double, kMaterialCount>;
+/// Volumes by MaterialId, mm^3; zero where the registry of the tooth has no material.
+using MaterialVolumes = std::array<double, kMaxMaterials>;
 
 [[nodiscard]] double total(const MaterialVolumes& volumes);
 

@@ -10,8 +10,8 @@
 namespace tactooth {
 
 /// How much of the voxel around each node (a cube of one spacing with the node in its middle) is filled with what,
-/// 0..1: of each material, in one brick.
-using BrickFractions = std::array<std::array<float, kBrickNodes>, kMaterialCount>;
+/// 0..1: of each material of the tooth's registry, in one brick.
+using BrickFractions = std::vector<std::array<float, kBrickNodes>>;
 
 /// A cube of bricks that one material fills, untouched.
 struct SolidBlock {

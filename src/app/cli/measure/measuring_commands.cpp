@@ -11,6 +11,7 @@
 #include "app/cli/runs/realtime_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
+#include "experiments/stability.h"
 
 namespace tactooth {
 namespace {
@@ -140,9 +141,14 @@ void addBenchStability(CLI::App& bench, CommandAction& chosen) {
     addNames("--device", options->devices, "omni, touch, touch-x, omega or inverse3; may be given several times",
              {"omni", "touch", "touch-x", "omega", "inverse3"});
     addNames("--hand", options->hands, "loose, nominal or firm", {"loose", "nominal", "firm"});
-    addNames("--material", options->materials,
-             "enamel, dentin, caries, pulp, or stiffest: a spring as stiff as the device bears",
-             {"enamel", "dentin", "caries", "pulp", "stiffest"});
+    std::set<std::string> materials;
+    std::string names;
+    for (const std::optional<MaterialId>& material : stabilityMaterials()) {
+        materials.emplace(materialNameOf({.material = material}));
+        if (material) names += builtinMaterials().nameOf(*material) + ", ";
+    }
+    addNames("--material", options->materials, (names + "or stiffest: a spring as stiff as the device bears").c_str(),
+             materials);
     addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot, let-go, cut or tremor",
              {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor"});
     addRate(*command, options->rateHz);

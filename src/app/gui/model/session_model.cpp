@@ -28,7 +28,7 @@ SessionModel::~SessionModel() = default;
 void SessionModel::install(SessionTooth tooth) {
     tooth_ = std::move(tooth);
     readManipulator();
-    settings_.materials = tooth_->materials.value_or(MaterialTable());
+    settings_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
     simulatorIsOld_ = toothIsNew_ = true;
 }
@@ -178,7 +178,7 @@ void SessionModel::startSimulator(StepResult& stepResult) {
 }
 
 void SessionModel::beginEvents() {
-    events_ = {};
+    events_ = CutEvents(settings_.materials.registry());
     timeBefore_ = -newest_.time;
 }
 

@@ -34,7 +34,6 @@ struct SessionTooth {
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
     Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
-    std::optional<MaterialTable> materials = {};    ///< that a case brings
     std::vector<std::string> teethOfCase = {};      ///< names; empty: it is no case
     std::optional<SessionBur> bur = {};             ///< that a case brings
     std::vector<ShownBody> around = {};             ///< the rest of the mouth, which is felt and drawn

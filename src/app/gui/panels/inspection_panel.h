@@ -22,8 +22,8 @@ class InspectionPanel final : public QWidget {
 public:
     explicit InspectionPanel(QWidget* parent = nullptr);
 
-    /// The section cuts `box`; `mesialX`: direction of mesial along x.
-    [[nodiscard]] Inspection inspection(const Box3& box, double mesialX) const;
+    /// The section cuts `box`; `mesialX`: direction of mesial along x; `materials`: of the tooth.
+    [[nodiscard]] Inspection inspection(const Box3& box, double mesialX, const MaterialRegistry& materials) const;
     [[nodiscard]] Stereo::Mode stereo() const;
     /// For the tooth on the bench, whose colours are shown at once; empty: none.
     void setTarget(Target target);

@@ -388,7 +388,7 @@ void MainWindow::applyStepResult(const SessionModel::StepResult& stepResult) {
     showUsualHint();
     QStringList hints;
     for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote));
-    if (model_.tooth()->materials) {
+    if (&model_.materials().registry() != &builtinMaterials()) {
         hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
     }
     if (!hints.isEmpty()) status_->setHint(hints.join(' '));
@@ -397,6 +397,7 @@ void MainWindow::applyStepResult(const SessionModel::StepResult& stepResult) {
     clearTarget();  // it is in the frame of the tooth before
     activeExercise_ = model_.tooth()->exercise;
     exercise_->show(activeExercise_);
+    force_->setMaterials(model_.materials());
     if (pendingViewState_) return restoreViewState(*std::exchange(pendingViewState_, std::nullopt));
     if (activeExercise_ == nullptr) return;
     showCavityOf(*activeExercise_);
@@ -465,7 +466,8 @@ void MainWindow::showNumbers() {
     eventPanel_->show(model_.events().all());
     // A clock behind another tab would have the whole window composed anew each second.
     if (model_.simulator() != nullptr && isInSight(*exercise_)) {
-        exercise_->show(model_.workSeconds(), model_.simulator()->removed(), progress_);
+        exercise_->show(model_.workSeconds(), model_.simulator()->removed(), model_.simulator()->materials(),
+                        progress_);
     }
     showDeviceState();
 }

@@ -174,6 +174,7 @@ void MainWindow::exportReportTo(const QString& file) {
                                                   .seconds = model_.workSeconds(),
                                                   .cavity = progress_,
                                                   .removed = model_.simulator()->removed(),
+                                                  .materials = &model_.simulator()->materials(),
                                                   .beside = model_.simulator()->loss().beside,
                                                   .events = model_.events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);

@@ -167,8 +167,9 @@ void MainWindow::connectInspection() {
 
 void MainWindow::updateInspection() {
     if (!model_.tooth()) return;
-    view_->setInspection(inspectionPanel_->inspection(model_.tooth()->box(), model_.mesialX()),
-                         inspectionPanel_->stereo());
+    view_->setInspection(
+        inspectionPanel_->inspection(model_.tooth()->box(), model_.mesialX(), model_.materials().registry()),
+        inspectionPanel_->stereo());
 }
 
 void MainWindow::showDemonstration() { tour_->start(); }
