@@ -16,6 +16,7 @@
 #include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
+#include "support/materials.h"
 
 namespace tactooth {
 
@@ -383,5 +384,4 @@ int main(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-#include "support/materials.h"
 #include "window_menu_test.moc"

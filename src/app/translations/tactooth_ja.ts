@@ -931,8 +931,12 @@
         <translation>%1 は %2 から %3 までの数値でなければなりません</translation>
     </message>
     <message>
-        <source>%1 must be a whole number from %2 to %3</source>
-        <translation>%1 は %2 から %3 までの整数でなければなりません</translation>
+        <source>%1 must be a number from %2 to %3, but is %4</source>
+        <translation>%1 は %2 から %3 までの数値でなければなりません（実際の値：%4）</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number from %2 to %3, but is %4</source>
+        <translation>%1 は %2 から %3 までの整数でなければなりません（実際の値：%4）</translation>
     </message>
     <message>
         <source>%1 must be true or false</source>
@@ -1137,10 +1141,6 @@
     <message>
         <source>&apos;colour&apos; must be three numbers in brackets (red, green, blue), but is %1</source>
         <translation>&apos;colour&apos; は角括弧で囲んだ三つの数値（赤、緑、青）でなければなりません（実際の値：%1）</translation>
-    </message>
-    <message>
-        <source>%1 must be a number from 0 to %2, but is %3</source>
-        <translation>%1 は 0 から %2 までの数値でなければなりません（実際の値：%3）</translation>
     </message>
     <message>
         <source>there is no part %1; the parts are %2</source>

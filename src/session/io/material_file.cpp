@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
@@ -90,7 +89,7 @@ private:
         const auto keys = materialNumberKeys();
         const auto number = std::ranges::find(keys, key.str(), &MaterialNumberKey::name);
         if (number != keys.end()) {
-            const auto value = numberOf(node, number->name, number->highest);
+            const auto value = toml_.numberOf(node, number->name, 0, number->highest);
             return value ? number->set(material.numbers, *value) : void();
         }
         if (std::ranges::find(kDefiningKeys, key.str()) == kDefiningKeys.end()) {
@@ -108,37 +107,23 @@ private:
     }
 
     void readDefiningKey(MaterialDefinition& material, std::string_view key, const toml::node& node) {
-        if (key == "title_en") material.titleEn = textOf(node, key);
-        if (key == "title_ja") material.titleJa = textOf(node, key);
-        if (key == "nesting") material.nesting = wholeNumberOf(node, key, kMaxMaterialNesting);
+        if (key == "title_en") material.titleEn = toml_.textOf(node, key).value_or("");
+        if (key == "title_ja") material.titleJa = toml_.textOf(node, key).value_or("");
+        if (key == "nesting") material.nesting = toml_.integerOf(node, key, 0, kMaxMaterialNesting).value_or(0);
         if (key == "code") readCode(material, node);
         if (key != "role") return;
-        const auto role = materialRoleNamed(textOf(node, key));
+        const auto role = materialRoleNamed(toml_.textOf(node, key).value_or(""));
         if (!role) return toml_.fail(node, "'role' must be one of " + materialRoleNames());
         material.role = *role;
     }
 
     void readCode(MaterialDefinition& material, const toml::node& node) {
-        material.code = static_cast<std::uint8_t>(wholeNumberOf(node, "code", kMaxMaterialCode));
+        material.code = static_cast<std::uint8_t>(toml_.integerOf(node, "code", 0, kMaxMaterialCode).value_or(0));
         for (const MaterialDefinition& other : all_) {
             if (&other == &material || other.code != material.code) continue;
             toml_.fail(node, "the code " + std::to_string(material.code) + " is that of " + other.name +
                                  "; give each material its own");
         }
-    }
-
-    std::string textOf(const toml::node& node, std::string_view key) {
-        const auto value = node.value_exact<std::string>();
-        if (value && !value->empty() && isPlainText(*value)) return *value;
-        toml_.fail(node, quotedWord(key) + " must be a text of one line in quotes");
-        return {};
-    }
-
-    int wholeNumberOf(const toml::node& node, std::string_view key, int highest) {
-        const auto value = node.value_exact<std::int64_t>();
-        if (value && *value >= 0 && *value <= highest) return static_cast<int>(*value);
-        toml_.fail(node, quotedWord(key) + " must be a whole number from 0 to " + std::to_string(highest));
-        return 0;
     }
 
     void readColour(Material& material, const toml::node& node) {
@@ -149,17 +134,9 @@ private:
                           (parts != nullptr ? "a list of " + std::to_string(parts->size()) : describedToml(node)));
         }
         for (std::size_t i = 0; i < material.colour.size(); ++i) {
-            const auto value = numberOf(*parts->get(i), kMaterialColourKey, 1);
+            const auto value = toml_.numberOf(*parts->get(i), kMaterialColourKey, 0, 1);
             if (value) material.colour[i] = static_cast<float>(*value);
         }
-    }
-
-    std::optional<double> numberOf(const toml::node& node, std::string_view key, double highest) {
-        const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
-        if (number && std::isfinite(*number) && *number >= 0 && *number <= highest) return number;
-        toml_.fail(node, quotedWord(key) + " must be a number from 0 to " + numberText(highest) + ", but is " +
-                             describedToml(node));
-        return std::nullopt;
     }
 
     struct Block {

@@ -9,6 +9,7 @@
 #include "geometry/mesh/mesh_report.h"
 #include "session/cases/block_case.h"
 #include "session/cases/loaded_tooth.h"
+#include "session/io/material_file.h"
 #include "support/materials.h"
 #include "support/test_data.h"
 
@@ -92,12 +93,58 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     const auto bytes = packCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
     ASSERT_TRUE(opened) << opened.error().message;
-    EXPECT_EQ((*opened->materials)[test::kEnamel].stiffness, 0.9);
+    EXPECT_EQ(opened->teeth->materials()[test::kEnamel].numbers.stiffness, 0.9);
     ASSERT_TRUE(opened->bur);
     EXPECT_EQ(opened->bur->material, BurMaterial::Diamond);
     EXPECT_EQ(opened->bur->flutes, 0);
     EXPECT_EQ(opened->bur->gritMicrometres, 106);
     EXPECT_EQ(opened->bur->sharpness, 0.5);
+}
+
+/// A case whose dentin is "composite", which its own file of materials adds.
+std::vector<CaseFile> compositeCase() {
+    auto files = test::blockCase();
+    std::string text = "materials = \"m.toml\"\n" + std::string(asText(files[0].bytes));
+    for (std::size_t at = text.find("dentin ="); at != std::string::npos; at = text.find("dentin =", at))
+        text.replace(at, 8, "composite =");
+    files[0].bytes = bytesOf(text);
+    files.push_back({"m.toml", bytesOf("[composite]\nstiffness = 0.7\nnesting = 6\n")});
+    return files;
+}
+
+TEST(OpenCase, ItsOwnFileMayAddAMaterialThatALayerIsMadeOf) {
+    const auto bytes = packCase(compositeCase()).value();
+    const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
+    ASSERT_TRUE(opened) << opened.error().message;
+    const MaterialRegistry& materials = opened->teeth->materials();
+    const MaterialId at = opened->teeth->materialAt(Vec3(0, 0, 0));
+    EXPECT_EQ(materials.nameOf(at), "composite");
+    EXPECT_EQ(materials[at].numbers.stiffness, 0.7);
+    EXPECT_NE(caseText(opened->description).find("composite = "), std::string::npos);
+}
+
+TEST(OpenCase, MaterialsThatAreGivenStandInForItsOwn) {
+    const auto bytes = packCase(compositeCase()).value();
+    const auto store = CaseStore::openArchive(bytes, "x.ttcase").value();
+    const auto without = openCase(store, {}, &builtinMaterials());
+    ASSERT_FALSE(without);
+    EXPECT_NE(without.error().message.find("there is no material 'composite'; the materials are enamel, "),
+              std::string::npos)
+        << without.error().message;
+    const auto other = parseMaterials("[composite]\nstiffness = 0.3\n", "m.toml");
+    ASSERT_TRUE(other);
+    const auto opened = openCase(store, {}, *other);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(&opened->teeth->materials(), *other);
+}
+
+TEST(OpenCase, AMistakeInItsMaterialsIsSaidWithThatFile) {
+    auto files = compositeCase();
+    files.back().bytes = bytesOf("[enamel]\nstiffness = 9\n");
+    const auto bytes = packCase(files).value();
+    const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().message.find("m.toml, line 2: 'stiffness' must be a number"), std::string::npos);
 }
 
 TEST(OpenCase, OverlapsAreFound) {

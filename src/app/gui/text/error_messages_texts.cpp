@@ -34,7 +34,8 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "%1 must be a list of texts of one line in quotes"),
     QT_TRANSLATE_NOOP("Error", "%1 must be a list of %2 numbers"),
     QT_TRANSLATE_NOOP("Error", "%1 must be a number from %2 to %3"),
-    QT_TRANSLATE_NOOP("Error", "%1 must be a whole number from %2 to %3"),
+    QT_TRANSLATE_NOOP("Error", "%1 must be a number from %2 to %3, but is %4"),
+    QT_TRANSLATE_NOOP("Error", "%1 must be a whole number from %2 to %3, but is %4"),
     QT_TRANSLATE_NOOP("Error", "%1 must be true or false"),
     QT_TRANSLATE_NOOP("Error", "%1 must be a list of names and values in braces"),
     QT_TRANSLATE_NOOP("Error", "'%1' must be %2"),
@@ -92,7 +93,6 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "stroke %1 of the cavity goes past the tooth; give places over it, in its frame, mm."),
     QT_TRANSLATE_NOOP("Error", "expected the keys of %1 below a line [%2], but found %3"),
     QT_TRANSLATE_NOOP("Error", "'colour' must be three numbers in brackets (red, green, blue), but is %1"),
-    QT_TRANSLATE_NOOP("Error", "%1 must be a number from 0 to %2, but is %3"),
     // Sounds.
     QT_TRANSLATE_NOOP("Error", "there is no part %1; the parts are %2"),
     QT_TRANSLATE_NOOP("Error", "motor, cutting, water and suction"),
