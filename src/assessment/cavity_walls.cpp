@@ -203,7 +203,7 @@ CavityWalls cavityWalls(const TriangleMesh& target, const SurfacePart& outer) {
 std::optional<double> leastToPulp(const CavityWalls& walls, const LayeredTooth& tooth) {
     std::optional<double> least;
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        if (layer.material != MaterialId::Pulp) continue;
+        if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
         for (const Vec3f& vertex : walls.mesh.vertices) {
             const double distance = signedDistance(*layer.part, vertex.cast<double>());
             least = std::min(least.value_or(distance), distance);

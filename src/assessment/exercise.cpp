@@ -17,10 +17,6 @@
 #include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_cache.h"
 
-// Measures of the cavities: an occlusal one 1.5 mm deep at the central fissure with a flat floor, an isthmus of 1.2 mm
-// and 2 mm of marginal ridge left (notes on Class II amalgam after Sturdevant's Art and Science of Operative
-// Dentistry); one at the neck 1.1 mm deep, its floor along the surface.
-
 namespace tactooth {
 namespace {
 
@@ -29,39 +25,6 @@ constexpr double kClear = 20.0;   // mm: the bur comes from so far outside
 constexpr double kNear = 1e-4;    // mm, of the surface
 constexpr double kStep = 0.1;     // mm between two heights of a floor that follows the surface
 constexpr int kMaxSteps = 10000;  // of the way to the surface: only a line along it needs as many
-
-ToothRequest sound(BuiltinToothKind kind) {
-    constexpr int kTriangles = 20000;
-    constexpr double kNoLesion = 0;
-    return builtinToothRequest(kind, kTriangles, kNoLesion);
-}
-
-std::vector<std::shared_ptr<const Exercise>> makeExercises() {
-    const Vec3 up = Vec3::UnitZ();
-    const Vec3 buccal = Vec3::UnitY();
-    const PreparationPlan pit{up, 1.5, true, {{{-0.5, -0.1, 0}, {-0.5, -0.1, 0}}}};
-    const PreparationPlan fissure{
-        up, 1.5, true, {{{-3, -0.1, 0}, {3, -0.1, 0}}, {{3, -0.3, 0}, {-3, -0.3, 0}}, {{-3, 0.1, 0}, {3, 0.1, 0}}}};
-    const PreparationPlan neck{
-        buccal,
-        1.1,
-        false,
-        {{{-1.2, 0, 1.4}, {1.2, 0, 1.4}}, {{1.2, 0, 1.8}, {-1.2, 0, 1.8}}, {{-1.2, 0, 2.2}, {1.2, 0, 2.2}}}};
-    const auto exercise = [](const char* name, const char* task, BuiltinToothKind tooth, const char* bur,
-                             const PreparationPlan& plan) {
-        return std::make_shared<const Exercise>(Exercise{name, task, sound(tooth), std::string(bur), plan});
-    };
-    return {exercise("Pit in the molar",
-                     "Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.",
-                     BuiltinToothKind::LowerFirstMolar, "330", pit),
-            exercise("Class I cavity in the molar",
-                     "Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both "
-                     "ridges.",
-                     BuiltinToothKind::LowerFirstMolar, "245", fissure),
-            exercise("Class V cavity at the neck of the canine",
-                     "At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.",
-                     BuiltinToothKind::UpperCanine, "330", neck)};
-}
 
 /// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere
 /// tracing", The Visual Computer 12, 1996); nothing where a line from there misses it.
@@ -143,11 +106,6 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 }
 
 }  // namespace
-
-std::span<const std::shared_ptr<const Exercise>> exercises() {
-    static const std::vector<std::shared_ptr<const Exercise>> all = makeExercises();
-    return all;
-}
 
 Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise) {
     if (const auto* source = std::get_if<ToothSource>(&exercise.tooth)) {

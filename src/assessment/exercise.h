@@ -35,7 +35,7 @@ struct Exercise {
     std::filesystem::path file = {};                             ///< that describes it; empty: it is built in
 };
 
-/// Those that are built in, from easy to hard.
+/// Those that are built in (data/exercises/), from easy to hard.
 [[nodiscard]] std::span<const std::shared_ptr<const Exercise>> exercises();
 
 /// What the exercise is done on, uncut. Takes a second; fails with one sentence.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/case_store.h"
@@ -104,9 +105,9 @@ private:
         }
         if (const toml::table* layers = toml_.table(root, "layers")) {
             for (auto&& [name, entry] : *layers) {
-                if (!materialFromName(name.str())) {
-                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) +
-                                          "; choose enamel, dentin, pulp, caries, restoration or other");
+                if (!builtinMaterials().find(name.str())) {
+                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) + "; the materials are " +
+                                          builtinMaterials().names());
                 }
                 source.layers.push_back(
                     {std::string(name.str()), beside(entry, toml_.text(*layers, name.str(), true))});
@@ -205,6 +206,19 @@ private:
 
 Expected<Exercise> parseExercise(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
     return ExerciseReader(name, folder).read(text);
+}
+
+std::span<const std::shared_ptr<const Exercise>> exercises() {
+    static const std::vector<std::shared_ptr<const Exercise>> all = [] {
+        std::vector<std::shared_ptr<const Exercise>> list;
+        for (const auto& [name, text] : builtinExerciseTexts()) {
+            Expected<Exercise> exercise = parseExercise(text, name, {});
+            TACTOOTH_ASSERT(exercise.has_value());  // a test reads each of them
+            if (exercise) list.push_back(std::make_shared<const Exercise>(std::move(*exercise)));
+        }
+        return list;
+    }();
+    return all;
 }
 
 Expected<Exercise> readExercise(const std::filesystem::path& file) {

@@ -34,9 +34,8 @@ std::string practiceReportCsv(const PracticeReport& report) {
     if (!report.task.empty()) text += "task," + quoted(report.task) + ",\n";
     text += line("time since the first contact", report.seconds, "s");
     if (report.cavity) text += linesOf(*report.cavity);
-    for (std::size_t id = 0; id < kMaterialCount; ++id) {
-        const auto material = static_cast<MaterialId>(id);
-        text += line(std::string(materialName(material)) + " removed", report.removed[id], "mm^3");
+    for (const MaterialId id : report.materials->ids()) {
+        text += line(report.materials->nameOf(id) + " removed", report.removed[static_cast<std::size_t>(id)], "mm^3");
     }
     text += line("of it beside the tooth", report.beside, "mm^3");
     for (const CutEventKind kind : kCutEventKinds) {

@@ -18,7 +18,8 @@ struct PracticeReport {
     double seconds = 0;                         ///< since the first contact
     std::optional<CavityProgress> cavity = {};  ///< where there was an ideal one
     MaterialVolumes removed{};                  ///< mm^3
-    double beside = 0;                          ///< of that, from other teeth, gum or bone
+    const MaterialRegistry* materials = &builtinMaterials();  ///< of the tooth
+    double beside = 0;                                        ///< of that, from other teeth, gum or bone
     std::span<const CutEvent> events = {};
 };
 

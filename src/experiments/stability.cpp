@@ -35,7 +35,7 @@ double stiffestOf(const StabilityCase& one) { return maxStiffnessAt(one.device->
 double springOf(const StabilityCase& one) {
     if (!one.material) return stiffestOf(one);
     const MaterialTable materials;
-    const double hardest = materials[MaterialId::Enamel].stiffness;
+    const double hardest = materials[builtinMaterials().withRole(MaterialRole::Enamel)].stiffness;
     return materials[*one.material].stiffness * std::min(1.0, stiffestOf(one) / hardest);
 }
 
@@ -83,7 +83,7 @@ std::vector<DeviceKeyframe> scriptFor(const StabilityCase& one) {
 }
 
 std::shared_ptr<const Surface> specimenFor(const StabilityCase& one) {
-    const MaterialId material = one.material.value_or(MaterialId::Enamel);
+    const MaterialId material = one.material.value_or(builtinMaterials().withRole(MaterialRole::Enamel));
     switch (one.situation) {
         case StabilityScenario::Cusp:
         case StabilityScenario::Cut:
@@ -137,8 +137,17 @@ std::string_view stabilityScenarioName(StabilityScenario situation) {
     return kScenarios[static_cast<std::size_t>(situation)];
 }
 
+std::vector<std::optional<MaterialId>> stabilityMaterials() {
+    std::vector<std::optional<MaterialId>> materials;
+    for (const MaterialRole role :
+         {MaterialRole::Enamel, MaterialRole::Dentin, MaterialRole::Decay, MaterialRole::Pulp})
+        materials.emplace_back(builtinMaterials().withRole(role));
+    materials.emplace_back(std::nullopt);
+    return materials;
+}
+
 std::string_view materialNameOf(const StabilityCase& one) {
-    return one.material ? materialName(*one.material) : std::string_view("stiffest");
+    return one.material ? std::string_view(builtinMaterials().nameOf(*one.material)) : std::string_view("stiffest");
 }
 
 StabilityResult runStability(const StabilityCase& one) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "devices/device_presets.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -25,6 +25,8 @@ struct StabilityCase {
     StabilityScenario situation = StabilityScenario::Press;
     double rateHz = 1000;
 };
+/// What the runs touch: the tissues of a tooth, and a spring as stiff as the device bears.
+[[nodiscard]] std::vector<std::optional<MaterialId>> stabilityMaterials();
 /// The material's name, or "stiffest".
 [[nodiscard]] std::string_view materialNameOf(const StabilityCase& one);
 

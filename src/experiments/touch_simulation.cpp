@@ -6,7 +6,6 @@
 
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
-#include "session/io/material_file.h"
 
 namespace tactooth {
 namespace {
@@ -19,7 +18,6 @@ constexpr double kTick = 1e-3;      // s
 HapticSimulation enamelSimulation(const std::shared_ptr<const ToolShape>& bur,
                                   const std::shared_ptr<const Surface>& surface) {
     HapticSettings settings;
-    settings.materials = defaultMaterials();
     return {bur, kBurRadius, surface, settings};
 }
 

@@ -31,7 +31,7 @@ ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& c
     SurfaceProperties sums{0, 0, 0};
     double weight = 0;
     for (const ContactPoint& held : contact.held) {
-        TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < kMaterialCount);
+        TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < materials.registry().size());
         TACTOOTH_ASSERT(!(held.share < 0));
         const Material& material = materials[held.material];
         const double share = std::max(held.share, 1e-12);  // a contact without depth still has a material
@@ -48,9 +48,7 @@ ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& c
 double ContactForce::stiffnessOf(const SurfaceProperties& properties, const MaterialTable& materials) const {
     if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(properties.stiffness);
     double hardest = 0;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        hardest = std::max(hardest, materials[static_cast<MaterialId>(i)].stiffness);
-    }
+    for (const MaterialId id : materials.registry().ids()) hardest = std::max(hardest, materials[id].stiffness);
     const double softened =
         hardest > maxStiffness_ ? properties.stiffness * maxStiffness_ / hardest : properties.stiffness;
     const double spring = overrides_.stiffness.value_or(softened);

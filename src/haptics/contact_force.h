@@ -10,7 +10,7 @@
 #include "geometry/util/pose.h"
 #include "haptics/dry_friction.h"
 #include "haptics/wrench.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 

@@ -41,12 +41,12 @@ struct Tick {
     double load = 0;          ///< torque on the bur, N*mm
     double removalPower = 0;  ///< tangential force times rim speed
     double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material = MaterialId::Enamel;  ///< that holds the tool most; undefined without contact
-    std::optional<MaterialId> around;          ///< of a body of the surroundings, if one holds the tool
-    std::uint32_t contactOnsets = 0;           ///< number of contact onsets so far
-    double impactSpeed = 0;                    ///< along the normal at the last contact onset, mm/s
-    std::uint32_t ownListRebuilds = 0;         ///< number of ticks that had to rebuild the neighbour list themselves
-    double micros = 0;                         ///< computing time of the tick, us; the caller fills it in
+    MaterialId material{};    ///< that holds the tool most; undefined without contact
+    std::optional<MaterialId> around;   ///< of a body of the surroundings, if one holds the tool
+    std::uint32_t contactOnsets = 0;    ///< number of contact onsets so far
+    double impactSpeed = 0;             ///< along the normal at the last contact onset, mm/s
+    std::uint32_t ownListRebuilds = 0;  ///< number of ticks that had to rebuild the neighbour list themselves
+    double micros = 0;                  ///< computing time of the tick, us; the caller fills it in
 };
 
 /// Work budget of a tick of a cutting bur. With it the slowest of a thousand ticks take about 0.2 ms of their 1 ms

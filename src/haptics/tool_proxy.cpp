@@ -80,7 +80,7 @@ bool ToolProxy::takeSurface(HapticSurface& hapticSurface) {
 
 void ToolProxy::fillContactPoint(ContactPoint& held, std::uint32_t part, std::uint32_t triangle) const {
     const SurfacePart& surface = partOf(*surface_, part);
-    TACTOOTH_ASSERT(surface.tag(triangle) < kMaterialCount);
+    TACTOOTH_ASSERT(surface.tag(triangle) < kMaxMaterials);
     held.material = static_cast<MaterialId>(surface.tag(triangle));
     held.isAdjacent = surface.isAdjacent(triangle);
 }

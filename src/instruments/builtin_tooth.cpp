@@ -149,13 +149,15 @@ std::string toothName(int fdi) { return toothShape(fdi).name; }
 
 std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     std::vector<LayerMesh> layers;
-    const auto add = [&](MaterialId material, const TriangleMesh& mesh) {
-        if (!mesh.empty()) layers.push_back({std::string(materialName(material)), material, mesh});
+    const MaterialRegistry& materials = builtinMaterials();
+    const auto add = [&](MaterialRole role, const TriangleMesh& mesh) {
+        const MaterialId id = materials.withRole(role);
+        if (!mesh.empty()) layers.push_back({materials.nameOf(id), id, mesh});
     };
-    add(MaterialId::Enamel, tooth.enamel);
-    add(MaterialId::Dentin, tooth.dentin);
-    add(MaterialId::Pulp, tooth.pulp);
-    add(MaterialId::Caries, tooth.caries);
+    add(MaterialRole::Enamel, tooth.enamel);
+    add(MaterialRole::Dentin, tooth.dentin);
+    add(MaterialRole::Pulp, tooth.pulp);
+    add(MaterialRole::Decay, tooth.caries);
     return layers;
 }
 
@@ -171,7 +173,8 @@ Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const B
             layers.push_back(std::move(layer));
         }
     }
-    return LayeredTooth::make(std::move(outer), std::move(layers), MaterialId::Enamel, toothContext);
+    return LayeredTooth::make(std::move(outer), std::move(layers), builtinMaterials().withRole(MaterialRole::Enamel),
+                              toothContext);
 }
 
 }  // namespace tactooth

@@ -20,7 +20,8 @@ Box3 boxOf(const Scan& scan) {
 /// The centre of the enamel, or of the whole box where there is none.
 Vec3 crownOf(const Scan& scan, const Box3& box) {
     for (const LayerMesh& layer : scan.layers) {
-        if (layer.material == MaterialId::Enamel) return boxExcludingSpecks(layer.mesh).center();
+        if (scan.materials->hasRole(layer.material, MaterialRole::Enamel))
+            return boxExcludingSpecks(layer.mesh).center();
     }
     return box.center();
 }

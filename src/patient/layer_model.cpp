@@ -111,7 +111,8 @@ std::vector<ImportNote> notesOn(double enamel, bool hasHollow, bool hasPulp) {
 
 }  // namespace
 
-Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress) {
+Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress,
+                                 const MaterialRegistry& materials) {
     bool isStopped = false;
     const auto goesOn = [&](double part) {
         isStopped = isStopped || (progress && !progress(part));
@@ -132,9 +133,13 @@ Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& prog
     if (!goesOn(1)) return unexpected("stopped");
     LayerModel model;
     model.how = notesOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
-    model.layers.push_back({"enamel", MaterialId::Enamel, outer});
-    if (!dentin.empty()) model.layers.push_back({"dentin", MaterialId::Dentin, std::move(dentin)});
-    if (!pulp.empty()) model.layers.push_back({"pulp", MaterialId::Pulp, std::move(pulp)});
+    const auto add = [&](MaterialRole role, TriangleMesh mesh) {
+        const MaterialId id = materials.withRole(role);
+        if (!mesh.empty()) model.layers.push_back({materials.nameOf(id), id, std::move(mesh)});
+    };
+    add(MaterialRole::Enamel, outer);
+    add(MaterialRole::Dentin, std::move(dentin));
+    add(MaterialRole::Pulp, std::move(pulp));
     return model;
 }
 

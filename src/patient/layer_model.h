@@ -25,8 +25,9 @@ struct LayerModel {
 /// The enamel is thickest over the occlusal surface and ends at the neck; its thickness follows the width of the crown,
 /// 0.6 to 1.5 mm (anterior tooth to molar). The root is dentin to its surface. The pulp is a chamber at the height of
 /// the neck and a canal along the middle of each root, through the deepest points of the sections, at least 0.5 mm
-/// below the surface. A surface with a void keeps that as its pulp space. Fails with the sentence "stopped" if
-/// `progress` returns false.
-[[nodiscard]] Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress = {});
+/// below the surface. A surface with a void keeps that as its pulp space. The layers get materials of `materials` by
+/// their roles. Fails with the sentence "stopped" if `progress` returns false.
+[[nodiscard]] Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& progress = {},
+                                               const MaterialRegistry& materials = builtinMaterials());
 
 }  // namespace tactooth

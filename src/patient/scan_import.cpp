@@ -22,6 +22,7 @@ public:
         result_.outer = scan.outer;
         result_.layers = scan.layers;
         result_.importNotes = scan.importNotes;
+        result_.materials = scan.materials;
     }
 
     Expected<ExaminedScan> run() && {
@@ -135,10 +136,12 @@ private:
 
     /// Direction to the enamel, if it is known.
     [[nodiscard]] std::optional<Vec3> crownHint() const {
-        const auto of = [&](MaterialId id) {
-            return std::ranges::find(result_.layers, id, [](const LayerMesh& layer) { return layer.material; });
+        const auto of = [&](MaterialRole role) {
+            return std::ranges::find_if(result_.layers, [&](const LayerMesh& layer) {
+                return result_.materials->hasRole(layer.material, role);
+            });
         };
-        const auto enamel = of(MaterialId::Enamel), dentin = of(MaterialId::Dentin);
+        const auto enamel = of(MaterialRole::Enamel), dentin = of(MaterialRole::Dentin);
         if (enamel == result_.layers.end() || dentin == result_.layers.end()) return std::nullopt;
         const Vec3 way = middleOf(enamel->mesh) - middleOf(dentin->mesh);
         constexpr double kClear = 0.5;  // mm: enamel around all of the dentin says nothing
@@ -163,7 +166,7 @@ private:
 
 }  // namespace
 
-bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
     if (!material) {
         if (!scan.outer.empty()) return false;
         scan.outer = std::move(mesh);
@@ -171,7 +174,7 @@ bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMes
     }
     const auto isSame = [&](const LayerMesh& layer) { return layer.material == *material; };
     if (std::ranges::any_of(scan.layers, isSame)) return false;
-    scan.layers.push_back({std::string(materialName(*material)), *material, std::move(mesh)});
+    scan.layers.push_back({scan.materials->nameOf(*material), *material, std::move(mesh)});
     return true;
 }
 
@@ -181,7 +184,7 @@ Expected<ExaminedScan> examineScan(const Scan& scan, const ImportOptions& option
 
 Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& options, const Progress& progress) {
     if (scan.layers.empty() && options.modelsLayers) {
-        auto model = modelLayers(scan.outer, progress);
+        auto model = modelLayers(scan.outer, progress, *scan.materials);
         if (!model) return Unexpected{model.error()};
         scan.layers = std::move(model->layers);
         scan.layersAreModelled = scan.enamelIsOuter = true;
@@ -189,15 +192,17 @@ Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& option
     } else if (scan.layers.empty()) {
         scan.importNotes.push_back({ImportNoteTopic::Layers, "The whole tooth is taken as enamel, as chosen."});
     }
-    const bool hasEnamel =
-        std::ranges::any_of(scan.layers, [](const LayerMesh& layer) { return layer.material == MaterialId::Enamel; });
+    const bool hasEnamel = std::ranges::any_of(scan.layers, [&](const LayerMesh& layer) {
+        return scan.materials->hasRole(layer.material, MaterialRole::Enamel);
+    });
     if (!scan.layers.empty() && !hasEnamel) {
-        scan.layers.insert(scan.layers.begin(), {"enamel", MaterialId::Enamel, scan.outer});
+        const MaterialId enamel = scan.materials->withRole(MaterialRole::Enamel);
+        scan.layers.insert(scan.layers.begin(), {scan.materials->nameOf(enamel), enamel, scan.outer});
         scan.enamelIsOuter = true;
         scan.importNotes.push_back(
             {ImportNoteTopic::Layers, "No enamel is given: what no other layer holds is taken as enamel."});
     }
-    const auto tooth = LayeredTooth::make(scan.outer, scan.layers);
+    const auto tooth = LayeredTooth::make(scan.outer, scan.layers, {}, {}, *scan.materials);
     if (!tooth) return unexpected(scan.name + ": " + tooth.error().message + ".");
     return scan;
 }

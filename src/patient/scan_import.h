@@ -15,15 +15,16 @@ namespace tactooth {
 
 /// Surfaces of one tooth as a scanner's program wrote them, in any unit and position.
 struct Scan {
-    std::string name;                          ///< for messages
-    TriangleMesh outer;                        ///< empty: made from the layers
-    std::vector<LayerMesh> layers;             ///< empty: modelled
-    std::vector<ImportNote> importNotes = {};  ///< from reading the files
+    std::string name;                                         ///< for messages
+    TriangleMesh outer;                                       ///< empty: made from the layers
+    std::vector<LayerMesh> layers;                            ///< empty: modelled
+    std::vector<ImportNote> importNotes = {};                 ///< from reading the files
+    const MaterialRegistry* materials = &builtinMaterials();  ///< of the layers
 };
 
 /// Adds the layer of a material, or the outer surface if there is no material. False if the scan has that surface
 /// already.
-[[nodiscard]] bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
+[[nodiscard]] bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
 
 /// Settings of the user for a scan; what is empty is guessed.
 struct ImportOptions {
@@ -43,6 +44,7 @@ struct ExaminedScan {
     std::vector<ImportNote> importNotes;
     bool layersAreModelled = false;
     bool enamelIsOuter = false;  ///< the enamel is the part of the outer surface that no other layer holds
+    const MaterialRegistry* materials = &builtinMaterials();  ///< of the layers
 };
 
 /// Repairs, scales and rotates a scan. Fails with one sentence, which begins with the scan's name, if the surfaces are

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "app/common/inspection.h"
 #include "app/common/spray_particles.h"
 #include "geometry/util/pose.h"
+#include "session/io/material_file.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -82,10 +85,10 @@ TEST(SceneBuilder, TheSuctionTubeOpensBesideTheCrownAndLeavesDistally) {
 
 TEST(SceneBuilder, WaterAndChipsHaveTheirColours) {
     MaterialTable materials;
-    materials[MaterialId::Dentin].colour = {0.5F, 0.25F, 0.1F};
+    materials[test::kDentin].colour = {0.5F, 0.25F, 0.1F};
     SprayParticle chip, drop;
     chip.kind = SprayParticleKind::Chip;
-    chip.material = MaterialId::Dentin;
+    chip.material = test::kDentin;
     chip.lifetime = drop.lifetime = 1;
     chip.radius = drop.radius = 0.1F;
     drop.place = Vec3f(1, 2, 3);
@@ -110,10 +113,32 @@ TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
 
 TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
     SceneContents contents = modelWithEverything();
-    contents.materials[MaterialId::Pulp].colour = {0.25F, 0.5F, 0.75F};
+    contents.materials[test::kPulp].colour = {0.25F, 0.5F, 0.75F};
     const std::vector<Appearance> drawn = makeScene(contents).objects[0].appearances;
-    ASSERT_EQ(drawn.size(), kMaterialCount);
-    EXPECT_EQ(drawn[static_cast<std::size_t>(MaterialId::Pulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
+    ASSERT_EQ(drawn.size(), builtinMaterials().size());
+    EXPECT_EQ(drawn[static_cast<std::size_t>(test::kPulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
+}
+
+TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
+    const auto registry = parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\n", "mine.toml");
+    ASSERT_TRUE(registry) << registry.error().message;
+    const auto amalgam = static_cast<std::size_t>((*registry)->find("amalgam").value());
+    TriangleMesh outer = test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7));
+    auto tooth = LayeredTooth::make(outer, {{"amalgam", static_cast<MaterialId>(amalgam), outer}},
+                                    static_cast<MaterialId>(amalgam), {}, **registry);
+    ASSERT_TRUE(tooth) << tooth.error().message;
+    SceneContents contents = modelWithEverything();
+    contents.materials = MaterialTable(**registry);
+    Scene scene = makeScene(contents);
+    Inspection inspection;
+    inspection.opacity[static_cast<std::size_t>(test::kEnamel)] = 0.5F;
+    applyInspection(scene, *tooth, inspection);
+    const Appearance& drawn = scene.objects[0].appearances[amalgam];
+    EXPECT_EQ(drawn.colour, Vec3f(0.5F, 0.5F, 0.75F));
+    EXPECT_EQ(drawn.roughness, 0.125F);
+    EXPECT_EQ(drawn.opacity, 1);
+    EXPECT_EQ(scene.objects[1].appearances[0].colour, drawn.colour) << "its layer, seen through the enamel";
+    EXPECT_EQ(scene.objects[1].appearances[0].opacity, 1);
 }
 
 TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing) {

@@ -17,6 +17,7 @@
 #include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
+#include "support/materials.h"
 
 namespace tactooth {
 
@@ -290,7 +291,7 @@ void WindowMenuTest::aTissueFillsInTheForceParameters() {
     QVERIFY(caries > 0);
     presets->setCurrentIndex(caries);
     emit presets->activated(caries);
-    const Material numbers = MaterialTable()[MaterialId::Caries];
+    const Material numbers = MaterialTable()[test::kCaries];
     QVERIFY(!window_->findChild<QCheckBox*>("fromMaterial")->isChecked());
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("spring")->value(), numbers.stiffness);
     QCOMPARE(window_->findChild<QDoubleSpinBox*>("friction")->value(), numbers.friction);

@@ -10,6 +10,7 @@
 
 #include "geometry/util/parallel_for.h"
 #include "session/block_with_cavity.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -122,7 +123,7 @@ TEST(CavityWalls, OfBallsAreCaps) {
 
 TEST(CavityWalls, KeepTheirDistanceFromThePulpOrOpenIt) {
     const auto withPulpUpTo = [](double z) {
-        std::vector<LayerMesh> layers = {{"pulp", MaterialId::Pulp, test::box(Vec3(-1, -1, -3), Vec3(1, 1, z))}};
+        std::vector<LayerMesh> layers = {{"pulp", test::kPulp, test::box(Vec3(-1, -1, -3), Vec3(1, 1, z))}};
         return *LayeredTooth::make(kBlock, std::move(layers));
     };
     const CavityWalls walls = wallsOf(blockWithCavity(Vec3(-2, -1.5, 3), Vec3(2, 1.5, 5)));

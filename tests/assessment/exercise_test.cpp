@@ -8,6 +8,7 @@
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/bur_catalogue.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -38,7 +39,7 @@ TEST_P(EachExercise, LeavesThePulpCovered) {
     const SurfacePart target(*ideal);
     constexpr double kMinDentin = 0.5;  // mm
     for (const LayeredTooth::Layer& layer : tooth_->layers()) {
-        if (layer.material != MaterialId::Pulp) continue;
+        if (layer.material != test::kPulp) continue;
         for (const Vec3f& vertex : layer.part->mesh().vertices) {
             ASSERT_LT(signedDistance(target, vertex.cast<double>()), -kMinDentin);
         }
@@ -47,7 +48,7 @@ TEST_P(EachExercise, LeavesThePulpCovered) {
 
 TEST_P(EachExercise, TakesABurOfTheCatalogueAndASoundTooth) {
     EXPECT_TRUE(findBur(std::get<std::string>(GetParam()->bur)));
-    for (const LayeredTooth::Layer& layer : tooth_->layers()) EXPECT_NE(layer.material, MaterialId::Caries);
+    for (const LayeredTooth::Layer& layer : tooth_->layers()) EXPECT_NE(layer.material, test::kCaries);
 }
 
 INSTANTIATE_TEST_SUITE_P(Exercises, EachExercise, ::testing::ValuesIn(exercises().begin(), exercises().end()),

@@ -49,8 +49,29 @@ TEST_F(CutCommand, ARigidFeedLeavesTheHoleOfTheBur) {
     const double hole = kPi * 0.25 * 0.8;
     EXPECT_NEAR(48 - volumeOf("cut.stl"), hole, 0.003 * hole);
     const auto removed = table();
-    EXPECT_EQ(removed.header, "t,enamel,dentin,pulp,caries,other");
+    EXPECT_EQ(removed.header, "t,enamel,dentin,pulp,caries,other,restoration");
     EXPECT_NEAR(removed.rows.back()[1], hole, 0.003 * hole);
+}
+
+TEST_F(CutCommand, AMaterialOfTheUsersIsALayerAColumnAndAFile) {
+    EXPECT_TRUE(writeStl(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 0)), file("filling.stl")));
+    test::writeText(file("mine.toml"), "[composite]\nstiffness = 0.7\nremoval = 0.02\nnesting = 6\n");
+    const ProgramRun run =
+        cut(block(), drillAt(0, 0.8),
+            {"--feed", "rigid", "--materials", file("mine.toml"), "--layer", "enamel=" + file("block.stl"), "--layer",
+             "composite=" + file("filling.stl"), "--removed", out(), "--export-layers", file("layers"), "--save",
+             file("filled.tactooth")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("removed    composite:"));
+    const auto removed = table();
+    EXPECT_EQ(removed.header, "t,enamel,dentin,pulp,caries,other,restoration,composite");
+    const double hole = kPi * 0.25 * 0.8;
+    EXPECT_EQ(removed.rows.back()[1], 0);
+    EXPECT_NEAR(removed.rows.back()[7], hole, 0.003 * hole);
+    EXPECT_NEAR(4 - volumeOf("layers/composite.stl"), hole, 0.004 * hole);
+    const ProgramRun again = cut(file("filled.tactooth"), drillAt(0.3, 0.6), {"--feed", "rigid"});
+    EXPECT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_THAT(again.out, HasSubstr("removed    composite:"));
 }
 
 TEST_F(CutCommand, WritesWhatIsLeftOfEachLayer) {

@@ -13,6 +13,7 @@
 #include "devices/device_presets.h"
 #include "haptics/haptic_simulation.h"
 #include "session/control/device_set.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -26,7 +27,7 @@ constexpr double kFelt = 0.2;        // N
 const double kNan = std::nan("");
 
 std::shared_ptr<const Surface> block() {
-    const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(MaterialId::Enamel));
+    const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(test::kEnamel));
     auto surface = std::make_shared<Surface>();
     surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-50, -50, -5), Vec3(50, 50, 0)), tags);
     return surface;

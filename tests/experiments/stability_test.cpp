@@ -6,6 +6,7 @@
 
 #include "experiments/stability_specimens.h"
 #include "geometry/mesh/mesh_report.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -18,7 +19,7 @@ StabilityCase caseOf(const char* device, const char* hand, std::optional<Materia
 TEST(Stability, EveryDeviceAndHandStaysSteadyOnEnamelAndAtTheStiffestWall) {
     for (const DevicePreset& device : devicePresets()) {
         for (const HandImpedance& hand : handImpedances()) {
-            for (const auto& material : {std::optional(MaterialId::Enamel), std::optional<MaterialId>()}) {
+            for (const auto& material : {std::optional(test::kEnamel), std::optional<MaterialId>()}) {
                 for (const StabilityScenario situation :
                      {StabilityScenario::Tap, StabilityScenario::Fissure, StabilityScenario::Release,
                       StabilityScenario::Cut, StabilityScenario::Tremor}) {
@@ -34,8 +35,7 @@ TEST(Stability, EveryDeviceAndHandStaysSteadyOnEnamelAndAtTheStiffestWall) {
 }
 
 TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
-    const StabilityResult result =
-        runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Press));
+    const StabilityResult result = runStability(caseOf("touch-x", "loose", test::kEnamel, StabilityScenario::Press));
     EXPECT_TRUE(result.stable);
     EXPECT_NEAR(result.stiffness, 1.0, 1e-9);
     EXPECT_NEAR(result.restForce, 1.0, 0.1);
@@ -43,8 +43,8 @@ TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
 
 // A loose hand: a firm one holds the bur in place against the pull.
 TEST(Stability, ACutPullsAsideAndShakes) {
-    const StabilityResult still = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Cusp));
-    const StabilityResult cut = runStability(caseOf("touch-x", "loose", MaterialId::Enamel, StabilityScenario::Cut));
+    const StabilityResult still = runStability(caseOf("touch-x", "loose", test::kEnamel, StabilityScenario::Cusp));
+    const StabilityResult cut = runStability(caseOf("touch-x", "loose", test::kEnamel, StabilityScenario::Cut));
     EXPECT_GT(cut.restForce, 1.05 * still.restForce) << "half of the normal force pulls along the rim";
     EXPECT_GT(cut.ripple, 0.005);
     EXPECT_LT(still.ripple, 1e-6);
@@ -56,7 +56,7 @@ TEST(Stability, ATremorShakesTheForce) {
     DevicePreset smooth = *findDevicePreset("omega");
     smooth.friction = 0;
     const auto run = [&](StabilityScenario situation) {
-        return runStability({&smooth, findHandImpedance("nominal"), MaterialId::Enamel, situation, 1000});
+        return runStability({&smooth, findHandImpedance("nominal"), test::kEnamel, situation, 1000});
     };
     const StabilityResult press = run(StabilityScenario::Press), tremor = run(StabilityScenario::Tremor);
     EXPECT_LT(press.ripple, kMaxRipple);
@@ -68,13 +68,13 @@ TEST(Stability, ASofterDeviceSoftensAllMaterialsTogether) {
     const auto stiffnessOf = [](MaterialId material) {
         return runStability(caseOf("omni", "firm", material, StabilityScenario::Press)).stiffness;
     };
-    EXPECT_NEAR(stiffnessOf(MaterialId::Enamel), 0.5, 1e-9);
-    EXPECT_NEAR(stiffnessOf(MaterialId::Dentin), 0.325, 1e-9);
+    EXPECT_NEAR(stiffnessOf(test::kEnamel), 0.5, 1e-9);
+    EXPECT_NEAR(stiffnessOf(test::kDentin), 0.325, 1e-9);
 }
 
 TEST(Stability, PressingToTheLimitGivesTheDevicesForceAndNoMore) {
     const StabilityResult result =
-        runStability(caseOf("touch", "firm", MaterialId::Enamel, StabilityScenario::PressToLimit));
+        runStability(caseOf("touch", "firm", test::kEnamel, StabilityScenario::PressToLimit));
     EXPECT_NEAR(result.restForce, 3.3, 1e-6);
     EXPECT_LE(result.maxForce, 3.3 + 1e-9);
 }
@@ -88,7 +88,7 @@ TEST(Stability, AWallThatNoDeviceBearsIsCalledUnstable) {
 }
 
 TEST(Stability, EqualRunsGiveEqualBits) {
-    const StabilityCase one = caseOf("inverse3", "nominal", MaterialId::Caries, StabilityScenario::Cusp);
+    const StabilityCase one = caseOf("inverse3", "nominal", test::kCaries, StabilityScenario::Cusp);
     const StabilityResult first = runStability(one);
     const StabilityResult second = runStability(one);
     EXPECT_EQ(first.restForce, second.restForce);
@@ -101,10 +101,10 @@ TEST(StabilitySpecimens, EncloseTheVolumeOfTheirProfile) {
     const auto volumeOf = [](const std::shared_ptr<const Surface>& piece) {
         return reportOn(piece->base->mesh()).signedVolume;
     };
-    EXPECT_NEAR(volumeOf(flatSpecimen(MaterialId::Enamel)), 80 * 80 * 60, 1e-3);
-    EXPECT_NEAR(volumeOf(ridgeSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 40 * 40), 1e-3);
-    EXPECT_NEAR(volumeOf(grooveSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 1), 1e-3);
-    EXPECT_NEAR(volumeOf(slotSpecimen(MaterialId::Enamel)), 80 * (80 * 60 - 2 * 0.77), 1e-3);
+    EXPECT_NEAR(volumeOf(flatSpecimen(test::kEnamel)), 80 * 80 * 60, 1e-3);
+    EXPECT_NEAR(volumeOf(ridgeSpecimen(test::kEnamel)), 80 * (80 * 60 - 40 * 40), 1e-3);
+    EXPECT_NEAR(volumeOf(grooveSpecimen(test::kEnamel)), 80 * (80 * 60 - 1), 1e-3);
+    EXPECT_NEAR(volumeOf(slotSpecimen(test::kEnamel)), 80 * (80 * 60 - 2 * 0.77), 1e-3);
 }
 
 }  // namespace

@@ -15,10 +15,11 @@ namespace tactooth::test {
 namespace {
 
 bool isMaterials(std::string_view text) {
-    const auto table = parseMaterials(text, "fuzz", {});
-    if (!table) return requireSentence(table.error(), 1000), false;
-    for (std::size_t m = 0; m < kMaterialCount; ++m) {
-        const Material& material = (*table)[static_cast<MaterialId>(m)];
+    const auto registry = parseMaterials(text, "fuzz");
+    if (!registry) return requireSentence(registry.error(), 1000), false;
+    require((*registry)->size() <= kMaxMaterials, "sums by material have room for each");
+    for (const MaterialId id : (*registry)->ids()) {
+        const Material& material = (**registry)[id].numbers;
         for (const double value : {material.stiffness, material.damping, material.friction, material.removal,
                                    material.soundCentre, material.soundBrightness}) {
             require(std::isfinite(value) && value >= 0, "a material's numbers are finite and not negative");

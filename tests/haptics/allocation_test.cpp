@@ -11,6 +11,7 @@
 #include "instruments/bur_shape.h"
 #include "scene.h"
 #include "support/heap_counter.h"
+#include "support/materials.h"
 #include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
@@ -39,7 +40,7 @@ OperatorInput circling(int step, bool cuts) {
 
 /// The surfaces of a slot that is being cut along the circle of the device.
 Surfaces slotInTheMaking(int stages) {
-    auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -2), Vec3(3, 3, 0)), {}, MaterialId::Dentin);
+    auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -2), Vec3(3, 3, 0)), {}, test::kDentin);
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);
     IncrementalSurface live(volume);
     const RevolutionEnvelope envelope = *RevolutionEnvelope::make(roundBur().surface);

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <random>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
 const MaterialTable kMaterials;
-const Material kEnamel = kMaterials[MaterialId::Enamel];
-const Material kDentin = kMaterials[MaterialId::Dentin];
+const Material kEnamel = kMaterials[test::kEnamel];
+const Material kDentin = kMaterials[test::kDentin];
 
 ContactPoint heldBy(MaterialId material, double depth, const Vec3& point = Vec3::Zero()) {
     return {point, Vec3::UnitZ(), depth, material};
@@ -20,7 +22,7 @@ ContactPoint heldBy(MaterialId material, double depth, const Vec3& point = Vec3:
 
 /// The device is `depth` below a horizontal plane and moves at `velocity`.
 Wrench onPlane(ContactForce& law, double depth, const Vec3& velocity, double travel = 0,
-               MaterialId material = MaterialId::Enamel, const Vec3& place = Vec3::Zero()) {
+               MaterialId material = test::kEnamel, const Vec3& place = Vec3::Zero()) {
     const ContactPoint held = heldBy(material, depth);
     return law.at({place - Vec3(0, 0, depth), Vec3(0, 0, depth), velocity, travel, {&held, 1}}, kMaterials);
 }
@@ -58,7 +60,7 @@ TEST(ContactForce, FrictionOpposesSlidingAndStaysBelowTheCone) {
         ContactForce law;
         const Vec3 sliding(speed(random), speed(random), 0);
         onPlane(law, 0.3, sliding);
-        const Vec3 force = onPlane(law, 0.3, sliding, 0, MaterialId::Enamel, 0.001 * sliding).force;
+        const Vec3 force = onPlane(law, 0.3, sliding, 0, test::kEnamel, 0.001 * sliding).force;
         const Vec3 friction(force.x(), force.y(), 0);
         EXPECT_LE(friction.norm(), kEnamel.friction * law.normalForce() * (1 + 1e-12));
         EXPECT_NEAR(friction.normalized().dot(sliding.normalized()), -1, 1e-12);
@@ -70,7 +72,7 @@ TEST(ContactForce, FrictionGrowsWithTheDisplacementUpToTheCone) {
     EXPECT_EQ(onPlane(law, 0.3, Vec3::Zero()).force.x(), 0);
     const double full = kEnamel.friction * kEnamel.stiffness * 0.3;
     const double cone = kEnamel.friction * 0.3;  // mm, at the stiffness of the spring
-    const auto at = [&](double x) { return onPlane(law, 0.3, Vec3::Zero(), 0, MaterialId::Enamel, Vec3(x, 0, 0)); };
+    const auto at = [&](double x) { return onPlane(law, 0.3, Vec3::Zero(), 0, test::kEnamel, Vec3(x, 0, 0)); };
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12);
     EXPECT_NEAR(at(cone / 2).force.x(), -full / 2, 1e-12) << "a hand that stops is held";
     EXPECT_NEAR(at(5).force.x(), -full, 1e-12);
@@ -80,7 +82,7 @@ TEST(ContactForce, FrictionGrowsWithTheDisplacementUpToTheCone) {
 
 TEST(ContactForce, ATurningRimReleasesFriction) {
     ContactForce law;
-    const ContactPoint held = heldBy(MaterialId::Enamel, 0.3);
+    const ContactPoint held = heldBy(test::kEnamel, 0.3);
     ContactState contact{Vec3(0, 0, -0.3), Vec3(0, 0, 0.3), Vec3::Zero(), 0, {&held, 1}};
     (void)law.at(contact, kMaterials);
     contact.device.x() = 1;
@@ -98,38 +100,38 @@ TEST(ContactForce, WithoutContactThereIsNoForce) {
 TEST(ContactForce, AcrossABorderTheMaterialBlendsByTravelAndNotByTicks) {
     ContactForce fine;
     ContactForce coarse;
-    pushOn(fine, 0, MaterialId::Enamel);
-    pushOn(coarse, 0, MaterialId::Enamel);
-    for (int i = 0; i < 49; ++i) pushOn(fine, 0.001, MaterialId::Dentin);
-    const double inFifty = pushOn(fine, 0.001, MaterialId::Dentin);
-    EXPECT_NEAR(inFifty, pushOn(coarse, 0.05, MaterialId::Dentin), 1e-12);
+    pushOn(fine, 0, test::kEnamel);
+    pushOn(coarse, 0, test::kEnamel);
+    for (int i = 0; i < 49; ++i) pushOn(fine, 0.001, test::kDentin);
+    const double inFifty = pushOn(fine, 0.001, test::kDentin);
+    EXPECT_NEAR(inFifty, pushOn(coarse, 0.05, test::kDentin), 1e-12);
     const double left = (inFifty / 0.1 - kDentin.stiffness) / (kEnamel.stiffness - kDentin.stiffness);
     EXPECT_NEAR(left, std::exp(-3), 1e-12);
 }
 
 TEST(ContactForce, AToolAtRestKeepsItsMaterial) {
     ContactForce law;
-    const double before = pushOn(law, 0, MaterialId::Enamel);
-    EXPECT_EQ(pushOn(law, 0, MaterialId::Caries), before);
+    const double before = pushOn(law, 0, test::kEnamel);
+    EXPECT_EQ(pushOn(law, 0, test::kCaries), before);
 }
 
 TEST(ContactForce, ANewContactStartsWithItsOwnMaterial) {
     ContactForce law;
-    pushOn(law, 0, MaterialId::Enamel);
+    pushOn(law, 0, test::kEnamel);
     onPlane(law, 0, Vec3::Zero());
-    EXPECT_DOUBLE_EQ(pushOn(law, 0, MaterialId::Dentin), kDentin.stiffness * 0.1);
+    EXPECT_DOUBLE_EQ(pushOn(law, 0, test::kDentin), kDentin.stiffness * 0.1);
 }
 
 TEST(ContactForce, TwoMaterialsAreWeightedByTheirShares) {
     ContactForce law;
-    const std::array held = {heldBy(MaterialId::Enamel, 0.3), heldBy(MaterialId::Dentin, 0.1)};
+    const std::array held = {heldBy(test::kEnamel, 0.3), heldBy(test::kDentin, 0.1)};
     const Wrench wrench = law.at({Vec3(0, 0, -0.4), Vec3(0, 0, 0.4), Vec3::Zero(), 0, held}, kMaterials);
     EXPECT_NEAR(wrench.force.z(), 0.4 * (0.75 * kEnamel.stiffness + 0.25 * kDentin.stiffness), 1e-12);
 }
 
 TEST(ContactForce, AContactWithoutDepthHasAMaterial) {
     ContactForce law;
-    const ContactPoint held = heldBy(MaterialId::Dentin, 0);
+    const ContactPoint held = heldBy(test::kDentin, 0);
     const Wrench wrench = law.at({Vec3::Zero(), Vec3(0, 0, 1e-9), Vec3::Zero(), 0, {&held, 1}}, kMaterials);
     EXPECT_NEAR(wrench.force.z(), 1e-9 * kDentin.stiffness, 1e-15);
     EXPECT_TRUE(wrench.torque.allFinite());
@@ -137,7 +139,7 @@ TEST(ContactForce, AContactWithoutDepthHasAMaterial) {
 
 TEST(ContactForce, OverridesHoldAtOnceAndTheScaleMultipliesTheWholeForce) {
     ContactForce law;
-    pushOn(law, 0, MaterialId::Enamel);
+    pushOn(law, 0, test::kEnamel);
     law.setOverrides({.stiffness = 3.0, .damping = 0.5, .friction = 0.0});
     law.setScale(2);
     const Vec3 force = onPlane(law, 0.1, Vec3(40, 0, -1)).force;
@@ -145,14 +147,14 @@ TEST(ContactForce, OverridesHoldAtOnceAndTheScaleMultipliesTheWholeForce) {
     EXPECT_EQ(force.x(), 0);
     law.setOverrides({});
     law.setScale(1);
-    EXPECT_DOUBLE_EQ(pushOn(law, 0, MaterialId::Enamel), 0.1 * kEnamel.stiffness);
+    EXPECT_DOUBLE_EQ(pushOn(law, 0, test::kEnamel), 0.1 * kEnamel.stiffness);
 }
 
 TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
     ContactForce law;
     const Vec3 tip(3, 4, 5);
     const Vec3 arm(0.7, -0.2, 1.1);
-    const ContactPoint held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(0, 0, 0.2) + arm);
+    const ContactPoint held = heldBy(test::kEnamel, 0.2, tip + Vec3(0, 0, 0.2) + arm);
     const Wrench wrench = law.at({tip, Vec3(0, 0, 0.2), Vec3(8, 0, 0), 0, {&held, 1}}, kMaterials);
     EXPECT_TRUE(wrench.torque.isApprox(arm.cross(wrench.force), 1e-12));
     EXPECT_GT(wrench.torque.norm(), 0.05);
@@ -160,7 +162,7 @@ TEST(ContactForce, AnOffCentreContactTurnsTheTool) {
 
 TEST(ContactForce, ARotationIntoAContactIsDampedLikeATranslation) {
     const Vec3 tip(3, 4, 5);
-    const ContactPoint held = heldBy(MaterialId::Enamel, 0.2, tip + Vec3(2, 0, 0.2));
+    const ContactPoint held = heldBy(test::kEnamel, 0.2, tip + Vec3(2, 0, 0.2));
     const Vec3 offset(0, 0, 0.2);
     ContactForce moving, turning;
     const Wrench moved = moving.at({tip, offset, Vec3(0, 0, -6), 0, {&held, 1}}, kMaterials);
@@ -172,8 +174,8 @@ TEST(ContactForce, ARotationIntoAContactIsDampedLikeATranslation) {
 TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
     ContactForce law;
     const Vec3 offset(0, 0, 0.2);
-    const std::array held = {heldBy(MaterialId::Enamel, 0.1, Vec3(0.6, 0, 0.2)),
-                             heldBy(MaterialId::Enamel, 0.1, Vec3(-0.6, 0, 0.2))};
+    const std::array held = {heldBy(test::kEnamel, 0.1, Vec3(0.6, 0, 0.2)),
+                             heldBy(test::kEnamel, 0.1, Vec3(-0.6, 0, 0.2))};
     const Wrench wrench = law.at({Vec3::Zero(), offset, Vec3::Zero(), 0, held}, kMaterials);
     EXPECT_LT(wrench.torque.norm(), 1e-15);
     EXPECT_DOUBLE_EQ(wrench.force.z(), 0.2 * kEnamel.stiffness);
@@ -186,7 +188,7 @@ TEST(ContactForce, ChangesByAtMost50MillinewtonAMillisecondAtABorder) {
             ContactForce law;
             double last = 0;
             for (int i = 0; i < 300; ++i) {
-                const ContactPoint held = heldBy(i < 100 ? MaterialId::Caries : MaterialId::Enamel, depth);
+                const ContactPoint held = heldBy(i < 100 ? test::kCaries : test::kEnamel, depth);
                 const ContactState contact{Vec3(0, 0, -depth), Vec3(0, 0, depth), Vec3::Zero(), travel,
                                            {&held, 1},         Vec3::Zero(),      kTick};
                 const double force = law.at(contact, kMaterials).force.z();
@@ -207,7 +209,7 @@ TEST(ContactForce, ReturnsNaNAndResetsItsMemory) {
     for (int what = 0; what < 4; ++what) {
         ContactForce law;
         (void)onPlane(law, 0.1, Vec3::Zero());
-        const ContactPoint held = heldBy(MaterialId::Enamel, what == 3 ? bad : 0.1);
+        const ContactPoint held = heldBy(test::kEnamel, what == 3 ? bad : 0.1);
         const Vec3 offset(0, 0, 0.1);
         const Vec3 wrong(0, 0, bad);
         const Wrench wrench = law.at({what == 0 ? wrong : Vec3(-offset),

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "scene.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -70,7 +71,7 @@ std::vector<OperatorInput> wandering(int ticks) {
 TEST(HapticSimulation, SteadyPenetrationOfAPlaneIsKelvinVoigt) {
     for (const double speed : {0.5, 5.0, 40.0}) {
         HapticSimulation simulation = simulationOf();
-        const Material& enamel = kMaterials[MaterialId::Enamel];
+        const Material& enamel = kMaterials[test::kEnamel];
         for (int i = 0; i < 60; ++i) {
             const double z = 0.02 * speed - speed * kTick * i;
             const Tick tick = simulation.step(touching(at(0.1, 0.2, z)), kTick);
@@ -81,7 +82,7 @@ TEST(HapticSimulation, SteadyPenetrationOfAPlaneIsKelvinVoigt) {
             ASSERT_NEAR(tick.wrench.force.head<2>().norm(), 0, kRounding);
             ASSERT_NEAR(tick.normal.z(), 1, kRounding);
             ASSERT_NEAR(tick.speed, speed, 1e-9);
-            ASSERT_EQ(tick.material, MaterialId::Enamel);
+            ASSERT_EQ(tick.material, test::kEnamel);
         }
     }
 }
@@ -122,7 +123,7 @@ TEST(HapticSimulation, ADeviceThatStartsInsideIsPushedOut) {
     const Tick tick = simulation.step(touching(at(0.2, 0.1, -0.6)), kTick);
     ASSERT_TRUE(tick.placed);
     EXPECT_NEAR(tick.depth, 0.6, 1e-4);
-    EXPECT_NEAR(tick.wrench.force.z(), 0.6 * kMaterials[MaterialId::Enamel].stiffness, 1e-4);
+    EXPECT_NEAR(tick.wrench.force.z(), 0.6 * kMaterials[test::kEnamel].stiffness, 1e-4);
     EXPECT_EQ(tick.contactOnsets, 1U);
 }
 
@@ -152,7 +153,7 @@ TEST(HapticSimulation, PenaltyModePushesOutOfThePlaneToo) {
     EXPECT_TRUE(tick.placed);
     EXPECT_GT(tick.depth, 0);
     EXPECT_GT(tick.wrench.force.z(), 0);
-    EXPECT_NEAR(tick.wrench.force.norm(), tick.depth * kMaterials[MaterialId::Enamel].stiffness, 1e-6);
+    EXPECT_NEAR(tick.wrench.force.norm(), tick.depth * kMaterials[test::kEnamel].stiffness, 1e-6);
     EXPECT_EQ(tick.proxy.position, Vec3(tick.hand.position + tick.depth * tick.normal));
 }
 
@@ -173,7 +174,7 @@ TEST(HapticSimulation, TheSpindleSlowsUnderLoadToWhereItsTorqueHoldsIt) {
     for (int i = 0; i < 5000; ++i) simulation.step(cutting(at(0, 0, 0.1)), kTick);
     Tick tick;
     for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, -1.2)), kTick);
-    const double torque = 0.5 * 1.2 * kMaterials[MaterialId::Enamel].stiffness * test::kBallRadius;
+    const double torque = 0.5 * 1.2 * kMaterials[test::kEnamel].stiffness * test::kBallRadius;
     EXPECT_NEAR(tick.load, torque, 1e-4);
     EXPECT_NEAR(tick.speedRpm, 400000 * (1 - torque / 1.4), 400);
     for (int i = 0; i < 5000; ++i) tick = simulation.step(cutting(at(0, 0, 0.1)), kTick);
@@ -241,7 +242,7 @@ TEST(HapticSimulation, AFaultyDevicePoseMakesNoForceAndHasNoLaterEffect) {
         const Tick after = simulation.step(touching(at(0.3, 0, -0.2)), kTick);
         EXPECT_TRUE(after.placed);
         EXPECT_NEAR(after.depth, 0.2, kRounding);
-        EXPECT_NEAR(after.wrench.force.z(), 0.2 * kMaterials[MaterialId::Enamel].stiffness, 5 * kRounding);
+        EXPECT_NEAR(after.wrench.force.z(), 0.2 * kMaterials[test::kEnamel].stiffness, 5 * kRounding);
         EXPECT_EQ(after.speed, 0);
     }
 }
@@ -271,7 +272,7 @@ TEST(HapticSimulation, ThePedalIsClampedToZeroToOne) {
 }
 
 TEST(HapticSimulation, TheMaterialIsThatOfTheSurfaceTouched) {
-    for (const MaterialId material : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries}) {
+    for (const MaterialId material : {test::kEnamel, test::kDentin, test::kCaries}) {
         HapticSimulation simulation = simulationOf({}, test::block(material));
         simulation.step(touching(at(0, 0, 0.1)), kTick);
         for (int i = 0; i < 30; ++i) simulation.step(touching(at(0, 0, -0.1)), kTick);
@@ -288,7 +289,7 @@ TEST(HapticSimulation, AToolWithSixDegreesOfFreedomGivesTheTorqueOfItsRotation) 
     settings.force.friction = 0;
     HapticSimulation simulation(plank, 1, test::block(), settings);
     const double characteristicLength = ProxySolver(plank, Freedom::TranslationAndRotation).characteristicLength();
-    const double stiffness = kMaterials[MaterialId::Enamel].stiffness;
+    const double stiffness = kMaterials[test::kEnamel].stiffness;
     Tick tick;
     for (int i = 0; i <= 300; ++i) {
         const double tilt = std::min(i, 200) * 1e-4;

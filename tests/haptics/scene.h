@@ -6,13 +6,14 @@
 
 #include "collision/bvh/surface.h"
 #include "collision/neighbours/tool_shape.h"
+#include "support/materials.h"
 #include "support/shapes.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth::test {
 
 /// A block of one material, 10 mm wide, with its top at `top` mm.
-[[nodiscard]] inline std::shared_ptr<const Surface> block(MaterialId material = MaterialId::Enamel, double top = 0) {
+[[nodiscard]] inline std::shared_ptr<const Surface> block(MaterialId material = test::kEnamel, double top = 0) {
     const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(material));
     auto surface = std::make_shared<Surface>();
     surface->base = std::make_shared<const SurfacePart>(box(Vec3(-5, -5, -5), Vec3(5, 5, top)), tags);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scene.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -31,13 +32,13 @@ TEST(ToolProxy, InTheAirItIsAtTheDevice) {
 }
 
 TEST(ToolProxy, OnAPlaneItStaysAboveTheDevice) {
-    ToolProxy proxy = proxyAbove(test::block(MaterialId::Dentin));
+    ToolProxy proxy = proxyAbove(test::block(test::kDentin));
     const ProxyState state = proxy.follow(at(0.1, 0.2, -0.4));
     EXPECT_TRUE(state.offset.isApprox(Vec3(0, 0, 0.4), kRounding));
     ASSERT_GT(state.contacts, 0);
     Vec3 sum = Vec3::Zero();
     for (const ContactPoint& held : state.contactPoints()) {
-        EXPECT_EQ(held.material, MaterialId::Dentin);
+        EXPECT_EQ(held.material, test::kDentin);
         EXPECT_NEAR(held.point.z(), 0, kRounding);
         sum += held.share * held.normal;
     }
@@ -84,7 +85,7 @@ TEST(ToolProxy, ARisingSurfaceLiftsTheToolOutOfItself) {
     for (const double rise : {1e-5, 0.001, 0.1}) {
         ToolProxy proxy = proxyAbove(test::block());
         (void)proxy.follow(at(0, 0, -0.2));
-        (void)proxy.setSurface(test::block(MaterialId::Enamel, rise));
+        (void)proxy.setSurface(test::block(test::kEnamel, rise));
         const ProxyState state = proxy.follow(at(0, 0, -0.2));
         ASSERT_TRUE(state.placed) << rise;
         EXPECT_NEAR(state.offset.z(), 0.2 + rise, kRounding);
@@ -95,7 +96,7 @@ TEST(ToolProxy, AnEnclosedToolGetsAFreePoseAtTheNextTick) {
     ToolProxy proxy = proxyAbove(test::block());
     (void)proxy.follow(at(0, 0, -0.2));
     for (const double top : {0.9, 2.5}) {  // the second contains the whole ball: no triangles meet
-        (void)proxy.setSurface(test::block(MaterialId::Enamel, top));
+        (void)proxy.setSurface(test::block(test::kEnamel, top));
         EXPECT_FALSE(proxy.follow(at(0, 0, top - 0.7)).placed);
         const ProxyState state = proxy.follow(at(0, 0, top - 0.7));
         ASSERT_TRUE(state.placed);
@@ -165,7 +166,7 @@ TEST(ToolProxy, AFlatToolIsHeldByAFlatFloorOfAnyResolution) {
 }
 
 TEST(ToolProxy, PenaltyModeFreesTheDeepestPairAndKeepsNoHistory) {
-    const auto surface = test::block(MaterialId::Caries);
+    const auto surface = test::block(test::kCaries);
     ToolProxy proxy = proxyAbove(surface, ContactMode::Penalty);
     ContactQuery query(test::ball(), surface);
     for (const double depth : {0.01, 0.05, 0.1}) {
@@ -176,7 +177,7 @@ TEST(ToolProxy, PenaltyModeFreesTheDeepestPairAndKeepsNoHistory) {
         EXPECT_EQ(state.offset, Vec3(pair.depth * pair.normal));
         EXPECT_EQ(state.contacts, pair.contacts);
         ASSERT_EQ(state.contactPointCount, 1);
-        EXPECT_EQ(state.held[0].material, MaterialId::Caries);
+        EXPECT_EQ(state.held[0].material, test::kCaries);
     }
     EXPECT_EQ(proxy.follow(at(0, 0, 0.5)).contacts, 0);
     EXPECT_EQ(proxy.follow(at(0, 0, -2)).offset, Vec3::Zero());  // wholly inside, no pair of triangles meets

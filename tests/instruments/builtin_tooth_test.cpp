@@ -14,6 +14,7 @@
 #include <span>
 
 #include "instruments/mesh_checks.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/sanitizer.h"
 
@@ -205,10 +206,10 @@ TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) 
         const double z = tooth_.outer.corner(i, 0).z();
         const auto tag = static_cast<MaterialId>(outer.tag(i));
         if (z < -0.5) {
-            EXPECT_EQ(tag, MaterialId::Dentin);
+            EXPECT_EQ(tag, test::kDentin);
             ++dentin;
-        } else if (z > average_.mesialRise + 1.0 && tag != MaterialId::Caries) {
-            EXPECT_EQ(tag, MaterialId::Enamel);
+        } else if (z > average_.mesialRise + 1.0 && tag != test::kCaries) {
+            EXPECT_EQ(tag, test::kEnamel);
             ++enamel;
         }
     }

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "instruments/mesh_checks.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/sanitizer.h"
 
@@ -107,9 +108,9 @@ TEST_P(PermanentTooth, IsALayeredTooth) {
     ASSERT_TRUE(layered.has_value()) << layered.error().message;
     EXPECT_EQ(layered->layers().size(), 3u);
     const auto top = std::ranges::max_element(tooth_.outer.vertices, {}, [](const Vec3f& v) { return v.z(); });
-    EXPECT_EQ(layered->materialAt(top->cast<double>() - 0.3 * Vec3::UnitZ()), MaterialId::Enamel);
+    EXPECT_EQ(layered->materialAt(top->cast<double>() - 0.3 * Vec3::UnitZ()), test::kEnamel);
     const auto apex = std::ranges::min_element(tooth_.outer.vertices, {}, [](const Vec3f& v) { return v.z(); });
-    EXPECT_EQ(layered->materialAt(apex->cast<double>() + 0.3 * Vec3::UnitZ()), MaterialId::Dentin);
+    EXPECT_EQ(layered->materialAt(apex->cast<double>() + 0.3 * Vec3::UnitZ()), test::kDentin);
 }
 
 INSTANTIATE_TEST_SUITE_P(Mouth, PermanentTooth, testing::ValuesIn(kJudged.begin(), kJudged.end()),

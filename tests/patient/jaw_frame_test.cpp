@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -19,7 +20,7 @@ std::vector<Scan> arch(int count, double mm) {
         const Vec3 low = (at - Vec3(4, 4, 11)) / mm, high = (at + Vec3(4, 4, 11)) / mm;
         teeth.push_back({std::string("T").append(std::to_string(i)),
                          test::box(low, high),
-                         {{"enamel", MaterialId::Enamel, test::box(Vec3(low.x(), low.y(), at.z()), high)}}});
+                         {{"enamel", test::kEnamel, test::box(Vec3(low.x(), low.y(), at.z()), high)}}});
     }
     return teeth;
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/builtin_tooth.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -60,8 +61,8 @@ TEST_P(LayerModelOf, RootIsDentinAndTheBitingEdgeEnamel) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const double z = mesh.corner(t, 0).z();
         const auto material = static_cast<MaterialId>(layered->outer()->tag(t));
-        if (z < -2) ++rootFaces, rootDentin += material == MaterialId::Dentin;
-        if (z > 3) ++crownFaces, crownEnamel += material == MaterialId::Enamel;
+        if (z < -2) ++rootFaces, rootDentin += material == test::kDentin;
+        if (z > 3) ++crownFaces, crownEnamel += material == test::kEnamel;
     }
     EXPECT_GT(rootDentin, 0.99 * rootFaces);
     EXPECT_GT(crownEnamel, 0.99 * crownFaces);
@@ -101,8 +102,8 @@ TEST(LayerModel, AVoidIsThePulpSpaceAndHasNoEnamel) {
               "The surface encloses a hollow: it is taken as the pulp space, which is empty.");
     const auto tooth = LayeredTooth::make(outer, model->layers);
     ASSERT_TRUE(tooth);
-    EXPECT_EQ(tooth->materialAt(Vec3(1.7, 0, 3)), MaterialId::Dentin);
-    EXPECT_EQ(tooth->materialAt(Vec3(4.8, 0, 4)), MaterialId::Enamel);
+    EXPECT_EQ(tooth->materialAt(Vec3(1.7, 0, 3)), test::kDentin);
+    EXPECT_EQ(tooth->materialAt(Vec3(4.8, 0, 4)), test::kEnamel);
 }
 
 TEST(LayerModel, AThinPlateHasNoPulp) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh/mesh_report.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -12,8 +13,8 @@ namespace {
 
 std::vector<LayerMesh> stacked(double mismatch, const Vec3& upperLow = Vec3(0, 0, 4)) {
     std::vector<LayerMesh> layers;
-    layers.push_back({"dentin", MaterialId::Dentin, test::box(Vec3(0, 0, 0), Vec3(4, 4, 4))});
-    layers.push_back({"enamel", MaterialId::Enamel, test::box(upperLow, Vec3(4, 4, 6))});
+    layers.push_back({"dentin", test::kDentin, test::box(Vec3(0, 0, 0), Vec3(4, 4, 4))});
+    layers.push_back({"enamel", test::kEnamel, test::box(upperLow, Vec3(4, 4, 6))});
     for (Vec3f& vertex : layers[1].mesh.vertices) {
         if (vertex.z() < 5) vertex.x() += static_cast<float>(mismatch);
     }

@@ -10,6 +10,7 @@
 
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/builtin_tooth.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -93,8 +94,7 @@ TEST(ScanImport, AWideHoleIsFilledOnlyWhenAskedFor) {
 TEST(ScanImport, LayersWithoutAnOuterSurfaceGetOne) {
     // The enamel of the built-in tooth is the whole crown: enamel and dentin overlap.
     const auto scan = examineScan(
-        {"t", {}, {{"enamel", MaterialId::Enamel, molar().enamel}, {"dentin", MaterialId::Dentin, molar().dentin}}},
-        {});
+        {"t", {}, {{"enamel", test::kEnamel, molar().enamel}, {"dentin", test::kDentin, molar().dentin}}}, {});
     ASSERT_TRUE(scan);
     EXPECT_NEAR(reportOn(scan->outer).signedVolume / reportOn(molar().outer).signedVolume, 1, 0.1);
     const auto tooth = finishScan(*scan, {});

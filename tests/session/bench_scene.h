@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "session/simulation/simulator.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth::test {
@@ -14,8 +15,9 @@ inline constexpr double kVoxel = 0.05;     // mm
 inline constexpr double kBurRadius = 0.4;  // mm
 
 /// A block of one material, 3 mm wide and high, whose top lies at zero, on the bench.
-[[nodiscard]] inline std::shared_ptr<CutModel> blockOnTheBench(MaterialId material = MaterialId::Dentin) {
-    auto tooth = LayeredTooth::make(box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0)), {}, material);
+[[nodiscard]] inline std::shared_ptr<CutModel> blockOnTheBench(MaterialId material = test::kDentin,
+                                                               const MaterialRegistry& materials = builtinMaterials()) {
+    auto tooth = LayeredTooth::make(box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0)), {}, material, {}, materials);
     return std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
 }
 
@@ -38,8 +40,8 @@ inline void cutARidgeOff(CutModel& piece) {
 [[nodiscard]] inline std::shared_ptr<CutModel> cutBlock() {
     TriangleMesh outer = box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
     std::vector<LayerMesh> layers;
-    layers.push_back({"enamel", MaterialId::Enamel, outer});
-    layers.push_back({"core", MaterialId::Dentin, box(Vec3(-1, -1, -2), Vec3(1, 1, -0.3))});
+    layers.push_back({"enamel", test::kEnamel, outer});
+    layers.push_back({"core", test::kDentin, box(Vec3(-1, -1, -2), Vec3(1, 1, -0.3))});
     auto tooth = LayeredTooth::make(std::move(outer), std::move(layers));
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
     piece->sweep(flatBur().cutting, at(0, 0, 0.2), at(0.1, 0, -0.6));

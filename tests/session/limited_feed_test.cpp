@@ -11,6 +11,7 @@
 
 #include "session/cut_outcome.h"
 #include "session/scripts/cut_run.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -43,16 +44,16 @@ std::vector<HeldBack> all() {
     const std::vector down = {Vec3(0.007, y, 0.05), Vec3(0.007, y, -0.5)};
     const std::vector slanting = {Vec3(-1, y, 0.05), Vec3(1, y, -0.3)};
     const std::vector beside = {Vec3(2.55, -0.5, -1), Vec3(2.4, -0.5, -1), Vec3(2.4, 0.5, -1)};
-    return {{"slotInCaries", MaterialId::Caries, true, 5, slot(0.1)},
-            {"slowSlotInDentin", MaterialId::Dentin, true, 2, slot(0.1)},
-            {"scratchInCaries", MaterialId::Caries, true, 5, slot(0.02)},
-            {"deepSlotInDentin", MaterialId::Dentin, true, 5, slot(0.3)},
-            {"slotInEnamel", MaterialId::Enamel, true, 5, slot(0.1)},
-            {"holeInDentin", MaterialId::Dentin, true, 1, down},
-            {"slantingInCaries", MaterialId::Caries, true, 5, slanting},
-            {"wallOfDentin", MaterialId::Dentin, true, 5, beside},
-            {"cylinderSlotInCaries", MaterialId::Caries, false, 5, slot(0.3)},
-            {"cylinderHoleInCaries", MaterialId::Caries, false, 5, down}};
+    return {{"slotInCaries", test::kCaries, true, 5, slot(0.1)},
+            {"slowSlotInDentin", test::kDentin, true, 2, slot(0.1)},
+            {"scratchInCaries", test::kCaries, true, 5, slot(0.02)},
+            {"deepSlotInDentin", test::kDentin, true, 5, slot(0.3)},
+            {"slotInEnamel", test::kEnamel, true, 5, slot(0.1)},
+            {"holeInDentin", test::kDentin, true, 1, down},
+            {"slantingInCaries", test::kCaries, true, 5, slanting},
+            {"wallOfDentin", test::kDentin, true, 5, beside},
+            {"cylinderSlotInCaries", test::kCaries, false, 5, slot(0.3)},
+            {"cylinderHoleInCaries", test::kCaries, false, 5, down}};
 }
 
 /// In steps of `tick` s, the same places at the same times whatever that is.

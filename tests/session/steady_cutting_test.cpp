@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "session/scripts/cut_run.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -26,8 +27,8 @@ constexpr double kWay = 1.2;        // mm
 
 std::shared_ptr<const LayeredTooth> halfDecayedBlock() {
     std::vector<LayerMesh> layers;
-    layers.push_back({"sound", MaterialId::Enamel, test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0))});
-    layers.push_back({"decay", MaterialId::Caries, test::box(Vec3(-2, -2, -2), Vec3(0, 2, 0))});
+    layers.push_back({"sound", test::kEnamel, test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0))});
+    layers.push_back({"decay", test::kCaries, test::box(Vec3(-2, -2, -2), Vec3(0, 2, 0))});
     return std::make_shared<const LayeredTooth>(
         std::move(*LayeredTooth::make(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)), std::move(layers))));
 }

@@ -17,6 +17,8 @@ std::optional<std::filesystem::path> realTeethFolder() {
     return std::nullopt;
 }
 
+std::filesystem::path sourceFolder() { return TACTOOTH_SOURCE_DIR; }
+
 TemporaryFolder::TemporaryFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "tactooth-test-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");

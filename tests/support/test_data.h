@@ -12,6 +12,9 @@ namespace tactooth::test {
 /// exists. A test then uses the built-in teeth, and prints that it does.
 [[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
 
+/// The folder of the sources, of which tests read files.
+[[nodiscard]] std::filesystem::path sourceFolder();
+
 /// A new folder for the files of one test, removed with the object.
 class TemporaryFolder {
 public:

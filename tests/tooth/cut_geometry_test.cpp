@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "collision/bvh/closest_point.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "tooth/surface/incremental_surface.h"
@@ -217,18 +218,18 @@ TEST(CutGeometry, OneAndFourKilohertzCutTheSame) {
 TEST(CutGeometry, EachMaterialLosesWhatIsMissingOfItsLayer) {
     const TriangleMesh outer = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
     std::vector<LayerMesh> layers;
-    layers.push_back({"enamel", MaterialId::Enamel, outer});
-    layers.push_back({"dentin", MaterialId::Dentin, test::box(Vec3(-1.9, -1.9, -2.9), Vec3(1.9, 1.9, -0.43))});
+    layers.push_back({"enamel", test::kEnamel, outer});
+    layers.push_back({"dentin", test::kDentin, test::box(Vec3(-1.9, -1.9, -2.9), Vec3(1.9, 1.9, -0.43))});
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(outer, layers))), kVoxel);
     MaterialVolumes removed{};
     for (int i = 0; i < 12; ++i) {
         const CarveResult step =
             volume.carve(flatBur(), at(0.011, 0, 0.2 - 0.1 * i), at(0.011, 0, 0.1 - 0.1 * i), kNoClearance);
-        for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += step.removed[m];
+        for (std::size_t m = 0; m < kMaxMaterials; ++m) removed[m] += step.removed[m];
     }
     const double area = kPi * kRadius * kRadius;
-    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 0.43 * area, 0.01 * 0.43 * area);
-    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 0.57 * area, 0.01 * 0.57 * area);
+    EXPECT_NEAR(removed[static_cast<std::size_t>(test::kEnamel)], 0.43 * area, 0.01 * 0.43 * area);
+    EXPECT_NEAR(removed[static_cast<std::size_t>(test::kDentin)], 0.57 * area, 0.01 * 0.57 * area);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_report.h"
 #include "geometry/util/pose.h"
+#include "support/materials.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 #include "tooth/file/remaining_layers.h"
@@ -160,8 +161,8 @@ TEST(LatticePlane, RandomMultiplesOfTheVoxelLeaveAClosedSurface) {
 
 TEST(LatticePlane, LayersCutAtZeroAreClosedOneByOne) {
     const std::vector<LayerMesh> layers = {
-        {"enamel", MaterialId::Enamel, test::box(Vec3::Constant(-kBlock), Vec3::Constant(kBlock))},
-        {"dentin", MaterialId::Dentin, test::box(Vec3::Constant(-1.3), Vec3::Constant(1.3))}};
+        {"enamel", test::kEnamel, test::box(Vec3::Constant(-kBlock), Vec3::Constant(kBlock))},
+        {"dentin", test::kDentin, test::box(Vec3::Constant(-1.3), Vec3::Constant(1.3))}};
     Piece piece(block(), 0.1, layers);
     const Slot slot{2, -1, 0, -0.5, 0.5, 0};
     piece.mill(slot, 3);

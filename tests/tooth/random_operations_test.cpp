@@ -11,6 +11,7 @@
 #include <random>
 
 #include "support/expect_assert.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 #include "tooth/file/debris.h"
 #include "tooth/surface/cavity_wall.h"
@@ -28,7 +29,7 @@ constexpr int kSteps = 24;
 std::shared_ptr<const LayeredTooth> ball() {
     return std::make_shared<const LayeredTooth>(
         std::move(*LayeredTooth::make(test::sphere(Vec3::Zero(), 1.5, 32, 16),
-                                      {{"dentin", MaterialId::Dentin, test::sphere(Vec3::Zero(), 1.1, 32, 16)}})));
+                                      {{"dentin", test::kDentin, test::sphere(Vec3::Zero(), 1.1, 32, 16)}})));
 }
 
 /// A volume with its surface, changed by random operations.

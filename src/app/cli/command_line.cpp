@@ -24,6 +24,8 @@
 #include "app/common/exit_code.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
+#include "sound/voices/drill_sound_state.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 namespace {
@@ -49,7 +51,7 @@ void addInfo(CLI::App& program, CommandAction& chosen) {
 void addMaterials(CLI::App& command, std::filesystem::path& file) {
     command
         .add_option("--materials", file,
-                    "TOML file that changes the values of materials (example: data/materials.toml)")
+                    "TOML file that changes the values of materials or adds materials (example: data/materials.toml)")
         ->type_name("FILE");
 }
 
@@ -125,6 +127,13 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->type_name("MU");
 }
 
+/// "t,enamel,dentin,...": the columns that `cut --removed` writes.
+std::string removedColumns() {
+    std::string columns = "t";
+    for (const MaterialId id : builtinMaterials().byRole()) columns.append(",").append(builtinMaterials().nameOf(id));
+    return columns;
+}
+
 void addCut(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<CutOptions>();
     CLI::App* command =
@@ -137,8 +146,9 @@ void addCut(CLI::App& program, CommandAction& chosen) {
     addWorkOn(*command, options->workOn);
     command
         ->add_option("--layer", options->layers,
-                     "What is inside: enamel, dentin, pulp, caries, restoration or other, each a closed STL file; may "
-                     "be given several times, inner layers win")
+                     "What is inside: " + builtinMaterials().names() +
+                         ", or a material of --materials, each a closed STL file; may be given several times, inner "
+                         "layers win")
         ->type_name("NAME=FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -184,8 +194,9 @@ void addCut(CLI::App& program, CommandAction& chosen) {
             "or bone touched, cut beside the tooth, piece came loose (not with --feed rigid), bur stalled")
         ->type_name("FILE");
     command
-        ->add_option("--removed", options->removed,
-                     "CSV file to write: t,enamel,dentin,pulp,caries,other, mm^3 since the start")
+        ->add_option(
+            "--removed", options->removed,
+            "CSV file to write: " + removedColumns() + " and each material of --materials, mm^3 since the start")
         ->type_name("FILE");
     command
         ->add_option("--export-layers", options->layersOut,
@@ -258,6 +269,12 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
         ->type_name("FILE");
 }
 
+std::string soundMaterials() {
+    std::string names;
+    for (const std::string_view name : soundMaterialNames()) names.append(names.empty() ? "" : ", ").append(name);
+    return names;
+}
+
 void addSound(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SoundOptions>();
     CLI::App* command = addCommand(
@@ -266,8 +283,7 @@ void addSound(CLI::App& program, CommandAction& chosen) {
         options, runSound);
     command
         ->add_option("--profile", options->profile,
-                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and enamel, dentin, pulp, caries, amalgam, "
-                     "composite, restoration, other or none")
+                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and " + soundMaterials() + " or none")
         ->required()
         ->type_name("FILE");
     command->add_option("--out", options->out, "WAV file to write: 48 kHz, 16 bits, stereo")

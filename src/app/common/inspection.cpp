@@ -87,11 +87,11 @@ Plane sectionPlane(StandardView side, double mesialX, const Box3& box, double fr
 }
 
 void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection) {
-    TACTOOTH_ASSERT(!scene.objects.empty() && scene.objects.front().appearances.size() == kMaterialCount);
+    TACTOOTH_ASSERT(!scene.objects.empty() && scene.objects.front().appearances.size() >= tooth.materials().size());
     SceneObject& body = scene.objects.front();
     if (inspection.section) scene.section = Section{*inspection.section};
     const std::vector<Appearance> solid = body.appearances;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
+    for (std::size_t i = 0; i < solid.size(); ++i) {
         body.appearances[i].opacity = inspection.opacity[i];
         if (inspection.distances) body.appearances[i] = mat(body.appearances[i]);
     }
@@ -112,7 +112,8 @@ void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& 
         appearance.opacity = inspection.opacity[material];
         layers.push_back(layerObject(layer, appearance));
         // Enamel is the outermost: its own outside is the body's.
-        layers.back().visible = seesInside && layer.material != MaterialId::Enamel && appearance.opacity > 0;
+        layers.back().visible =
+            seesInside && !tooth.materials().hasRole(layer.material, MaterialRole::Enamel) && appearance.opacity > 0;
     }
     scene.objects.insert(scene.objects.begin() + 1, layers.begin(), layers.end());
 }

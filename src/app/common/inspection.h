@@ -22,10 +22,17 @@ inline constexpr std::array<std::pair<std::string_view, StandardView>, 5> kStand
      {"mesial", StandardView::Mesial},
      {"distal", StandardView::Distal}}};
 
+/// Every material as it is.
+[[nodiscard]] constexpr std::array<float, kMaxMaterials> opaque() {
+    std::array<float, kMaxMaterials> all{};
+    all.fill(1);
+    return all;
+}
+
 /// How one looks into a tooth. Nothing of it changes the tooth.
 struct Inspection {
-    std::optional<Plane> section;  ///< tooth frame; takes away what lies on its positive side
-    std::array<float, kMaterialCount> opacity = {1, 1, 1, 1, 1, 1};  ///< by MaterialId, 0..1
+    std::optional<Plane> section;                         ///< tooth frame; takes away what lies on its positive side
+    std::array<float, kMaxMaterials> opacity = opaque();  ///< by MaterialId, 0..1
     std::optional<DistanceColourMap> distances;
     std::shared_ptr<CavityGhost> ghost;  ///< of the tooth's own target; null: none
 

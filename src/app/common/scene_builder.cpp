@@ -11,25 +11,6 @@
 namespace tactooth {
 namespace {
 
-/// What a material looks like beside its colour and roughness.
-Appearance characterOf(MaterialId id) {
-    switch (id) {
-        case MaterialId::Enamel:
-            return appearances::enamel();
-        case MaterialId::Dentin:
-            return appearances::dentin();
-        case MaterialId::Pulp:
-            return appearances::pulp();
-        case MaterialId::Caries:
-            return appearances::caries();
-        case MaterialId::Restoration:
-            return {.translucency = 0.3F, .wetness = 0.6F, .grain = 0.05F};
-        case MaterialId::Other:
-            return appearances::bone();
-    }
-    return {};
-}
-
 /// The bur; while it turns, over it the body that its blades seem to fill.
 void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
@@ -110,13 +91,13 @@ Vec3 crownOf(const Surface& tooth) {
 
 std::vector<Appearance> appearancesOf(const MaterialTable& materials) {
     std::vector<Appearance> result;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        const auto id = static_cast<MaterialId>(i);
-        Appearance appearance = characterOf(id);
-        const std::array<float, 3>& colour = materials[id].colour;
-        appearance.colour = Vec3f(colour[0], colour[1], colour[2]);
-        appearance.roughness = materials[id].roughness;
-        result.push_back(appearance);
+    for (const MaterialId id : materials.registry().ids()) {
+        const Material& material = materials[id];
+        result.push_back({.colour = Vec3f(material.colour[0], material.colour[1], material.colour[2]),
+                          .roughness = material.roughness,
+                          .translucency = material.translucency,
+                          .wetness = material.wetness,
+                          .grain = material.grain});
     }
     return result;
 }

@@ -5,7 +5,7 @@
 #include "instruments/bur_catalogue.h"
 #include "instruments/mirror.h"
 #include "session/model/instrument_poses.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 #include "view/scene/scene.h"
 
 namespace tactooth {
@@ -57,7 +57,7 @@ struct SceneContents {
     Camera camera;
 };
 
-/// One look for each MaterialId, in their order: colour and roughness from the table.
+/// What each material looks like, by MaterialId.
 [[nodiscard]] std::vector<Appearance> appearancesOf(const MaterialTable& materials);
 
 /// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow

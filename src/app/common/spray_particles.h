@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "session/simulation/spray_particle_system.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 #include "view/scene/particle.h"
 
 namespace tactooth {

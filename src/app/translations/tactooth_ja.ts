@@ -136,28 +136,8 @@
         <translation>低速コントラアングル、25,000 回転/分</translation>
     </message>
     <message>
-        <source>enamel</source>
-        <translation>エナメル質</translation>
-    </message>
-    <message>
-        <source>dentin</source>
-        <translation>象牙質</translation>
-    </message>
-    <message>
-        <source>pulp</source>
-        <translation>歯髄</translation>
-    </message>
-    <message>
-        <source>caries</source>
-        <translation>う蝕</translation>
-    </message>
-    <message>
-        <source>restoration</source>
-        <translation>修復物</translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation>その他</translation>
+        <source>en</source>
+        <translation>ja</translation>
     </message>
     <message>
         <source>sound starting</source>
@@ -719,8 +699,8 @@
         <translation>保存された歯ではありません。Tactooth で保存したファイルを選んでください。</translation>
     </message>
     <message>
-        <source>the file has format version %1, and this program reads versions 1 and 2; open it with the program that saved it.</source>
-        <translation>ファイルの形式はバージョン %1 ですが、このプログラムが読めるのはバージョン 1 と 2 です。保存したプログラムで開いてください。</translation>
+        <source>the file has format version %1, and this program reads versions 1 to 3; open it with the program that saved it.</source>
+        <translation>ファイルの形式はバージョン %1 ですが、このプログラムが読めるのはバージョン 1 から 3 です。保存したプログラムで開いてください。</translation>
     </message>
     <message>
         <source>there is more in the file than the tooth; use an undamaged copy.</source>
@@ -951,8 +931,12 @@
         <translation>%1 は %2 から %3 までの数値でなければなりません</translation>
     </message>
     <message>
-        <source>%1 must be a whole number from %2 to %3</source>
-        <translation>%1 は %2 から %3 までの整数でなければなりません</translation>
+        <source>%1 must be a number from %2 to %3, but is %4</source>
+        <translation>%1 は %2 から %3 までの数値でなければなりません（実際の値：%4）</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number from %2 to %3, but is %4</source>
+        <translation>%1 は %2 から %3 までの整数でなければなりません（実際の値：%4）</translation>
     </message>
     <message>
         <source>%1 must be true or false</source>
@@ -1047,12 +1031,28 @@
         <translation>%1 はファイルの名前ではありません。症例のフォルダー内のパスを指定してください</translation>
     </message>
     <message>
-        <source>there is no material %1; choose enamel, dentin, pulp, caries, restoration or other</source>
-        <translation>材料 %1 はありません。enamel、dentin、pulp、caries、restoration、other のいずれかを選んでください</translation>
+        <source>a material cannot be named %1; take small letters, digits, - and _, at most 40, a letter first</source>
+        <translation>材料に %1 という名前は付けられません。小文字、数字、-、_ を 40 字以内で使い、最初は文字にしてください</translation>
     </message>
     <message>
-        <source>there is no material %1; write enamel, dentin, pulp, caries, amalgam, restoration, composite or other</source>
-        <translation>材料 %1 はありません。enamel、dentin、pulp、caries、amalgam、restoration、composite、other のいずれかを書いてください</translation>
+        <source>there are more than %1 materials; leave some out</source>
+        <translation>材料が %1 種類を超えています。いくつか除いてください</translation>
+    </message>
+    <message>
+        <source>%1 belongs to new materials; that of %2 is built in</source>
+        <translation>%1 は新しい材料だけに付けられます。%2 のものは組み込みです</translation>
+    </message>
+    <message>
+        <source>'role' must be one of %1</source>
+        <translation>'role' は %1 のいずれかです</translation>
+    </message>
+    <message>
+        <source>the code %1 is that of %2; give each material its own</source>
+        <translation>コード %1 は %2 のものです。材料ごとに別のコードを付けてください</translation>
+    </message>
+    <message>
+        <source>the tooth has more materials than this program can hold beside its own (%1); take materials out of the file of --materials.</source>
+        <translation>この歯の材料は、このプログラムの材料と合わせて上限（%1）を超えています。--materials のファイルから材料を減らしてください。</translation>
     </message>
     <message>
         <source>there is no material %1; the materials are %2</source>
@@ -1141,10 +1141,6 @@
     <message>
         <source>&apos;colour&apos; must be three numbers in brackets (red, green, blue), but is %1</source>
         <translation>&apos;colour&apos; は角括弧で囲んだ三つの数値（赤、緑、青）でなければなりません（実際の値：%1）</translation>
-    </message>
-    <message>
-        <source>%1 must be a number from 0 to %2, but is %3</source>
-        <translation>%1 は 0 から %2 までの数値でなければなりません（実際の値：%3）</translation>
     </message>
     <message>
         <source>there is no part %1; the parts are %2</source>
@@ -1582,26 +1578,6 @@
     <message>
         <source>Feel like…</source>
         <translation>感触を選ぶ…</translation>
-    </message>
-    <message>
-        <source>Enamel</source>
-        <translation>エナメル質</translation>
-    </message>
-    <message>
-        <source>Dentin</source>
-        <translation>象牙質</translation>
-    </message>
-    <message>
-        <source>Pulp</source>
-        <translation>歯髄</translation>
-    </message>
-    <message>
-        <source>Caries</source>
-        <translation>う蝕</translation>
-    </message>
-    <message>
-        <source>Restoration</source>
-        <translation>修復物</translation>
     </message>
     <message>
         <source>From the material</source>
@@ -3129,6 +3105,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>The surface encloses a hollow: it is taken as the pulp space, which is empty.</source>
         <translation>表面は空洞を囲んでいます。これを歯髄腔とみなし、空とします。</translation>
+    </message>
+    <message>
+        <source>The material '%1' of this tooth is not known here: it is felt, cut, seen and heard as bone. Give the file of its materials (--materials).</source>
+        <translation>この歯の材料「%1」はここでは未知です。触感、切削、表示、音は骨として扱います。材料のファイルを指定してください（--materials）。</translation>
     </message>
     <message>
         <source>There is no room for a pulp: the tooth has none.</source>

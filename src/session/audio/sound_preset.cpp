@@ -10,6 +10,7 @@
 #include "geometry/util/number_text.h"
 #include "session/cases/case_store.h"
 #include "session/io/limited_toml.h"
+#include "session/io/toml_reader.h"
 #include "sound/files/recording_file.h"
 
 namespace tactooth {
@@ -25,14 +26,16 @@ using Part = std::optional<RecordedPart>;
 /// Takes the parts of a preset over into a kit, until something is wrong.
 class PresetReader {
 public:
-    PresetReader(std::string name, const RecordingReader& readNamed) : name_(std::move(name)), readNamed_(readNamed) {}
+    PresetReader(const std::string& name, const RecordingReader& readNamed) : toml_(name), readNamed_(readNamed) {}
 
-    Expected<SoundKit> read(const toml::table& root) {
+    Expected<SoundKit> read(std::string_view text) {
+        const toml::table root = toml_.parse(text);
         for (auto&& [key, node] : root) {
             const bool isRead = key.str() == "cutting" ? readCutting(node) : readNamedPart(key, node);
-            if (!isRead) return Unexpected{error_};
+            if (!isRead) break;
         }
-        return kit_;
+        if (toml_.error()) return Unexpected{*toml_.error()};
+        return std::move(kit_);
     }
 
 private:
@@ -40,21 +43,19 @@ private:
         if (key.str() == "motor") return readPart(key.str(), node, true, kit_.motor);
         if (key.str() == "water") return readPart(key.str(), node, false, kit_.water);
         if (key.str() == "suction") return readPart(key.str(), node, false, kit_.suction);
-        return fail(key.source(),
-                    "there is no part " + quotedWord(key.str()) + "; the parts are " + std::string(kParts));
+        return fail(key, "there is no part " + quotedWord(key.str()) + "; the parts are " + std::string(kParts));
     }
 
     bool readCutting(const toml::node& node) {
         const toml::table* materials = node.as_table();
-        if (materials == nullptr) return fail(node.source(), "'cutting' needs a material: write [cutting.enamel]");
+        if (materials == nullptr) return fail(node, "'cutting' needs a material: write [cutting.enamel]");
         const auto names = soundMaterialNames();
         for (auto&& [key, part] : *materials) {
             const auto found = std::find(names.begin(), names.end(), key.str());
             if (found == names.end()) {
-                return fail(key.source(),
-                            "there is no material " + quotedWord(key.str()) +
-                                "; write enamel, dentin, pulp, caries, amalgam, restoration, composite or "
-                                "other");
+                std::string list;
+                for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
+                return fail(key, "there is no material " + quotedWord(key.str()) + "; the materials are " + list);
             }
             if (!readPart(key.str(), part, false, kit_.cutting[static_cast<std::size_t>(found - names.begin())]))
                 return false;
@@ -65,27 +66,26 @@ private:
     bool readPart(std::string_view part, const toml::node& node, bool needsSpeed, Part& into) {
         const toml::table* table = node.as_table();
         if (table == nullptr)
-            return fail(node.source(), quotedWord(part) + " must be a table with the keys " + std::string(kKeys));
+            return fail(node, quotedWord(part) + " must be a table with the keys " + std::string(kKeys));
         RecordedPart read;
         for (auto&& [key, value] : *table) {
             if (!readKey(key, value, read)) return false;
         }
         const toml::node* file = table->get("file");
-        if (file == nullptr)
-            return fail(node.source(), quotedWord(part) + " has no recording; add file = \"NAME.wav\"");
+        if (file == nullptr) return fail(node, quotedWord(part) + " has no recording; add file = \"NAME.wav\"");
         if (needsSpeed && read.speedRpm == 0)
-            return fail(node.source(), quotedWord(part) +
-                                           " needs the speed of the bur when it was recorded, whose pitch it "
-                                           "follows; add speed_rpm = 400000 or what it was");
+            return fail(node, quotedWord(part) +
+                                  " needs the speed of the bur when it was recorded, whose pitch it "
+                                  "follows; add speed_rpm = 400000 or what it was");
         return readFile(*file, read) && (into = std::move(read), true);
     }
 
     bool readKey(const toml::key& key, const toml::node& node, RecordedPart& part) {
         double decibel = 0;
-        if (key.str() == "file") return node.is_string() || fail(node.source(), "'file' must be a name in quotes");
+        if (key.str() == "file") return node.is_string() || fail(node, "'file' must be a name in quotes");
         if (key.str() == "speed_rpm") return readNumber(key.str(), node, kSlowest, kFastest, part.speedRpm);
         if (key.str() != "gain_db") {
-            return fail(key.source(),
+            return fail(key,
                         "a recording has no key " + quotedWord(key.str()) + "; the keys are " + std::string(kKeys));
         }
         if (!readNumber(key.str(), node, kSoftest, kLoudest, decibel)) return false;
@@ -94,41 +94,37 @@ private:
     }
 
     bool readNumber(std::string_view key, const toml::node& node, double low, double high, double& value) {
-        const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
-        if (!number || !(*number >= low && *number <= high)) {
-            return fail(node.source(), quotedWord(key) + " must be a number from " + std::to_string(std::lround(low)) +
-                                           " to " + std::to_string(std::lround(high)));
-        }
-        value = *number;
-        return true;
+        const auto number = toml_.numberOf(node, key, low, high);
+        if (number) value = *number;
+        return number.has_value();
     }
 
     bool readFile(const toml::node& file, RecordedPart& part) {
         const auto entry = *file.value<std::string>();
         if (!isSafeEntry(entry)) {
-            return fail(file.source(), quotedWord(entry) +
-                                           " must lie beside this file or below it, named with '/' and without "
-                                           "'..'");
+            return fail(file, quotedWord(entry) +
+                                  " must lie beside this file or below it, named with '/' and without "
+                                  "'..'");
         }
         auto recording = readNamed_(entry);
         if (!recording) {
             std::string reason = recording.error().message;
             reason.pop_back();  // fail() ends the sentence
-            return fail(file.source(), reason);
+            return fail(file, reason);
         }
         part.recording = std::make_shared<const Recording>(std::move(*recording));
         return true;
     }
 
-    bool fail(const toml::source_region& where, const std::string& what) {
-        error_ = {name_ + ", line " + std::to_string(where.begin.line) + ": " + what + "."};
+    template <class Where>
+    bool fail(const Where& where, const std::string& what) {
+        toml_.fail(where, what);
         return false;
     }
 
-    std::string name_;
+    TomlReader toml_;
     const RecordingReader& readNamed_;
     SoundKit kit_;
-    Error error_;
 };
 
 Expected<SoundKit> readPreset(const std::filesystem::path& path) {
@@ -147,9 +143,7 @@ Expected<SoundKit> readPreset(const std::filesystem::path& path) {
 }  // namespace
 
 Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name, const RecordingReader& readNamed) {
-    const Expected<toml::table> root = parseToml(text, name);
-    if (!root) return Unexpected{root.error()};
-    return PresetReader(name, readNamed).read(*root);
+    return PresetReader(name, readNamed).read(text);
 }
 
 Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path, const SpindlePreset& drive) {

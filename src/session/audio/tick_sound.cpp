@@ -11,6 +11,25 @@ constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,0
 constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond tears grains out, a super-fine one hisses
 constexpr double kMaxGrainier = 0.5;        // of what is missing to separate grains
 
+/// A recording stands in for the materials that the sound layer knows by name, the others have that of "other".
+std::size_t recordingOf(std::string_view material) {
+    const auto names = soundMaterialNames();
+    const auto found = std::ranges::find(names, material);
+    return static_cast<std::size_t>((found != names.end() ? found : std::ranges::find(names, "other")) - names.begin());
+}
+
+SoundCharacter characterOf(const MaterialTable& materials, MaterialId id) {
+    const Material& material = materials[id];
+    return {.bandCentreHz = material.soundCentre,
+            .bandOctaves = material.soundOctaves,
+            .level = material.soundBrightness,
+            .graininess = material.soundGraininess,
+            .tapHz = material.tapFrequency,
+            .tapDecay = material.tapDecay,
+            .tapBrightness = material.tapBrightness,
+            .kind = recordingOf(materials.registry().nameOf(id))};
+}
+
 }  // namespace
 
 MotorKind motorOf(const SpindlePreset& spindle) {
@@ -27,9 +46,7 @@ DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const Ma
     state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal drives nothing
     state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
     state.removalPower = tick.removalPower;
-    state.material = soundCharacterOf(materialName(tick.material));
-    state.material.bandCentreHz = materials[tick.material].soundCentre;
-    state.material.level = materials[tick.material].soundBrightness;
+    state.material = characterOf(materials, tick.material);
     const double coarseness = std::clamp(edge.gritMicrometres / kCoarsestGrit, 0.0, 1.0);
     state.material.graininess += kMaxGrainier * coarseness * (1 - state.material.graininess);
     state.blades = edge.flutes;

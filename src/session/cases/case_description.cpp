@@ -23,12 +23,14 @@ constexpr double kFarthest = 1000;       // mm from the case's origin
 
 class CaseReader {
 public:
-    explicit CaseReader(std::string_view name) : toml_(name) {}
+    CaseReader(std::string_view name, const ReadCaseMaterials& readMaterials)
+        : toml_(name), readMaterials_(readMaterials) {}
 
     Expected<CaseDescription> read(std::string_view text) {
         const toml::table root = toml_.parse(text);
         if (!toml_.error()) readAll(root);
         if (toml_.error()) return Unexpected{*toml_.error()};
+        if (badMaterials_) return Unexpected{*badMaterials_};
         return std::move(case_);
     }
 
@@ -46,6 +48,11 @@ private:
         case_.licence = toml_.text(root, "licence", false);
         case_.provenance = toml_.texts(root, "provenance");
         case_.materials = entry(root, "materials", false);
+        if (!case_.materials.empty() && readMaterials_ && !toml_.error()) {
+            const auto registry = readMaterials_(case_.materials);
+            if (!registry) return void(badMaterials_ = registry.error());
+            case_.registry = *registry;
+        }
         const auto teeth = toml_.tables(root, "tooth"), around = toml_.tables(root, "around");
         if (teeth.empty()) toml_.fail(root, "there is no [[tooth]]");
         if (teeth.size() + around.size() > kMaxBodies) return toml_.fail(*teeth.front(), "there are too many teeth");
@@ -61,6 +68,7 @@ private:
         toml_.allow(table, "a tooth",
                     {"name", "fdi", "outer", "layers", "material", "modelled", "position", "rotation", "assumed"});
         CaseTooth tooth;
+        tooth.material = case_.registry->withRole(MaterialRole::Enamel);
         tooth.name = uniqueName(table);
         tooth.fdi = toml_.integer(table, "fdi", 0, 0, 99);
         if (tooth.fdi != 0 && !isPermanentTooth(tooth.fdi)) {
@@ -88,6 +96,7 @@ private:
         toml_.allow(table, "a body around the teeth",
                     {"name", "surface", "material", "position", "rotation", "assumed"});
         CaseSurrounding body;
+        body.material = case_.registry->withRole(MaterialRole::Surroundings);
         body.name = uniqueName(table);
         body.surface = entry(table, "surface", true);
         if (table.get("material") != nullptr) {
@@ -117,10 +126,10 @@ private:
     }
 
     MaterialId material(const toml::table& table, std::string_view key, std::string_view name) {
-        if (const auto id = materialFromName(name)) return *id;
-        toml_.fail(*table.get(key), "there is no material " + quotedWord(name) +
-                                        "; choose enamel, dentin, pulp, caries, restoration or other");
-        return MaterialId::Other;
+        if (const auto id = case_.registry->find(name)) return *id;
+        toml_.fail(*table.get(key),
+                   "there is no material " + quotedWord(name) + "; the materials are " + case_.registry->names());
+        return {};
     }
 
     Pose pose(const toml::table& table) {
@@ -144,6 +153,8 @@ private:
     }
 
     TomlReader toml_;
+    const ReadCaseMaterials& readMaterials_;
+    std::optional<Error> badMaterials_;  // in their own file
     CaseDescription case_;
     std::set<std::string> names_;
 };
@@ -168,17 +179,16 @@ std::string poseText(const Pose& pose) {
            "]  # quaternion, w first\n";
 }
 
-std::string toothText(const CaseTooth& tooth) {
+std::string toothText(const CaseTooth& tooth, const MaterialRegistry& materials) {
     std::string text = "\n[[tooth]]\nname = " + tomlText(tooth.name) + "\n";
     if (tooth.fdi != 0) text += "fdi = " + std::to_string(tooth.fdi) + "\n";
     text += "outer = " + tomlText(tooth.outer) + "\n";
     if (tooth.layers.empty()) {
-        text += "material = " + tomlText(std::string(materialName(tooth.material))) + "\n";
+        text += "material = " + tomlText(materials.nameOf(tooth.material)) + "\n";
     } else {
         text += "layers = { ";
         for (const auto& [id, file] : tooth.layers) {
-            text +=
-                (id == tooth.layers.front().first ? "" : ", ") + std::string(materialName(id)) + " = " + tomlText(file);
+            text += (id == tooth.layers.front().first ? "" : ", ") + materials.nameOf(id) + " = " + tomlText(file);
         }
         text += " }\n";
     }
@@ -199,8 +209,9 @@ std::string tomlText(const std::string& text) {
     return result + '"';
 }
 
-Expected<CaseDescription> parseCase(std::string_view text, std::string_view name) {
-    return CaseReader(name).read(text);
+Expected<CaseDescription> parseCase(std::string_view text, std::string_view name,
+                                    const ReadCaseMaterials& readMaterials) {
+    return CaseReader(name, readMaterials).read(text);
 }
 
 std::string caseText(const CaseDescription& description) {
@@ -209,10 +220,11 @@ std::string caseText(const CaseDescription& description) {
     text += "title = " + tomlText(description.title) + "\nlicence = " + tomlText(description.licence) + "\n";
     if (!description.provenance.empty()) text += "provenance = " + list(description.provenance, "");
     if (!description.materials.empty()) text += "materials = " + tomlText(description.materials) + "\n";
-    for (const CaseTooth& tooth : description.teeth) text += toothText(tooth);
+    for (const CaseTooth& tooth : description.teeth) text += toothText(tooth, *description.registry);
     for (const CaseSurrounding& body : description.around) {
         text += "\n[[around]]\nname = " + tomlText(body.name) + "\nsurface = " + tomlText(body.surface) +
-                "\nmaterial = " + tomlText(std::string(materialName(body.material))) + "\n" + poseText(body.bodyInCase);
+                "\nmaterial = " + tomlText(description.registry->nameOf(body.material)) + "\n" +
+                poseText(body.bodyInCase);
         if (!body.assumed.empty()) text += "assumed = " + list(body.assumed, "");
     }
     for (const std::string& file : description.burs) text += "\n[[bur]]\nfile = " + tomlText(file) + "\n";

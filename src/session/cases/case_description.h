@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,7 +10,7 @@
 
 #include "geometry/util/expected.h"
 #include "geometry/util/pose.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -19,8 +20,8 @@ struct CaseTooth {
     int fdi = 0;        ///< two-digit tooth number; 0: not known
     std::string outer;  ///< the surface that is touched, closed, mm, in the tooth frame
     std::vector<std::pair<MaterialId, std::string>> layers = {};
-    MaterialId material = MaterialId::Enamel;  ///< of a tooth without layers
-    bool isModelled = false;                   ///< the layers are a model, no measurement
+    MaterialId material{};    ///< of a tooth without layers
+    bool isModelled = false;  ///< the layers are a model, no measurement
     Pose toothInCase = {};
     std::vector<std::string> assumed = {};  ///< what was assumed about the surfaces, one sentence each
 };
@@ -29,7 +30,7 @@ struct CaseTooth {
 struct CaseSurrounding {
     std::string name;  ///< unique in the case
     std::string surface;
-    MaterialId material = MaterialId::Other;
+    MaterialId material{};
     Pose bodyInCase = {};
     std::vector<std::string> assumed = {};
 };
@@ -40,13 +41,19 @@ struct CaseDescription {
     std::string licence;
     std::vector<std::string> provenance = {};
     std::string materials = {};  ///< a file like data/materials.toml; empty: the program's own
+    const MaterialRegistry* registry = &builtinMaterials();  ///< what that file says
     std::vector<CaseTooth> teeth;
     std::vector<CaseSurrounding> around = {};
     std::vector<std::string> burs = {};  ///< files as readCustomBur takes them
 };
 
-/// Reads case.toml; `name` stands for it in messages. Fails with one sentence with file and line.
-[[nodiscard]] Expected<CaseDescription> parseCase(std::string_view text, std::string_view name);
+/// Reads the file of a case's materials, which is named as in the case's folder.
+using ReadCaseMaterials = std::function<Expected<const MaterialRegistry*>(const std::string& entry)>;
+
+/// Reads case.toml; `name` stands for it in messages. Without `readMaterials` the case has the built-in materials.
+/// Fails with one sentence with file and line.
+[[nodiscard]] Expected<CaseDescription> parseCase(std::string_view text, std::string_view name,
+                                                  const ReadCaseMaterials& readMaterials = {});
 
 /// The text of case.toml: parseCase gives the same description back.
 [[nodiscard]] std::string caseText(const CaseDescription& description);

@@ -20,7 +20,7 @@ bool isPlain(char letter) {
 
 }  // namespace
 
-NamedSurface surfaceNamed(const std::filesystem::path& file) {
+NamedSurface surfaceNamed(const std::filesystem::path& file, const MaterialRegistry& materials) {
     const std::string stem = file.stem().string();
     const std::size_t split = stem.find_last_of("_- ");
     const std::string last = toLowerCase(split == std::string::npos ? stem : stem.substr(split + 1));
@@ -30,7 +30,7 @@ NamedSurface surfaceNamed(const std::filesystem::path& file) {
     if (split == std::string::npos || split == 0) return {stem, std::nullopt, false};
     const std::string body = stem.substr(0, split);
     if (last == "outer" || last == "whole") return {body, std::nullopt, false};
-    if (const auto id = materialFromName(last)) return {body, id, false};
+    if (const auto id = materials.find(last)) return {body, id, false};
     return {stem, std::nullopt, false};
 }
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -19,7 +19,8 @@ struct NamedSurface {
     std::optional<MaterialId> material;  ///< none: the outer surface
     bool isAdjacent = false;
 };
-[[nodiscard]] NamedSurface surfaceNamed(const std::filesystem::path& file);
+[[nodiscard]] NamedSurface surfaceNamed(const std::filesystem::path& file,
+                                        const MaterialRegistry& materials = builtinMaterials());
 
 /// The number of the tooth that a name ends in: "T36" is 36; in the quadrant 3, "L6" is 36 too. 0: none.
 [[nodiscard]] int fdiNamed(const std::string& name, const std::optional<int>& quadrant);

@@ -55,7 +55,7 @@ void translateMesh(TriangleMesh& mesh, const Vec3& step) {
     for (Vec3f& vertex : mesh.vertices) vertex = (vertex.cast<double>() + step).cast<float>();
 }
 
-Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
+Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from, const MaterialRegistry& materials) {
     const auto files = surfaceFiles(from);
     if (!files) return Unexpected{files.error()};
     CaseSurfaces surfaces;
@@ -66,12 +66,13 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
         if (!read) return Unexpected{read.error()};
         if (!common) common = read->offset;
         translateMesh(read->mesh, read->offset - *common);
-        const NamedSurface named = surfaceNamed(file);
+        const NamedSurface named = surfaceNamed(file, materials);
         std::vector<ImportNote>& importNotes =
             named.isAdjacent ? surfaces.aroundImportNotes[named.body] : byName[named.body].importNotes;
         importNotes.insert(importNotes.end(), read->importNotes.begin(), read->importNotes.end());
+        if (!named.isAdjacent) byName[named.body].materials = &materials;
         const bool isNew = named.isAdjacent ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
-                                            : addLayer(byName[named.body], named.material, std::move(read->mesh));
+                                            : addSurface(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
             return unexpected(displayName(file) + ": the case has this surface already; give each tooth its own name.");
         }

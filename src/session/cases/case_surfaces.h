@@ -28,6 +28,7 @@ void translateMesh(TriangleMesh& mesh, const Vec3& step);
 /// Reads surfaces and all surfaces below folders, and sorts them by their names (surfaceNamed), so that the same folder
 /// gives the same case. Hidden files and others that a system puts into folders are passed over. Fails with one
 /// sentence if there is no tooth, or a surface twice.
-[[nodiscard]] Expected<CaseSurfaces> readCaseSurfaces(const std::vector<std::filesystem::path>& from);
+[[nodiscard]] Expected<CaseSurfaces> readCaseSurfaces(const std::vector<std::filesystem::path>& from,
+                                                      const MaterialRegistry& materials = builtinMaterials());
 
 }  // namespace tactooth

@@ -16,14 +16,13 @@ Expected<LoadedTooth> loadCase(const ToothSource& source, const std::string& wor
     if (!source.layers.empty()) {
         return unexpected(displayName(source.outer) + ": a case has its own layers; give no others.");
     }
-    auto opened = openCase(source.outer, workOn);
+    auto opened = openCase(source.outer, workOn, source.materials);
     if (!opened) return Unexpected{opened.error()};
     const CaseDescription& description = opened->description;
     LoadedTooth placed{opened->teeth, placeOf(*opened->teeth, description.title)};
     ToothPlacement& place = placed.place;
     for (const CaseTooth& tooth : description.teeth) place.teethOfCase.push_back(tooth.name);
     if (place.teethOfCase.size() > 1) place.name += ", " + opened->tooth;
-    place.materials = std::move(opened->materials);
     place.bur = std::move(opened->bur);
     placed.importNotes = std::move(opened->importNotes);
     placed.provenance = {

@@ -15,12 +15,11 @@ namespace tactooth {
 
 /// How a tooth stands that was loaded, and what its case brings with it.
 struct ToothPlacement {
-    std::string name;                             ///< for people
-    Box3 box;                                     ///< of the tooth that is worked on, mm
-    double mesialX = 1;                           ///< direction of mesial along x; a surface is taken to have it at +x
-    std::optional<MaterialTable> materials = {};  ///< of the case
-    std::optional<CustomBur> bur = {};            ///< of the case
-    std::vector<std::string> teethOfCase = {};    ///< names; empty: it is no case
+    std::string name;                           ///< for people
+    Box3 box;                                   ///< of the tooth that is worked on, mm
+    double mesialX = 1;                         ///< direction of mesial along x; a surface is taken to have it at +x
+    std::optional<CustomBur> bur = {};          ///< of the case
+    std::vector<std::string> teethOfCase = {};  ///< names; empty: it is no case
 };
 
 struct LoadedTooth {

@@ -31,7 +31,8 @@ public:
     CaseMaker(const CaseRequest& request, const CaseProgress& progress) : request_(request), progress_(progress) {}
 
     Expected<NewCase> make() {
-        auto surfaces = readCaseSurfaces(request_.from);
+        if (auto known = readRegistry(); !known) return Unexpected{known.error()};
+        auto surfaces = readCaseSurfaces(request_.from, *materials_);
         if (!surfaces) return Unexpected{surfaces.error()};
         surfaces_ = std::move(*surfaces);
         if (surfaces_.teeth.size() > 1) {
@@ -49,11 +50,19 @@ public:
     }
 
     Expected<NewCase> makeOf(const ExaminedScan& tooth) {
+        materials_ = tooth.materials;
         addTooth(tooth, {});
         return finish();
     }
 
 private:
+    Expected<void> readRegistry() {
+        const auto known = materialsFrom(request_.materials);
+        if (!known) return Unexpected{known.error()};
+        materials_ = *known;
+        return {};
+    }
+
     [[nodiscard]] bool goesOn(const std::string& name, double part) const {
         return !progress_ || progress_(name, part);
     }
@@ -93,9 +102,8 @@ private:
         entry.outer = folder + "outer.stl";
         made_.files.push_back({entry.outer, stlBytes(tooth.outer)});
         for (const LayerMesh& layer : tooth.layers) {
-            const bool isOuter = tooth.enamelIsOuter && layer.material == MaterialId::Enamel;
-            const std::string file =
-                isOuter ? entry.outer : folder + std::string(materialName(layer.material)) + ".stl";
+            const bool isOuter = tooth.enamelIsOuter && materials_->hasRole(layer.material, MaterialRole::Enamel);
+            const std::string file = isOuter ? entry.outer : folder + materials_->nameOf(layer.material) + ".stl";
             if (!isOuter) made_.files.push_back({file, stlBytes(layer.mesh)});
             entry.layers.emplace_back(layer.material, file);
         }
@@ -118,6 +126,7 @@ private:
         const bool isMended = mended.report.changedAnything() || !importNotes.empty();
         CaseSurrounding body;
         body.name = bodyNames_.make(name);
+        body.material = materials_->withRole(MaterialRole::Surroundings);
         body.assumed = words(surfaces_.aroundImportNotes[name]);
         body.surface = "around/" + surroundingNames_.make(name) + ".stl";
         body.assumed.push_back(isMended ? "The surface was mended." : "Closed and sound as it came.");
@@ -147,15 +156,16 @@ private:
         for (const std::string& file : surfaces_.files) description.provenance.push_back("from " + file);
         description.provenance.push_back("made " + currentRunMetadata().date + " by Tactooth");
         if (!request_.materials.empty()) {
-            if (const auto known = readMaterials(request_.materials); !known) return Unexpected{known.error()};
             const auto bytes = readFile(request_.materials, kTomlLimits.bytes);
             if (!bytes) return Unexpected{bytes.error()};
             made_.files.push_back({"materials.toml", {bytes->bytes().begin(), bytes->bytes().end()}});
             description.materials = "materials.toml";
         }
+        description.registry = materials_;
         if (auto done = addBurs(); !done) return Unexpected{done.error()};
         const std::string text = caseText(description);
-        if (const auto readable = parseCase(text, kCaseText); !readable) {
+        const auto registry = [&](const std::string&) { return Expected<const MaterialRegistry*>(materials_); };
+        if (const auto readable = parseCase(text, kCaseText, registry); !readable) {
             return unexpected("nobody could open this case: " + readable.error().message);
         }
         made_.files.push_back({std::string(kCaseText), bytesOf(text)});
@@ -164,6 +174,7 @@ private:
 
     const CaseRequest& request_;
     const CaseProgress& progress_;
+    const MaterialRegistry* materials_ = &builtinMaterials();
     CaseSurfaces surfaces_;
     std::optional<JawFrame> jaw_;  // of several teeth
     double mmPerUnit_ = 1;         // of the teeth

@@ -54,7 +54,8 @@ public:
         }
         const bool isPlain = description_.teeth.size() == 1 && description_.around.empty() && chosen_.layers.empty();
         if (isPlain) layers_.clear();
-        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, toothContext_);
+        auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, toothContext_,
+                                        *description_.registry);
         if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
         return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
     }
@@ -71,10 +72,10 @@ private:
             auto mesh =
                 file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose, remarks_);
             if (!mesh) return Unexpected{mesh.error()};
-            layers_.push_back({prefix + std::string(materialName(id)), id, std::move(*mesh)});
+            layers_.push_back({prefix + description_.registry->nameOf(id), id, std::move(*mesh)});
         }
         if (tooth.layers.empty()) {
-            layers_.push_back({prefix + std::string(materialName(tooth.material)), tooth.material, *outer});
+            layers_.push_back({prefix + description_.registry->nameOf(tooth.material), tooth.material, *outer});
         }
         append(outer_, *outer);
         return {};
@@ -103,13 +104,6 @@ Expected<const CaseTooth*> findTooth(const CaseDescription& description, const s
 }
 
 Expected<void> readExtras(const CaseStore& store, OpenedCase& opened) {
-    if (!opened.description.materials.empty()) {
-        const auto bytes = store.read(opened.description.materials);
-        if (!bytes) return Unexpected{bytes.error()};
-        auto table = parseMaterials(asText(*bytes), store.shown(opened.description.materials), defaultMaterials());
-        if (!table) return Unexpected{table.error()};
-        opened.materials = *table;
-    }
     for (const std::string& file : opened.description.burs) {
         const auto bytes = store.read(file);
         if (!bytes) return Unexpected{bytes.error()};
@@ -134,15 +128,21 @@ double deepestIn(const SurfacePart& b, const TriangleMesh& a) {
 
 }  // namespace
 
-Expected<CaseDescription> readCaseDescription(const CaseStore& store) {
+Expected<CaseDescription> readCaseDescription(const CaseStore& store, const MaterialRegistry* materials) {
     const std::string name(kCaseText);
     const auto bytes = store.read(name);
     if (!bytes) return Unexpected{bytes.error()};
-    return parseCase(asText(*bytes), store.shown(name));
+    return parseCase(asText(*bytes), store.shown(name),
+                     [&](const std::string& entry) -> Expected<const MaterialRegistry*> {
+                         if (materials != nullptr) return materials;
+                         const auto text = store.read(entry);
+                         if (!text) return Unexpected{text.error()};
+                         return parseMaterials(asText(*text), store.shown(entry));
+                     });
 }
 
-Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) {
-    auto description = readCaseDescription(store);
+Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth, const MaterialRegistry* materials) {
+    auto description = readCaseDescription(store, materials);
     if (!description) return Unexpected{description.error()};
     OpenedCase opened;
     opened.description = std::move(*description);
@@ -160,10 +160,11 @@ Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth) 
     return opened;
 }
 
-Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::string& tooth) {
+Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::string& tooth,
+                              const MaterialRegistry* materials) {
     const auto store = CaseStore::open(path);
     if (!store) return Unexpected{store.error()};
-    return openCase(*store, tooth);
+    return openCase(*store, tooth, materials);
 }
 
 Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description) {

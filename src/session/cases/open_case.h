@@ -23,20 +23,23 @@ struct OpenedCase {
     CaseDescription description;
     std::string tooth;  ///< name of the one that is worked on
     std::shared_ptr<const LayeredTooth> teeth;
-    Box3 box;            ///< of the tooth that is worked on, mm
-    double mesialX = 1;  ///< direction of mesial along x
-    std::optional<MaterialTable> materials;
+    Box3 box;                             ///< of the tooth that is worked on, mm
+    double mesialX = 1;                   ///< direction of mesial along x
     std::optional<CustomBur> bur;         ///< the first one
     std::vector<ImportNote> importNotes;  ///< what was mended in its surfaces (`examineSolid`)
 };
 
 /// Reads and checks a case. `tooth`: the one to work on, by its name or FDI number; empty: the first. Its layers keep
-/// their names of one tooth; those of the others are named "37 enamel". Fails with one sentence that names the file.
-[[nodiscard]] Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth = {});
-[[nodiscard]] Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::string& tooth = {});
+/// their names of one tooth; those of the others are named "37 enamel". `materials`: instead of the case's own. Fails
+/// with one sentence that names the file.
+[[nodiscard]] Expected<OpenedCase> openCase(const CaseStore& store, const std::string& tooth = {},
+                                            const MaterialRegistry* materials = nullptr);
+[[nodiscard]] Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::string& tooth = {},
+                                            const MaterialRegistry* materials = nullptr);
 
-/// Reads the description alone.
-[[nodiscard]] Expected<CaseDescription> readCaseDescription(const CaseStore& store);
+/// Reads the description and the materials alone. `materials`: instead of the case's own.
+[[nodiscard]] Expected<CaseDescription> readCaseDescription(const CaseStore& store,
+                                                            const MaterialRegistry* materials = nullptr);
 
 /// Two bodies of a case that share room.
 struct CaseOverlap {

@@ -4,162 +4,168 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "geometry/files/file_bytes.h"
-#include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
+#include "session/io/toml_reader.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kMaxRemoval = 10;      // mm^3/(N*m): butter; pulp has 0.3
-constexpr double kHighestCentre = 2e4;  // Hz: what an ear hears
-
-struct NumberKey {
-    std::string_view name;
-    double highest;
-    void (*set)(Material&, double);
-};
-constexpr std::array<NumberKey, 7> kNumberKeys = {{
-    {"stiffness", kMaxMaterialStiffness, [](Material& m, double value) { m.stiffness = value; }},
-    {"damping", kMaxMaterialDamping, [](Material& m, double value) { m.damping = value; }},
-    {"friction", kMaxMaterialFriction, [](Material& m, double value) { m.friction = value; }},
-    {"removal", kMaxRemoval, [](Material& m, double value) { m.removal = value; }},
-    {"roughness", 1, [](Material& m, double value) { m.roughness = static_cast<float>(value); }},
-    {"sound_centre", kHighestCentre, [](Material& m, double value) { m.soundCentre = value; }},
-    {"sound_level", 1, [](Material& m, double value) { m.soundBrightness = value; }},
-}};
-constexpr std::string_view kColourKey = "colour";
-
-std::string materialNames() {
-    std::string names;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        names.append(i == 0 ? "" : ", ").append(materialName(static_cast<MaterialId>(i)));
-    }
-    return names;
-}
+constexpr std::array<std::string_view, 5> kDefiningKeys = {"title_en", "title_ja", "role", "nesting", "code"};
 
 std::string keyNames() {
-    std::string names(kColourKey);
-    for (const NumberKey& key : kNumberKeys) names.append(", ").append(key.name);
+    std::string names(kMaterialColourKey);
+    for (const MaterialNumberKey& key : materialNumberKeys()) names.append(", ").append(key.name);
+    for (const std::string_view key : kDefiningKeys) names.append(", ").append(key);
     return names;
 }
 
-/// What a message says that it found.
-std::string described(const toml::node& node) {
-    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
-    if (const auto* number = node.as_floating_point()) {
-        if (!std::isfinite(number->get())) return "not a finite number";
-        return numberText(number->get());
-    }
-    if (node.is_string()) return "a text in quotes";
-    if (node.is_boolean()) return "true or false";
-    if (node.is_array()) return "a list";
-    if (node.is_table()) return "a table";
-    return "a date or a time";
-}
-
-/// Takes over what a file says into a table of materials, until something is wrong.
+/// Takes what a file says into the definitions of materials, until something is wrong.
 class MaterialReader {
 public:
-    MaterialReader(std::string_view name, const MaterialTable& start) : name_(name), table_(start) {}
+    MaterialReader(std::string_view name, const MaterialRegistry& start)
+        : toml_(name), start_(start), all_(start.definitions()) {}
 
-    Expected<MaterialTable> read(const toml::table& root) {
-        for (auto&& [key, node] : root) {
-            if (!readMaterial(key, node)) return Unexpected{error_};
+    Expected<const MaterialRegistry*> read(std::string_view text) {
+        const toml::table root = toml_.parse(text);
+        for (auto&& [key, node] : root) blocks_.push_back({&key, &node});
+        // New materials are listed as the file lists them; the table is in the order of the names.
+        std::ranges::stable_sort(blocks_, {}, [](const Block& block) { return block.key->source().begin.line; });
+        for (const Block& block : blocks_) {
+            if (!toml_.error()) readBlock(*block.key, *block.node);
         }
-        return table_;
+        if (toml_.error()) return Unexpected{*toml_.error()};
+        return &MaterialRegistry::make(std::move(all_));
     }
 
 private:
-    bool readMaterial(const toml::key& name, const toml::node& node) {
-        const std::optional<MaterialId> id = materialFromName(name.str());
-        if (!id) {
-            return fail(name.source(),
-                        "there is no material " + quotedWord(name.str()) + "; the materials are " + materialNames());
-        }
+    void readBlock(const toml::key& name, const toml::node& node) {
         const toml::table* entries = node.as_table();
-        if (!entries) {
-            return fail(node.source(), "expected the keys of " + std::string(name.str()) + " below a line [" +
-                                           std::string(name.str()) + "], but found " + described(node));
+        if (entries == nullptr) {
+            return toml_.fail(node, "expected the keys of " + std::string(name.str()) + " below a line [" +
+                                        std::string(name.str()) + "], but found " + describedToml(node));
         }
-        for (auto&& [key, value] : *entries) {
-            if (!readKey(table_[*id], key, value)) return false;
+        const auto known = std::ranges::find(all_, name.str(), &MaterialDefinition::name);
+        if (known == all_.end() && !add(name, *entries)) return;
+        MaterialDefinition& material = known == all_.end() ? all_.back() : *known;
+        for (auto&& [key, value] : *entries) readKey(material, key, value);
+    }
+
+    /// A material of its own: what its block leaves out is as in that of the surroundings.
+    bool add(const toml::key& name, const toml::table& entries) {
+        if (!isMaterialName(name.str())) {
+            toml_.fail(name, "a material cannot be named " + quotedWord(name.str()) +
+                                 "; take small letters, digits, - and _, at most 40, a letter first");
+            return false;
         }
+        if (all_.size() == kMaxMaterials) {
+            toml_.fail(name, "there are more than " + std::to_string(kMaxMaterials) + " materials; leave some out");
+            return false;
+        }
+        MaterialDefinition added = start_[start_.withRole(MaterialRole::Surroundings)];
+        added.name = added.titleEn = added.titleJa = name.str();
+        added.role = MaterialRole::None;
+        if (entries.get("code") == nullptr) added.code = freeCode();
+        all_.push_back(std::move(added));
         return true;
     }
 
-    bool readKey(Material& material, const toml::key& key, const toml::node& node) {
-        if (key.str() == kColourKey) return readColour(material, node);
-        const auto known = std::ranges::find(kNumberKeys, key.str(), &NumberKey::name);
-        if (known == kNumberKeys.end()) {
-            return fail(key.source(),
-                        "a material has no key " + quotedWord(key.str()) + "; the keys are " + keyNames());
+    /// One that no block of the file takes.
+    std::uint8_t freeCode() {
+        std::vector<MaterialDefinition> taken = all_;
+        for (const Block& block : blocks_) {
+            const toml::table* entries = block.node->as_table();
+            if (const auto code = entries != nullptr ? (*entries)["code"].value<int>() : std::nullopt) {
+                taken.emplace_back().code = static_cast<std::uint8_t>(std::clamp(*code, 0, kMaxMaterialCode));
+            }
         }
-        double value = 0;
-        if (!readNumber(node, known->name, known->highest, value)) return false;
-        known->set(material, value);
-        return true;
+        return MaterialRegistry::freeCode(taken).value_or(kMaxMaterialCode);
     }
 
-    bool readColour(Material& material, const toml::node& node) {
+    void readKey(MaterialDefinition& material, const toml::key& key, const toml::node& node) {
+        if (key.str() == kMaterialColourKey) return readColour(material.numbers, node);
+        const auto keys = materialNumberKeys();
+        const auto number = std::ranges::find(keys, key.str(), &MaterialNumberKey::name);
+        if (number != keys.end()) {
+            const auto value = toml_.numberOf(node, number->name, 0, number->highest);
+            return value ? number->set(material.numbers, *value) : void();
+        }
+        if (std::ranges::find(kDefiningKeys, key.str()) == kDefiningKeys.end()) {
+            return toml_.fail(key, "a material has no key " + quotedWord(key.str()) + "; the keys are " + keyNames());
+        }
+        const MaterialDefinition before = material;
+        readDefiningKey(material, key.str(), node);
+        const bool isNew = !start_.find(material.name);
+        const bool isSame =
+            material.role == before.role && material.nesting == before.nesting && material.code == before.code;
+        if (!isNew && !isSame) {
+            toml_.fail(key,
+                       quotedWord(key.str()) + " belongs to new materials; that of " + material.name + " is built in");
+        }
+    }
+
+    void readDefiningKey(MaterialDefinition& material, std::string_view key, const toml::node& node) {
+        if (key == "title_en") material.titleEn = toml_.textOf(node, key).value_or("");
+        if (key == "title_ja") material.titleJa = toml_.textOf(node, key).value_or("");
+        if (key == "nesting") material.nesting = toml_.integerOf(node, key, 0, kMaxMaterialNesting).value_or(0);
+        if (key == "code") readCode(material, node);
+        if (key != "role") return;
+        const auto role = materialRoleNamed(toml_.textOf(node, key).value_or(""));
+        if (!role) return toml_.fail(node, "'role' must be one of " + materialRoleNames());
+        material.role = *role;
+    }
+
+    void readCode(MaterialDefinition& material, const toml::node& node) {
+        material.code = static_cast<std::uint8_t>(toml_.integerOf(node, "code", 0, kMaxMaterialCode).value_or(0));
+        for (const MaterialDefinition& other : all_) {
+            if (&other == &material || other.code != material.code) continue;
+            toml_.fail(node, "the code " + std::to_string(material.code) + " is that of " + other.name +
+                                 "; give each material its own");
+        }
+    }
+
+    void readColour(Material& material, const toml::node& node) {
         const toml::array* parts = node.as_array();
-        if (!parts || parts->size() != material.colour.size()) {
-            return fail(node.source(), "'colour' must be three numbers in brackets (red, green, blue), but is " +
-                                           (parts ? "a list of " + std::to_string(parts->size()) : described(node)));
+        if (parts == nullptr || parts->size() != material.colour.size()) {
+            return toml_.fail(
+                node, "'colour' must be three numbers in brackets (red, green, blue), but is " +
+                          (parts != nullptr ? "a list of " + std::to_string(parts->size()) : describedToml(node)));
         }
         for (std::size_t i = 0; i < material.colour.size(); ++i) {
-            double value = 0;
-            if (!readNumber(*parts->get(i), kColourKey, 1, value)) return false;
-            material.colour[i] = static_cast<float>(value);
+            const auto value = toml_.numberOf(*parts->get(i), kMaterialColourKey, 0, 1);
+            if (value) material.colour[i] = static_cast<float>(*value);
         }
-        return true;
     }
 
-    bool readNumber(const toml::node& node, std::string_view key, double highest, double& value) {
-        const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
-        if (!number || !std::isfinite(*number) || *number < 0 || *number > highest) {
-            return fail(node.source(), quotedWord(key) + " must be a number from 0 to " + numberText(highest) +
-                                           ", but is " + described(node));
-        }
-        value = *number;
-        return true;
-    }
+    struct Block {
+        const toml::key* key;
+        const toml::node* node;
+    };
 
-    bool fail(const toml::source_region& where, const std::string& what) {
-        error_ = {name_ + ", line " + std::to_string(where.begin.line) + ": " + what + "."};
-        return false;
-    }
-
-    std::string name_;
-    MaterialTable table_;
-    Error error_;
+    TomlReader toml_;
+    const MaterialRegistry& start_;
+    std::vector<MaterialDefinition> all_;
+    std::vector<Block> blocks_;
 };
 
 }  // namespace
 
-Expected<MaterialTable> parseMaterials(std::string_view text, std::string_view name, const MaterialTable& start) {
-    const Expected<toml::table> root = parseToml(text, name);
-    if (!root) return Unexpected{root.error()};
-    return MaterialReader(name, start).read(*root);
+Expected<const MaterialRegistry*> parseMaterials(std::string_view text, std::string_view name,
+                                                 const MaterialRegistry& start) {
+    return MaterialReader(name, start).read(text);
 }
 
-MaterialTable defaultMaterials() {
-    const Expected<MaterialTable> table = parseMaterials(defaultMaterialsText(), "data/materials.toml", {});
-    TACTOOTH_ASSERT(table.has_value());  // a test parses the same text
-    return table ? *table : MaterialTable();
-}
-
-Expected<MaterialTable> readMaterials(const std::filesystem::path& path) {
+Expected<const MaterialRegistry*> readMaterials(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
-    return parseMaterials(file->text(), displayName(path), defaultMaterials());
+    return parseMaterials(file->text(), displayName(path));
 }
 
-Expected<MaterialTable> materialsFrom(const std::filesystem::path& fileOrNothing) {
-    return fileOrNothing.empty() ? Expected<MaterialTable>(defaultMaterials()) : readMaterials(fileOrNothing);
+Expected<const MaterialRegistry*> materialsFrom(const std::filesystem::path& fileOrNothing) {
+    return fileOrNothing.empty() ? Expected<const MaterialRegistry*>(&builtinMaterials())
+                                 : readMaterials(fileOrNothing);
 }
 
 }  // namespace tactooth

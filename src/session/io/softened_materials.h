@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "session/io/material_file.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
-/// The default materials, but with `factor` times as much removed by the same work: so that a bur keeps up with a hand
-/// that measurements lead through a tooth at a given speed.
+/// The built-in materials, but the same work removes `factor` times as much. So a bur keeps up with a hand that a
+/// measurement leads through a tooth at a given speed.
 [[nodiscard]] inline MaterialTable softenedMaterials(double factor) {
-    MaterialTable materials = defaultMaterials();
-    for (std::size_t i = 0; i < kMaterialCount; ++i) materials[static_cast<MaterialId>(i)].removal *= factor;
+    MaterialTable materials;
+    for (const MaterialId id : materials.registry().ids()) materials[id].removal *= factor;
     return materials;
 }
 

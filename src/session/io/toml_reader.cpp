@@ -14,11 +14,24 @@ namespace {
 
 constexpr std::size_t kLongestText = 2000;  // bytes: a text of a person; more is no text
 
-bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
-
 std::string quoted(std::string_view key) { return quotedWord(key); }
 
 }  // namespace
+
+bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
+
+std::string describedToml(const toml::node& node) {
+    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+    if (const auto* number = node.as_floating_point()) {
+        if (!std::isfinite(number->get())) return "not a finite number";
+        return numberText(number->get());
+    }
+    if (node.is_string()) return "a text in quotes";
+    if (node.is_boolean()) return "true or false";
+    if (node.is_array()) return "a list";
+    if (node.is_table()) return "a table";
+    return "a date or a time";
+}
 
 toml::table TomlReader::parse(std::string_view text) {
     Expected<toml::table> table = parseToml(text, name_);
@@ -32,6 +45,31 @@ void TomlReader::failAt(toml::source_index line, const std::string& what) {
 }
 
 void TomlReader::fail(const toml::node& where, const std::string& what) { failAt(where.source().begin.line, what); }
+
+void TomlReader::fail(const toml::key& where, const std::string& what) { failAt(where.source().begin.line, what); }
+
+std::optional<double> TomlReader::numberOf(const toml::node& node, std::string_view key, double low, double high) {
+    const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (value && *value >= low && *value <= high) return value;
+    fail(node, quoted(key) + " must be a number from " + numberText(low) + " to " + numberText(high) + ", but is " +
+                   describedToml(node));
+    return std::nullopt;
+}
+
+std::optional<int> TomlReader::integerOf(const toml::node& node, std::string_view key, int low, int high) {
+    const auto value = node.value_exact<std::int64_t>();
+    if (value && *value >= low && *value <= high) return static_cast<int>(*value);
+    fail(node, quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
+                   ", but is " + describedToml(node));
+    return std::nullopt;
+}
+
+std::optional<std::string> TomlReader::textOf(const toml::node& node, std::string_view key) {
+    auto value = node.value_exact<std::string>();
+    if (value && isPlainText(*value)) return value;
+    fail(node, quoted(key) + " must be a text of one line in quotes");
+    return std::nullopt;
+}
 
 void TomlReader::allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys) {
     for (auto&& [key, node] : table) {
@@ -49,11 +87,8 @@ std::string TomlReader::text(const toml::table& table, std::string_view key, boo
         if (isNeeded) fail(table, "the key '" + std::string(key) + "' is missing");
         return {};
     }
-    const auto value = node->value_exact<std::string>();
-    if (!value || !isPlainText(*value)) {
-        fail(*node, quoted(key) + " must be a text of one line in quotes");
-        return {};
-    }
+    const auto value = textOf(*node, key);
+    if (!value) return {};
     if (isNeeded && value->empty()) fail(*node, "the key '" + std::string(key) + "' is empty");
     return *value;
 }
@@ -80,20 +115,12 @@ std::vector<std::string> TomlReader::texts(const toml::table& table, std::string
 
 double TomlReader::number(const toml::table& table, std::string_view key, double fallback, double low, double high) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return fallback;
-    const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
-    if (value && *value >= low && *value <= high) return *value;
-    fail(*node, quoted(key) + " must be a number from " + numberText(low) + " to " + numberText(high));
-    return fallback;
+    return node != nullptr ? numberOf(*node, key, low, high).value_or(fallback) : fallback;
 }
 
 int TomlReader::integer(const toml::table& table, std::string_view key, int fallback, int low, int high) {
     const toml::node* node = table.get(key);
-    if (node == nullptr) return fallback;
-    const auto value = node->value_exact<std::int64_t>();
-    if (value && *value >= low && *value <= high) return static_cast<int>(*value);
-    fail(*node, quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    return fallback;
+    return node != nullptr ? integerOf(*node, key, low, high).value_or(fallback) : fallback;
 }
 
 bool TomlReader::flag(const toml::table& table, std::string_view key, bool fallback) {

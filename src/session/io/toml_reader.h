@@ -41,8 +41,14 @@ public:
     /// The table below [key] or in braces; null if there is none.
     [[nodiscard]] const toml::table* table(const toml::table& table, std::string_view key);
 
+    /// What a node says; none, and a mistake, if it is something else. `key` names it in messages.
+    [[nodiscard]] std::optional<double> numberOf(const toml::node& node, std::string_view key, double low, double high);
+    [[nodiscard]] std::optional<int> integerOf(const toml::node& node, std::string_view key, int low, int high);
+    [[nodiscard]] std::optional<std::string> textOf(const toml::node& node, std::string_view key);
+
     /// Keeps a mistake, if it is the first.
     void fail(const toml::node& where, const std::string& what);
+    void fail(const toml::key& where, const std::string& what);
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
@@ -52,5 +58,11 @@ private:
     std::string name_;
     std::optional<Error> error_;
 };
+
+/// What a message says that it found: "-0.5", "a text in quotes", "a list".
+[[nodiscard]] std::string describedToml(const toml::node& node);
+
+/// Whether a message or a menu can show a text as it is: one line, not too long, no control characters.
+[[nodiscard]] bool isPlainText(const std::string& text);
 
 }  // namespace tactooth

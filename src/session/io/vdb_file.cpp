@@ -36,15 +36,16 @@ public:
 
 class Grids {
 public:
-    explicit Grids(const Lattice& lattice) : lattice_(lattice) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) {
+    Grids(const Lattice& lattice, const MaterialRegistry& materials) : lattice_(lattice) {
+        for (const MaterialId id : materials.ids()) {
             const auto transform = openvdb::math::Transform::createLinearTransform(lattice.spacing());
             const Vec3 origin = lattice.node(0, 0, 0);
             transform->postTranslate({origin.x(), origin.y(), origin.z()});
-            grids_[m] = openvdb::FloatGrid::create(0.0F);
-            grids_[m]->setTransform(transform);
-            grids_[m]->setName(std::string(materialName(static_cast<MaterialId>(m))));
-            grids_[m]->setGridClass(openvdb::GRID_FOG_VOLUME);
+            const openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(0.0F);
+            grid->setTransform(transform);
+            grid->setName(materials.nameOf(id));
+            grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+            grids_.push_back(grid);
         }
     }
 
@@ -57,7 +58,7 @@ public:
     }
 
     void add(const BrickKey& key, const BrickFractions& shares) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) {
+        for (std::size_t m = 0; m < grids_.size(); ++m) {
             openvdb::FloatTree::LeafNodeType* leaf = nullptr;
             for (int node = 0; node < kBrickNodes; ++node) {
                 const float share = shares[m][node];
@@ -74,7 +75,7 @@ public:
     [[nodiscard]] openvdb::GridCPtrVec finished() const {
         const double spacing = lattice_.spacing();
         openvdb::GridCPtrVec filled;
-        for (std::size_t m = 0; m < kMaterialCount; ++m) {
+        for (std::size_t m = 0; m < grids_.size(); ++m) {
             if (grids_[m]->empty()) continue;
             grids_[m]->insertMeta("unit", openvdb::StringMetadata("mm"));
             grids_[m]->insertMeta("quantity", openvdb::StringMetadata("share of the voxel that the material fills"));
@@ -86,13 +87,13 @@ public:
 
 private:
     const Lattice& lattice_;
-    std::array<openvdb::FloatGrid::Ptr, kMaterialCount> grids_;
-    std::array<double, kMaterialCount> voxels_{};  // that each material would fill
+    std::vector<openvdb::FloatGrid::Ptr> grids_;  // by MaterialId
+    MaterialVolumes voxels_{};                    // that each material would fill
 };
 
 Grids gridsOf(const CutVolume& volume) {
     const RemainingFractions remains(volume);
-    Grids grids(volume.lattice());
+    Grids grids(volume.lattice(), volume.tooth()->materials());
     for (const SolidBlock& block : remains.blocks()) grids.add(block);
     const std::vector<BrickKey>& keys = remains.mixed();
     std::vector<BrickFractions> shares(std::min(kBatch, keys.size()));

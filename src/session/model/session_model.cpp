@@ -22,7 +22,7 @@ SessionModel::SessionModel(SoundOutput& sound, const TaskExecutor& executor)
 void SessionModel::install(SessionTooth tooth) {
     tooth_ = std::move(tooth);
     resetManipulator();
-    haptics_.materials = tooth_->materials.value_or(MaterialTable());
+    haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
     needsSimulator_ = isToothNew_ = true;
 }
@@ -68,7 +68,7 @@ void SessionModel::setCutting(bool cutting) {
 void SessionModel::resetTooth() {
     if (simulator_ == nullptr) return;
     simulator_->requestReset();
-    log_.clearEvents();
+    log_.clearEvents(haptics_.materials.registry());
 }
 
 std::optional<WorkspaceFit> SessionModel::fit() const {
@@ -128,7 +128,7 @@ SessionModel::StepResult SessionModel::step(double dt) {
         startSimulator();
         stepResult.newSimulator = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);
-        if (stepResult.newTooth) log_.clearEvents();
+        if (stepResult.newTooth) log_.clearEvents(haptics_.materials.registry());
     }
     if (simulator_ == nullptr) {
         log_.record({}, {});

@@ -51,8 +51,8 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
     if (!work) return Unexpected{work.error()};
     ToothPlacement& place = work->place;
     SessionTooth tooth{
-        std::move(place.name),      std::move(work->piece),      place.mesialX, std::move(work->provenance), place.box,
-        std::move(place.materials), std::move(place.teethOfCase)};
+        std::move(place.name),       std::move(work->piece), place.mesialX, std::move(work->provenance), place.box,
+        std::move(place.teethOfCase)};
     for (const ImportNote& importNote : work->importNotes)
         tooth.provenance.emplace_back("assumed", inWords(importNote));
     tooth.importNotes = std::move(work->importNotes);
@@ -65,7 +65,7 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
 }
 
 Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan) {
-    Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers);
+    Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers, {}, {}, *scan.materials);
     if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     SessionTooth tooth{scan.name, std::make_shared<CutModel>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};

@@ -27,7 +27,6 @@ struct SessionTooth {
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
     Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
-    std::optional<MaterialTable> materials = {};    ///< of the case that the tooth is from
     std::vector<std::string> teethOfCase = {};      ///< names; empty: the tooth is not from a case
     std::optional<SessionBur> bur = {};             ///< that goes with the tooth: of its case or its exercise
     std::vector<ToothInMouth::Body> around = {};    ///< the rest of the mouth, which is felt and drawn

@@ -9,8 +9,8 @@ void TickLog::restart(const Tick& start) {
     newest_ = start;
 }
 
-void TickLog::clearEvents() {
-    events_ = {};
+void TickLog::clearEvents(const MaterialRegistry& materials) {
+    events_ = CutEvents(materials);
     timeBefore_ = -newest_.time;
 }
 

@@ -15,8 +15,8 @@ class TickLog {
 public:
     /// Another simulator begins; its times start at zero. `start` is the newest tick until the simulator has made one.
     void restart(const Tick& start);
-    /// The list of events begins anew, at the time of the newest tick.
-    void clearEvents();
+    /// The list of events begins anew, at the time of the newest tick. `materials`: of the tooth.
+    void clearEvents(const MaterialRegistry& materials = builtinMaterials());
     /// The ticks since the last call, oldest first. `loss`: of the tooth after the last of them.
     void record(std::span<const Tick> ticks, const ToothLoss& loss);
 

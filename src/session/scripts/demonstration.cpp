@@ -49,7 +49,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
     ForcePipeline pipeline(hand.info().limits);
     SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
 
-    CutEvents events;
+    CutEvents events(piece.tooth().materials());
     Demonstration result;
     const auto count = static_cast<std::size_t>(seconds / kTick);
     result.ticks.reserve(count);

@@ -63,7 +63,7 @@ void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const 
 /// What stands around a tooth is other teeth, and gum or bone, which are of no tissue of a tooth.
 void CutEvents::updateSurroundings(double time, const Tick& tick) {
     if (!tick.around) return;
-    const bool isGingiva = *tick.around == MaterialId::Other;
+    const bool isGingiva = materials_->hasRole(*tick.around, MaterialRole::Surroundings);
     std::optional<double>& last = isGingiva ? gingivaTouchedAt_ : neighbourAt_;
     if (!last || time > *last + kApart) {
         report(isGingiva ? CutEventKind::GingivaTouched : CutEventKind::NeighbourTouched, time, tick);
@@ -92,14 +92,17 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     besideBefore_ = std::min(besideBefore_, loss.beside);
     count(loss);
-    // Of the tooth itself; more than the neighbours have lost of everything is it as well.
-    const auto gone = [&](MaterialId id) {
-        const auto i = static_cast<std::size_t>(id);
-        return std::max(own_[i], removed[i] - before_[i] - kAtMost * (loss.beside - besideBefore_));
+    // Of the tooth itself; what goes beyond all that the neighbours have lost is its own as well.
+    const auto isReached = [&](MaterialRole role) {
+        return std::ranges::any_of(materials_->ids(), [&](MaterialId id) {
+            const auto i = static_cast<std::size_t>(id);
+            const double beyond = removed[i] - before_[i] - kAtMost * (loss.beside - besideBefore_);
+            return materials_->hasRole(id, role) && std::max(own_[i], beyond) > kReached;
+        });
     };
     reportOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
-    reportOnce(CutEventKind::DentinReached, gone(MaterialId::Dentin) > kReached, time, tick);
-    reportOnce(CutEventKind::PulpExposed, gone(MaterialId::Pulp) > kReached, time, tick);
+    reportOnce(CutEventKind::DentinReached, isReached(MaterialRole::Dentin), time, tick);
+    reportOnce(CutEventKind::PulpExposed, isReached(MaterialRole::Pulp), time, tick);
     updateSurroundings(time, tick);
     reportOnce(CutEventKind::AdjacentCut, loss.beside - besideBefore_ > kReached, time, tick);
     if (loss.pieces > pieces_) report(CutEventKind::FragmentReleased, time, tick);

@@ -50,6 +50,9 @@ struct CutEvent {
 /// time that it stalls; pieces that came loose each time that some have fallen.
 class CutEvents {
 public:
+    /// `materials`: of the tooth; they say which material is dentin, pulp or gingiva.
+    explicit CutEvents(const MaterialRegistry& materials = builtinMaterials()) : materials_(&materials) {}
+
     /// `loss`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
     /// reset) and cut again is no news.
     void update(double time, const Tick& tick, const ToothLoss& loss);
@@ -63,6 +66,7 @@ private:
     void updateSurroundings(double time, const Tick& tick);
     void count(const ToothLoss& loss);
 
+    const MaterialRegistry* materials_;
     std::vector<CutEvent> events_;
     MaterialVolumes before_{};
     double besideBefore_ = 0;

@@ -43,7 +43,7 @@ const std::shared_ptr<BrickPool>& CutModel::pool() {
 }
 
 void CutModel::addRemoved(const CarveResult& carve) {
-    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.removed[i] += carve.removed[i];
+    for (std::size_t i = 0; i < kMaxMaterials; ++i) loss_.removed[i] += carve.removed[i];
     mayBeDetached_ = mayBeDetached_ || !carve.changed.empty();
     changed_.insert(changed_.end(), carve.changed.begin(), carve.changed.end());
 }
@@ -117,7 +117,7 @@ bool CutModel::removeLoosePieces() {
 }
 
 void CutModel::addFallen(const CarveResult& carve) {
-    for (std::size_t i = 0; i < kMaterialCount; ++i) loss_.detached[i] += carve.removed[i];
+    for (std::size_t i = 0; i < kMaxMaterials; ++i) loss_.detached[i] += carve.removed[i];
     addRemoved(carve);
     refreshSurface();
 }

@@ -36,7 +36,7 @@ struct ToothLoss {
     /// What burs have ground to chips.
     [[nodiscard]] MaterialVolumes ground() const {
         MaterialVolumes volumes = removed;
-        for (std::size_t i = 0; i < kMaterialCount; ++i) volumes[i] -= detached[i];
+        for (std::size_t i = 0; i < kMaxMaterials; ++i) volumes[i] -= detached[i];
         return volumes;
     }
 };

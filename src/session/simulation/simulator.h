@@ -77,6 +77,8 @@ public:
     [[nodiscard]] TaggedMesh exported() const;
     [[nodiscard]] MaterialVolumes removed() const { return loss().removed; }
     [[nodiscard]] ToothLoss loss() const;
+    /// Of the tooth: what the indices of `removed` mean. Any thread.
+    [[nodiscard]] const MaterialRegistry& materials() const { return model_->tooth().materials(); }
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
     /// One thread (the window's): how the hand has moved the mirror since the start, in the tooth's frame.
     [[nodiscard]] const Pose& mirrorMotion() { return mirrorForObserver_.refresh(), mirrorForObserver_.value(); }

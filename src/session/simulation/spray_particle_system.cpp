@@ -130,7 +130,7 @@ void SprayParticleSystem::emitMist(const SprayInput& now, double dt) {
 }
 
 void SprayParticleSystem::emitChips(const SprayInput& now, double dt) {
-    for (std::size_t m = 0; m < kMaterialCount; ++m) {
+    for (std::size_t m = 0; m < kMaxMaterials; ++m) {
         // Less than before: a cut was taken back, or another tooth is on the bench.
         if (started_ && now.ground[m] > ground_[m]) chipsDue_[m] += now.ground[m] - ground_[m];
         for (; chipsDue_[m] >= kChipVolume; chipsDue_[m] -= kChipVolume) {

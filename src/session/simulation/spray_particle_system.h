@@ -26,8 +26,8 @@ struct SprayParticle {
     float age = 0;
     float lifetime = 0;
     SprayParticleKind kind = SprayParticleKind::Mist;
-    MaterialId material = MaterialId::Enamel;  ///< of a chip
-    float wetness = 0;                         ///< of a chip: how much water flowed when it was cut, 0..1
+    MaterialId material{};  ///< of a chip
+    float wetness = 0;      ///< of a chip: how much water flowed when it was cut, 0..1
 };
 
 /// What one moment of a simulation tells about the bur.

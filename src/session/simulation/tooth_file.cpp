@@ -18,24 +18,40 @@ Expected<void> saveTooth(const CutModel& piece, const Provenance& provenance, co
     return writeFile(path, toothFileBytes(piece, provenance));
 }
 
-Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
+namespace {
+
+std::vector<ImportNote> notesOn(const std::vector<std::string>& unknownMaterials) {
+    std::vector<ImportNote> notes;
+    for (const std::string& name : unknownMaterials) {
+        notes.push_back({ImportNoteTopic::Layers,
+                         "The material '%1' of this tooth is not known here: it is felt, cut, seen and heard as bone. "
+                         "Give the file of its materials (--materials).",
+                         {name}});
+    }
+    return notes;
+}
+
+}  // namespace
+
+Expected<OpenedTooth> openTooth(const std::filesystem::path& path, const MaterialRegistry* materials) {
     const auto file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    auto saved = parseSavedTooth(file->bytes(), displayName(path));
+    auto saved =
+        parseSavedTooth(file->bytes(), displayName(path), materials != nullptr ? *materials : builtinMaterials());
     if (!saved) return Unexpected{saved.error()};
-    auto tooth =
-        LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->toothContext);
+    auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->toothContext,
+                                    *saved->materials);
     if (!tooth) return unexpected(displayName(path) + ": " + tooth.error().message + ".");
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
-    return OpenedTooth{std::move(piece), std::move(saved->provenance)};
+    return OpenedTooth{std::move(piece), std::move(saved->provenance), notesOn(saved->unknownMaterials)};
 }
 
 Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double defaultVoxel) {
     if (isToothFile(source.outer)) {
         const std::string name = displayName(source.outer);
         if (!source.layers.empty()) return unexpected(name + ": a saved tooth has its own layers; give no others.");
-        auto opened = openTooth(source.outer);
+        auto opened = openTooth(source.outer, source.materials);
         if (opened && voxel && *voxel != opened->piece->volume().lattice().spacing()) {
             return unexpected(name + ": a saved tooth keeps the spacing that it was cut with, " +
                               std::to_string(std::lround(1e3 * opened->piece->volume().lattice().spacing())) +

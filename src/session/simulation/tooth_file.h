@@ -30,7 +30,10 @@ struct OpenedTooth {
     Provenance provenance;
     std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
 };
-[[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path);
+/// `materials`: null for the built-in ones. A material of the file that is not among them is taken as the surroundings,
+/// and an import note says so.
+[[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path,
+                                              const MaterialRegistry* materials = nullptr);
 
 /// A tooth for the bench: from surfaces, or a saved one if the source's outer surface names such a file. `voxel`:
 /// spacing of the cut volume, mm; without it a saved tooth keeps its own, and another takes `defaultVoxel`.

@@ -37,12 +37,13 @@ struct Placed {
 
 std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
     const Pose mouthInTooth = mouth.poseOf(worked).inverse();
-    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, MaterialId::Other, true},
-                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, MaterialId::Other, false}};
+    const MaterialId gingiva = builtinMaterials().withRole(MaterialRole::Surroundings);
+    const MaterialId enamel = builtinMaterials().withRole(MaterialRole::Enamel);
+    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, gingiva, true},
+                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, gingiva, false}};
     for (const MouthTooth& tooth : mouth.teeth) {
         if (&tooth == &worked || areBeside(tooth.tooth.fdi, worked.tooth.fdi)) continue;
-        bodies.push_back(
-            {&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), MaterialId::Enamel, isUpper(tooth.tooth.fdi)});
+        bodies.push_back({&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), enamel, isUpper(tooth.tooth.fdi)});
     }
     return bodies;
 }
@@ -57,7 +58,7 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
         const auto& [mesh, pose, material, upper] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
         auto part = std::make_shared<const SurfacePart>(rigidlyMoved(*mesh, pose), std::move(tags), 0);
-        const bool isGingiva = material == MaterialId::Other;
+        const bool isGingiva = builtinMaterials().hasRole(material, MaterialRole::Surroundings);
         auto shown = isGingiva ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
                                : std::make_shared<const TriangleMesh>(rigidlyMoved(supragingivalMesh(*mesh), pose));
         result.around[i] = {std::move(part), std::move(shown), isGingiva, upper != isUpper(fdi)};

@@ -8,40 +8,42 @@
 namespace tactooth {
 namespace {
 
-Expected<MaterialId> materialNamed(const std::string& name) {
-    if (const auto id = materialFromName(name)) return *id;
-    return unexpected("there is no material '" + name +
-                      "'; choose enamel, dentin, pulp, caries, restoration or other.");
+Expected<MaterialId> materialNamed(const std::string& name, const MaterialRegistry& materials) {
+    if (const auto id = materials.find(name)) return *id;
+    return unexpected("there is no material '" + name + "'; the materials are " + materials.names() + ".");
 }
 
 }  // namespace
 
-Expected<ToothSource::Layer> parseLayer(const std::string& text) {
+Expected<ToothSource::Layer> parseLayer(const std::string& text, const MaterialRegistry& materials) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
         return unexpected("the layer '" + text + "' must be given as NAME=FILE.stl, for example dentin=dentin.stl.");
     }
     const std::string name = text.substr(0, equals);
-    if (const auto id = materialNamed(name); !id) return Unexpected{id.error()};
+    if (const auto id = materialNamed(name, materials); !id) return Unexpected{id.error()};
     return ToothSource::Layer{name, text.substr(equals + 1)};
 }
 
 Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource& source,
                                                                std::vector<ImportNote>* importNotes) {
-    const Expected<MaterialId> body = materialNamed(source.material);
+    const MaterialRegistry& materials = source.materials != nullptr ? *source.materials : builtinMaterials();
+    const Expected<MaterialId> body = source.material.empty()
+                                          ? Expected<MaterialId>(materials.withRole(MaterialRole::Enamel))
+                                          : materialNamed(source.material, materials);
     if (!body) return Unexpected{body.error()};
     Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, importNotes);
     if (!outer) return Unexpected{outer.error()};
     std::vector<LayerMesh> layers;
     for (const ToothSource::Layer& layer : source.layers) {
-        const Expected<MaterialId> material = materialNamed(layer.material);
+        const Expected<MaterialId> material = materialNamed(layer.material, materials);
         if (!material) return Unexpected{material.error()};
         const std::string what = "the surface of layer '" + layer.material + "'";
         Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, importNotes);
         if (!mesh) return Unexpected{mesh.error()};
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }
-    Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body);
+    Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body, {}, materials);
     if (!tooth) return unexpected(displayName(source.outer) + ": " + tooth.error().message + ".");
     return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
 }

@@ -17,16 +17,18 @@ namespace tactooth {
 /// Which files a tooth is made of.
 struct ToothSource {
     struct Layer {
-        std::string material;  ///< a name of MaterialId
+        std::string material;  ///< its name
         std::filesystem::path file;
     };
-    std::filesystem::path outer;      ///< the surface that is touched
-    std::vector<Layer> layers;        ///< what is inside, closed
-    std::string material = "enamel";  ///< of the whole tooth, if there are no layers
+    std::filesystem::path outer;                  ///< the surface that is touched
+    std::vector<Layer> layers;                    ///< what is inside, closed
+    std::string material = {};                    ///< of the whole tooth, if there are no layers; empty: enamel
+    const MaterialRegistry* materials = nullptr;  ///< null: those of a case, else the built-in ones
 };
 
 /// Splits "NAME=FILE.stl" as it comes from a command line.
-[[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text);
+[[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text,
+                                                      const MaterialRegistry& materials = builtinMaterials());
 
 /// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
 /// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `importNotes`, if given.

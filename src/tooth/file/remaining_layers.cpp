@@ -25,7 +25,7 @@ TriangleMesh remainsOf(const TriangleMesh& layer, double voxel, const std::map<B
 std::vector<std::string> remainingLayerNames(const LayeredTooth& tooth) {
     std::vector<std::string> names;
     for (const LayeredTooth::Layer& layer : tooth.layers()) names.push_back(layer.name);
-    if (names.empty()) names.emplace_back(materialName(tooth.body()));
+    if (names.empty()) names.push_back(tooth.materials().nameOf(tooth.body()));
     return names;
 }
 
@@ -39,8 +39,7 @@ std::vector<RemainingLayer> remainingLayers(const CutVolume& volume) {
         remains.push_back({layer.name, remainsOf(layer.part->mesh(), voxel, cuts)});
     }
     if (remains.empty()) {
-        const std::string name(materialName(tooth.body()));
-        remains.push_back({name, remainsOf(tooth.outer()->mesh(), voxel, cuts)});
+        remains.push_back({tooth.materials().nameOf(tooth.body()), remainsOf(tooth.outer()->mesh(), voxel, cuts)});
     }
     TACTOOTH_ASSERT(!remains.empty());
     return remains;

@@ -15,7 +15,8 @@ namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 2;         // version 1 had no ToothContext
+constexpr std::uint32_t kVersion = 3;         // version 1 had no ToothContext, version 2 no table of materials
+constexpr std::uint8_t kOldMaterials = 6;     // materials of versions 1 and 2: those with the codes 0 to 5
 constexpr double kWidestBand = 2;             // voxels; the first files kept the cut distance in a wider band
 constexpr double kFinestVoxel = 0.005;        // mm, the limit of the command line
 constexpr double kCoarsestVoxel = 0.5;        // mm
@@ -65,11 +66,15 @@ void putBrick(ByteWriter& out, const BrickKey& key, const CutField& field, const
 /// Reads a whole file and keeps the first error.
 class ToothReader {
 public:
-    ToothReader(std::span<const std::byte> bytes, const std::string& name) : in_(bytes), bytes_(bytes), name_(name) {}
+    ToothReader(std::span<const std::byte> bytes, const std::string& name, const MaterialRegistry& materials)
+        : in_(bytes), bytes_(bytes), name_(name) {
+        tooth_.materials = &materials;
+    }
 
     Expected<SavedTooth> read() {
         readHead();
         if (failure_.empty()) readNotes();
+        if (failure_.empty()) readMaterialTable();
         if (failure_.empty()) readMesh(tooth_.outer);
         if (failure_.empty()) readLayers();
         if (failure_.empty()) readToothContext();
@@ -99,7 +104,7 @@ private:
         version_ = in_.get<std::uint32_t>();
         require(version_ >= 1 && version_ <= kVersion,
                 "the file has format version " + std::to_string(version_) +
-                    ", and this program reads versions 1 and 2; open it with the program that saved it.");
+                    ", and this program reads versions 1 to 3; open it with the program that saved it.");
     }
 
     void readNotes() {
@@ -130,10 +135,57 @@ private:
         }
     }
 
+    /// The codes of the file, and the names that they stand for.
+    void readMaterialTable() {
+        std::vector<std::pair<std::uint8_t, std::string>> table;
+        if (version_ < 3) {
+            for (std::uint8_t code = 0; code < kOldMaterials; ++code) {
+                table.emplace_back(code, builtinMaterials().nameOf(builtinMaterials().findCode(code).value()));
+            }
+        } else {
+            const auto count = in_.get<std::uint32_t>();
+            require(count <= kMaxMaterials, kDamaged);
+            for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
+                const auto code = in_.get<std::uint8_t>();
+                table.emplace_back(code, in_.getText());
+                require(isMaterialName(table.back().second), kDamaged);
+            }
+        }
+        if (failure_.empty()) addUnknown(table);
+        for (const auto& [code, name] : table) {
+            if (!failure_.empty()) return;
+            const MaterialId id = tooth_.materials->find(name).value();
+            for (const FileMaterial& other : table_) require(other.code != code && other.id != id, kDamaged);
+            table_.push_back({code, id});
+        }
+    }
+
+    /// Materials that the registry does not have are taken as the surroundings, under their own names.
+    void addUnknown(const std::vector<std::pair<std::uint8_t, std::string>>& table) {
+        std::vector<MaterialDefinition> all = tooth_.materials->definitions();
+        for (const auto& [code, name] : table) {
+            if (tooth_.materials->find(name)) continue;
+            if (std::ranges::find(all, name, &MaterialDefinition::name) != all.end()) return require(false, kDamaged);
+            MaterialDefinition added = (*tooth_.materials)[tooth_.materials->withRole(MaterialRole::Surroundings)];
+            added.name = added.titleEn = added.titleJa = name;
+            added.role = MaterialRole::None;
+            added.code = MaterialRegistry::freeCode(all).value_or(kMaxMaterialCode);
+            all.push_back(std::move(added));
+            tooth_.unknownMaterials.push_back(name);
+        }
+        if (all.size() > kMaxMaterials) {
+            failure_ = "the tooth has more materials than this program can hold beside its own (" +
+                       std::to_string(kMaxMaterials) + "); take materials out of the file of --materials.";
+        } else if (!tooth_.unknownMaterials.empty()) {
+            tooth_.materials = &MaterialRegistry::make(std::move(all));
+        }
+    }
+
     [[nodiscard]] MaterialId readMaterial() {
-        const auto id = in_.get<std::uint8_t>();
-        require(id < kMaterialCount, kDamaged);
-        return static_cast<MaterialId>(id < kMaterialCount ? id : 0);
+        const auto code = in_.get<std::uint8_t>();
+        const auto found = std::ranges::find(table_, code, &FileMaterial::code);
+        require(found != table_.end(), kDamaged);
+        return found != table_.end() ? found->id : MaterialId{};
     }
 
     void readLayers() {
@@ -162,7 +214,8 @@ private:
     void readVolume() {
         tooth_.voxel = in_.get<double>();
         require(tooth_.voxel >= kFinestVoxel && tooth_.voxel <= kCoarsestVoxel, kDamaged);
-        for (double& volume : tooth_.removed) {
+        for (const FileMaterial& material : table_) {
+            double& volume = tooth_.removed[static_cast<std::size_t>(material.id)];
             volume = in_.get<double>();
             require(std::isfinite(volume) && volume >= 0, kDamaged);
         }
@@ -220,8 +273,24 @@ private:
     const std::string& name_;
     SavedTooth tooth_;
     std::uint32_t version_ = 0;
+    struct FileMaterial {
+        std::uint8_t code;
+        MaterialId id;
+    };
+    std::vector<FileMaterial> table_;  // in the order of the file
     std::string failure_;
 };
+
+/// The materials that a file must name: those of the layers and the body, and all that something was removed of.
+std::vector<MaterialId> materialsIn(const LayeredTooth& tooth, const MaterialVolumes& removed) {
+    std::vector<MaterialId> found;
+    for (const MaterialId id : tooth.materials().ids()) {
+        const bool isLayer =
+            std::ranges::find(tooth.layers(), id, &LayeredTooth::Layer::material) != tooth.layers().end();
+        if (isLayer || id == tooth.body() || removed[static_cast<std::size_t>(id)] > 0) found.push_back(id);
+    }
+    return found;
+}
 
 }  // namespace
 
@@ -233,19 +302,24 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     out.put(static_cast<std::uint32_t>(provenance.size()));
     for (const auto& [key, value] : provenance) out.putText(key), out.putText(value);
     const LayeredTooth& tooth = *volume.tooth();
+    const std::vector<MaterialId> materials = materialsIn(tooth, removed);
+    out.put(static_cast<std::uint32_t>(materials.size()));
+    for (const MaterialId id : materials)
+        out.put(tooth.materials()[id].code), out.putText(tooth.materials().nameOf(id));
     putMesh(out, tooth.outer()->mesh());
     out.put(static_cast<std::uint32_t>(tooth.layers().size()));
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        out.put(static_cast<std::uint8_t>(layer.material));
+        out.put(tooth.materials()[layer.material].code);
         out.putText(layer.name);
         putMesh(out, layer.part->mesh());
     }
-    out.put(static_cast<std::uint8_t>(tooth.body()));
+    out.put(tooth.materials()[tooth.body()].code);
     out.put(static_cast<std::int8_t>(tooth.toothContext().mesialX < 0 ? -1 : 1));
     out.put(tooth.toothContext().firstAdjacent);
 
     out.put(volume.lattice().spacing());
-    for (const double gone : removed) {
+    for (const MaterialId id : materials) {
+        const double gone = removed[static_cast<std::size_t>(id)];
         TACTOOTH_ASSERT(std::isfinite(gone) && gone >= 0);
         out.put(gone);
     }
@@ -257,8 +331,9 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     return out.take();
 }
 
-Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name) {
-    return ToothReader(bytes, name).read();
+Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name,
+                                     const MaterialRegistry& materials) {
+    return ToothReader(bytes, name, materials).read();
 }
 
 }  // namespace tactooth

@@ -21,7 +21,11 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 struct SavedTooth {
     TriangleMesh outer;
     std::vector<LayerMesh> layers;
-    MaterialId body = MaterialId::Enamel;
+    /// What the MaterialIds of the layers, the body and the removed volumes mean: the registry that the reader was
+    /// given, and behind its materials those of the file that it does not know.
+    const MaterialRegistry* materials = nullptr;
+    std::vector<std::string> unknownMaterials;  ///< names of the latter; they take the numbers of the surroundings
+    MaterialId body{};
     ToothContext toothContext;
     double voxel = 0;           ///< mm
     MaterialVolumes removed{};  ///< mm^3
@@ -33,8 +37,10 @@ struct SavedTooth {
 [[nodiscard]] std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
                                                      const Provenance& provenance);
 
-/// Reads such bytes. Messages name the file `name`. Fails with one sentence that tells the position of the byte if the
-/// bytes are not as savedToothBytes writes them.
-[[nodiscard]] Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name);
+/// Reads such bytes. Messages name the file `name`. The names of the materials in the file are looked up in
+/// `materials`. Fails with one sentence that tells the position of the byte if the bytes are not as savedToothBytes
+/// writes them.
+[[nodiscard]] Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name,
+                                                   const MaterialRegistry& materials = builtinMaterials());
 
 }  // namespace tactooth

@@ -79,16 +79,22 @@ bool areApart(const SurfacePart& a, const SurfacePart& b) {
     return !reachesInto(a, b.mesh()) && !reachesInto(b, a.mesh());
 }
 
+/// Layers in ascending order of this: a later one overrides an earlier one.
+std::pair<int, MaterialId> nestingOf(MaterialId material, const MaterialRegistry& materials) {
+    TACTOOTH_ASSERT(static_cast<std::size_t>(material) < materials.size());
+    return {materials[material].nesting, material};
+}
+
 }  // namespace
 
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
-                                          const ToothContext& toothContext) {
+                                          const ToothContext& toothContext, const MaterialRegistry& materials) {
     TACTOOTH_ASSERT(std::abs(toothContext.mesialX) == 1);
     if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
     if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
-    std::stable_sort(layers.begin(), layers.end(),
-                     [](const LayerMesh& a, const LayerMesh& b) { return a.material < b.material; });
+    std::ranges::stable_sort(layers, {}, [&](const LayerMesh& layer) { return nestingOf(layer.material, materials); });
     LayeredTooth tooth;
+    tooth.materials_ = &materials;
     tooth.body_ = body;
     tooth.toothContext_ = toothContext;
     for (LayerMesh& layer : layers) {
@@ -175,7 +181,8 @@ void LayeredTooth::validate() const {
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         validatePart(layers_[i].part.get());
         TACTOOTH_ASSERT(layers_[i].part->tree().box().intersects(outer_->tree().box()));
-        TACTOOTH_ASSERT(i == 0 || layers_[i - 1].material <= layers_[i].material);
+        TACTOOTH_ASSERT(i == 0 ||
+                        nestingOf(layers_[i - 1].material, *materials_) <= nestingOf(layers_[i].material, *materials_));
         for (std::size_t j = 0; j < i; ++j) TACTOOTH_ASSERT(layers_[j].name != layers_[i].name);
     }
 }

@@ -8,7 +8,7 @@
 
 #include "collision/bvh/surface.h"
 #include "geometry/util/expected.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -26,8 +26,8 @@ struct ToothContext {
 };
 
 /// A tooth before anything is cut: its outer surface and the closed layers inside it. The tool touches the outer
-/// surface. Layers may lie side by side or within one another. Where several layers hold a point, the last one in the
-/// order of MaterialId decides. Immutable.
+/// surface. Layers may lie side by side or within one another. Where several layers hold a point, the one whose
+/// material has the highest nesting order decides. Immutable.
 class LayeredTooth {
 public:
     struct Layer {
@@ -39,14 +39,18 @@ public:
     /// Makes a tooth. Without layers the whole tooth is `body`. `toothContext.mesialX` is 1 or -1. Fails with one
     /// sentence if a surface is open or inside out, a name is given twice, or a layer lies outside the tooth.
     [[nodiscard]] static Expected<LayeredTooth> make(TriangleMesh outer, std::vector<LayerMesh> layers = {},
-                                                     MaterialId body = MaterialId::Enamel,
-                                                     const ToothContext& toothContext = {});
+                                                     MaterialId body = MaterialId{},
+                                                     const ToothContext& toothContext = {},
+                                                     const MaterialRegistry& materials = builtinMaterials());
+
+    /// What its MaterialIds mean.
+    [[nodiscard]] const MaterialRegistry& materials() const { return *materials_; }
 
     /// The outer surface. The tag of each triangle is the MaterialId just behind it.
     [[nodiscard]] const std::shared_ptr<const SurfacePart>& outer() const { return outer_; }
     /// The outer surface without the bodies around the tooth. Builds a new part if there are such bodies.
     [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
-    /// In the order of precedence: a later layer overrides an earlier one.
+    /// In ascending nesting order: a later layer overrides an earlier one.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     /// Whether bodies around the tooth overlap it or each other. Then the nearest triangle does not tell what is
     /// inside, and the region that two of them share counts as air.
@@ -61,7 +65,7 @@ public:
     [[nodiscard]] MaterialId materialAt(const Vec3& point) const;
 
     /// Asserts the invariants: closed surfaces with outward normals, one tag for each triangle, unique names, layers in
-    /// ascending order of their materials. Takes time in proportion to the number of triangles.
+    /// ascending nesting order. Takes time in proportion to the number of triangles.
     void validate() const;
 
 private:
@@ -70,7 +74,8 @@ private:
 
     std::shared_ptr<const SurfacePart> outer_;
     std::vector<Layer> layers_;
-    MaterialId body_ = MaterialId::Enamel;
+    const MaterialRegistry* materials_ = nullptr;
+    MaterialId body_{};
     ToothContext toothContext_;
     bool bodiesOverlap_ = false;
 };

@@ -5,22 +5,26 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
 
 namespace tactooth {
 
-/// What a point of a tooth is made of. The order is the order of victory: where two layers overlap, the later one of
-/// this list is there (a filling sits in dentin, decay eats everything).
-enum class MaterialId : std::uint8_t { Enamel, Dentin, Pulp, Other, Restoration, Caries };
+/// What a point of a tooth is made of: the index of a material in a MaterialRegistry. The type has no names: a material
+/// is one block of data/materials.toml, or of a file of the user.
+enum class MaterialId : std::uint8_t {};
 
-inline constexpr std::size_t kMaterialCount = 6;
+/// The most materials that a registry holds: sums by material are arrays of this size, so that a step allocates
+/// nothing.
+inline constexpr std::size_t kMaxMaterials = 32;
 
-/// The name in files and on the command line: "enamel", "dentin", "pulp", "other", "restoration", "caries".
-[[nodiscard]] std::string_view materialName(MaterialId id);
-/// The material of that name, if there is one.
-[[nodiscard]] std::optional<MaterialId> materialFromName(std::string_view name);
+/// What the program takes a material for. Several materials may have the same role.
+enum class MaterialRole : std::uint8_t {
+    None,
+    Enamel,        ///< the crown's shell; a tooth without layers is made of it
+    Dentin,        ///< the body below the enamel
+    Pulp,          ///< soft tissue that a cut must not reach
+    Decay,         ///< what a cut is to remove
+    Surroundings,  ///< gingiva, bone, and all else that a scan brings
+};
 
 /// How a material feels, cuts, looks and sounds.
 struct Material {
@@ -32,18 +36,16 @@ struct Material {
     float roughness;              ///< of the picture, 0 mirror .. 1 matt
     double soundCentre;           ///< centre frequency of the cutting noise, Hz
     double soundBrightness;       ///< level of the cutting noise for the same removal power; sound enamel = 1
-};
+    float translucency = 0;       ///< of the picture, 0..1: how far light creeps around edges inside the material
+    float wetness = 0;            ///< of the picture, 0..1: cover of saliva or water
+    float grain = 0;              ///< of the picture, 0..1: fine unevenness of surface and colour
+    double soundOctaves = 1;      ///< width of the cutting noise's band between its half-power points
+    double soundGraininess = 0;   ///< 0 even hiss .. 1 separate crackling grains
+    double tapFrequency = 0;      ///< lowest tone of the ring when an instrument knocks on the material, Hz
+    double tapDecay = 0;          ///< time in which that ring falls to 1/e, s
+    double tapBrightness = 0;     ///< 0 that tone alone .. 1 two higher tones as strong
 
-/// One entry a material. Starts with the defaults below; a file may overwrite any of them.
-class MaterialTable {
-public:
-    MaterialTable();
-
-    [[nodiscard]] const Material& operator[](MaterialId id) const { return materials_[static_cast<std::size_t>(id)]; }
-    [[nodiscard]] Material& operator[](MaterialId id) { return materials_[static_cast<std::size_t>(id)]; }
-
-private:
-    std::array<Material, kMaterialCount> materials_;
+    bool operator==(const Material&) const = default;
 };
 
 }  // namespace tactooth

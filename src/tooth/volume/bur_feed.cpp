@@ -64,8 +64,9 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
 double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness) {
     TACTOOTH_ASSERT(std::isfinite(sharpness) && sharpness >= 0);
     double work = 0;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        if (volumes[i] > 0) work += volumes[i] / (materials[static_cast<MaterialId>(i)].removal * sharpness);
+    for (const MaterialId id : materials.registry().ids()) {
+        const double volume = volumes[static_cast<std::size_t>(id)];
+        if (volume > 0) work += volume / (materials[id].removal * sharpness);
     }
     TACTOOTH_ASSERT(work >= 0);
     return sharpness > 0 || work == 0 ? work : std::numeric_limits<double>::infinity();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 #include "tooth/volume/carve_result.h"
 #include "tooth/volume/cut_volume.h"
 

@@ -24,18 +24,17 @@ constexpr double kLongestStep = 1.0;
 MaterialVolumes sum(const std::vector<MaterialVolumes>& parts) {
     MaterialVolumes volumes{};
     for (const MaterialVolumes& part : parts) {
-        for (std::size_t i = 0; i < kMaterialCount; ++i) volumes[i] += part[i];
+        for (std::size_t i = 0; i < kMaxMaterials; ++i) volumes[i] += part[i];
     }
     return volumes;
 }
 
 void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
     for (BrickRemoval& part : parts) {
-        for (std::size_t m = 0; m < kMaterialCount; ++m) result.volumes[m] += part.volumes[m];
+        for (std::size_t m = 0; m < kMaxMaterials; ++m) result.volumes[m] += part.volumes[m];
         if (!part.lowered.empty()) result.where.push_back(std::move(part));
     }
 }
-
 
 }  // namespace
 
@@ -228,7 +227,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
         Brick& brick = *bricks_.find(key);
         journal_.keep(key, brick);
         const MaterialVolumes taken = nodes.any() ? removeNodes(brick, nodes, lattice_.spacing()) : MaterialVolumes{};
-        for (std::size_t m = 0; m < kMaterialCount; ++m) result.removed[m] += taken[m];
+        for (std::size_t m = 0; m < kMaxMaterials; ++m) result.removed[m] += taken[m];
         result.changed.push_back(ChangedBrick::all(key));
     }
     for (const ChangedBrick& changed : result.changed) placeBoundary(bricks_, changed.key, gone);

@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// Volumes by MaterialId, mm^3.
-using MaterialVolumes = std::array<double, kMaterialCount>;
+/// Volumes by MaterialId, mm^3; zero where the registry of the tooth has no material.
+using MaterialVolumes = std::array<double, kMaxMaterials>;
 
 /// The sum over all materials, mm^3.
 [[nodiscard]] double total(const MaterialVolumes& volumes);

@@ -93,7 +93,7 @@ void RemainingFractions::classify(const BrickKey& first, int side, const std::ve
 }
 
 BrickFractions RemainingFractions::fractionsOf(const BrickKey& key) const {
-    BrickFractions shares{};
+    BrickFractions shares(volume_.tooth()->materials().size());
     const double spacing = volume_.lattice().spacing();
     const Brick* brick = volume_.bricks().find(key);
     std::unique_ptr<Brick> made;

@@ -9,9 +9,9 @@
 
 namespace tactooth {
 
-/// Volume fractions of the voxels of one brick, for each material, 0..1. The voxel of a node is a cube with the node in
-/// its middle and a side of one spacing.
-using BrickFractions = std::array<std::array<float, kBrickNodes>, kMaterialCount>;
+/// Volume fractions of the voxels of one brick, for each material of the tooth's registry, 0..1. The voxel of a node is
+/// a cube with the node in its middle and a side of one spacing.
+using BrickFractions = std::vector<std::array<float, kBrickNodes>>;
 
 /// A cube of uncut bricks that one material fills.
 struct SolidBlock {

@@ -88,7 +88,8 @@ TEST(SoundProfile, RefusesWithFileAndLine) {
     EXPECT_THAT(refusal(good + "1,-5,0,none\n"), HasSubstr("line 3: speed_rpm must be from 0 to 1000000"));
     EXPECT_THAT(refusal(good + "1,1e7,0,none\n"), HasSubstr("line 3: speed_rpm must be"));
     EXPECT_THAT(refusal(good + "1,5,-2,enamel\n"), HasSubstr("line 3: power must be from 0 to 1000 W"));
-    EXPECT_THAT(refusal(good + "1,5,2,cheese\n"), HasSubstr("line 3: there is no material 'cheese'; write enamel"));
+    EXPECT_THAT(refusal(good + "1,5,2,cheese\n"),
+                HasSubstr("line 3: there is no material 'cheese'; the materials are enamel"));
     EXPECT_THAT(refusal(good + "1,5,2,\n"), HasSubstr("line 3: there is no material"));
     EXPECT_THAT(refusal(good + "1,nan,2,enamel\n"), HasSubstr("line 3: column 'speed_rpm': expected a finite number"));
     EXPECT_THAT(refusal(good + "1,5,2\n"), HasSubstr("line 3: expected 4 fields"));

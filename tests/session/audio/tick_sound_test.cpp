@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
@@ -14,7 +16,7 @@ Tick cuttingTick() {
     tick.speedRpm = 350000;
     tick.load = 0.7;
     tick.removalPower = 3;
-    tick.material = MaterialId::Caries;
+    tick.material = test::kCaries;
     tick.contactOnsets = 4;
     tick.impactSpeed = 12;
     return tick;
@@ -41,8 +43,8 @@ TEST(TickSound, TakesTheCharacterOfTheMaterialThatHoldsTheTool) {
 
 TEST(TickSound, BandAndLevelAreThoseOfTheTableOfMaterials) {
     MaterialTable materials;
-    materials[MaterialId::Caries].soundCentre = 1234;
-    materials[MaterialId::Caries].soundBrightness = 0.5;
+    materials[test::kCaries].soundCentre = 1234;
+    materials[test::kCaries].soundBrightness = 0.5;
     const SoundCharacter heard = soundOf(cuttingTick(), spindlePresets().front(), materials).material;
     EXPECT_EQ(heard.bandCentreHz, 1234);
     EXPECT_EQ(heard.level, 0.5);

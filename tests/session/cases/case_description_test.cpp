@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
@@ -17,7 +19,7 @@ CaseDescription example() {
     tooth.name = "46";
     tooth.fdi = 46;
     tooth.outer = "teeth/46/outer.stl";
-    tooth.layers = {{MaterialId::Enamel, "teeth/46/enamel.stl"}, {MaterialId::Caries, "teeth/46/caries.stl"}};
+    tooth.layers = {{test::kEnamel, "teeth/46/enamel.stl"}, {test::kCaries, "teeth/46/caries.stl"}};
     tooth.isModelled = true;
     tooth.toothInCase = {Vec3(1.0 / 3, -2, 1e-9), Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
     tooth.assumed = {"One.", "Two."};
@@ -25,9 +27,9 @@ CaseDescription example() {
     CaseTooth plain;
     plain.name = "block";
     plain.outer = "block.stl";
-    plain.material = MaterialId::Dentin;
+    plain.material = test::kDentin;
     one.teeth.push_back(plain);
-    one.around.push_back({"jaw bone", "bone.stl", MaterialId::Other, {Vec3(0, 0, -3), Quat::Identity()}, {"Mended."}});
+    one.around.push_back({"jaw bone", "bone.stl", test::kOther, {Vec3(0, 0, -3), Quat::Identity()}, {"Mended."}});
     one.burs = {"burs/1.toml"};
     return one;
 }
@@ -43,7 +45,7 @@ TEST(CaseDescription, WhatIsWrittenIsRead) {
     EXPECT_TRUE(read->teeth[0].isModelled);
     EXPECT_EQ(read->teeth[0].toothInCase.position, example().teeth[0].toothInCase.position);
     EXPECT_EQ(read->teeth[0].toothInCase.rotation.coeffs(), example().teeth[0].toothInCase.rotation.coeffs());
-    EXPECT_EQ(read->teeth[1].material, MaterialId::Dentin);
+    EXPECT_EQ(read->teeth[1].material, test::kDentin);
     EXPECT_EQ(read->around[0].assumed, example().around[0].assumed);
     EXPECT_EQ(read->burs, example().burs);
 }

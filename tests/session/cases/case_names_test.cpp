@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
 TEST(CaseNames, NamesTellWhatASurfaceIs) {
     EXPECT_EQ(surfaceNamed("x/L6_enamel.stl").body, "L6");
-    EXPECT_EQ(surfaceNamed("x/L6_enamel.stl").material, MaterialId::Enamel);
+    EXPECT_EQ(surfaceNamed("x/L6_enamel.stl").material, test::kEnamel);
     EXPECT_EQ(surfaceNamed("L6_whole.stl").body, "L6");
     EXPECT_FALSE(surfaceNamed("L6_whole.stl").material);
     EXPECT_EQ(surfaceNamed("tooth_2_outer.stl").body, "tooth_2");
@@ -20,7 +22,7 @@ TEST(CaseNames, NamesTellWhatASurfaceIs) {
 }
 
 TEST(CaseNames, CapitalsDoNotCount) {
-    EXPECT_EQ(surfaceNamed("L6_ENAMEL.STL").material, MaterialId::Enamel);
+    EXPECT_EQ(surfaceNamed("L6_ENAMEL.STL").material, test::kEnamel);
     EXPECT_TRUE(surfaceNamed("GUM.stl").isAdjacent);
 }
 

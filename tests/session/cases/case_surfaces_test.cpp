@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "geometry/io/stl_writer.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
@@ -41,7 +42,7 @@ TEST_F(CaseSurfaceFiles, AreSortedIntoTeethAndWhatIsAround) {
     EXPECT_EQ(surfaces->teeth[0].name, "L6");
     EXPECT_FALSE(surfaces->teeth[0].outer.empty());
     ASSERT_EQ(surfaces->teeth[0].layers.size(), 1u);
-    EXPECT_EQ(surfaces->teeth[0].layers[0].material, MaterialId::Pulp);
+    EXPECT_EQ(surfaces->teeth[0].layers[0].material, test::kPulp);
     EXPECT_EQ(surfaces->teeth[1].name, "L7");
     ASSERT_EQ(surfaces->around.size(), 1u);
     EXPECT_EQ(surfaces->around.begin()->first, "jaw_bone");

@@ -9,6 +9,8 @@
 #include "geometry/mesh/mesh_report.h"
 #include "session/cases/block_case.h"
 #include "session/cases/loaded_tooth.h"
+#include "session/io/material_file.h"
+#include "support/materials.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -35,11 +37,11 @@ TEST(OpenCase, AllStandsInItsPlace) {
     EXPECT_NEAR(opened->box.sizes().z(), 10, 1e-9);
     const LayeredTooth& teeth = *opened->teeth;
     EXPECT_EQ(teeth.outer()->mesh().triangles.size(), 36u);
-    EXPECT_EQ(teeth.materialAt(Vec3(2.5, 0, 3)), MaterialId::Enamel);
-    EXPECT_EQ(teeth.materialAt(Vec3(0, 0, 0)), MaterialId::Dentin);
-    EXPECT_EQ(teeth.materialAt(Vec3(10, 0, 1)), MaterialId::Dentin);
-    EXPECT_EQ(teeth.materialAt(Vec3(12.5, 0, 4)), MaterialId::Enamel);
-    EXPECT_EQ(teeth.materialAt(Vec3(-5, 0, -12)), MaterialId::Other);
+    EXPECT_EQ(teeth.materialAt(Vec3(2.5, 0, 3)), test::kEnamel);
+    EXPECT_EQ(teeth.materialAt(Vec3(0, 0, 0)), test::kDentin);
+    EXPECT_EQ(teeth.materialAt(Vec3(10, 0, 1)), test::kDentin);
+    EXPECT_EQ(teeth.materialAt(Vec3(12.5, 0, 4)), test::kEnamel);
+    EXPECT_EQ(teeth.materialAt(Vec3(-5, 0, -12)), test::kOther);
     EXPECT_EQ(teeth.layers().size(), 5u);
 }
 
@@ -47,8 +49,8 @@ TEST(OpenCase, TheToothThatIsWorkedOnGivesTheFrame) {
     const auto opened = openChanged("", "", "37");
     ASSERT_TRUE(opened);
     EXPECT_NEAR(opened->box.center().x(), 0, 1e-9);
-    EXPECT_EQ(opened->teeth->materialAt(Vec3(-10, 0, -1)), MaterialId::Dentin);
-    EXPECT_EQ(opened->teeth->materialAt(Vec3(-15, 0, -13)), MaterialId::Other);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(-10, 0, -1)), test::kDentin);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(-15, 0, -13)), test::kOther);
 }
 
 TEST(OpenCase, ATurnedToothTurnsTheOthers) {
@@ -56,7 +58,7 @@ TEST(OpenCase, ATurnedToothTurnsTheOthers) {
     const auto opened = openChanged("position = [10.0, 0.0, 1.0]",
                                     "position = [10.0, 0.0, 1.0]\nrotation = [0.7071068, 0.0, 0.0, 0.7071068]", "37");
     ASSERT_TRUE(opened);
-    EXPECT_EQ(opened->teeth->materialAt(Vec3(0, 10, -1)), MaterialId::Dentin);
+    EXPECT_EQ(opened->teeth->materialAt(Vec3(0, 10, -1)), test::kDentin);
 }
 
 TEST(OpenCase, ItsSurfaceIsThatOfTheFileBitForBit) {
@@ -91,12 +93,58 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     const auto bytes = packCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
     ASSERT_TRUE(opened) << opened.error().message;
-    EXPECT_EQ((*opened->materials)[MaterialId::Enamel].stiffness, 0.9);
+    EXPECT_EQ(opened->teeth->materials()[test::kEnamel].numbers.stiffness, 0.9);
     ASSERT_TRUE(opened->bur);
     EXPECT_EQ(opened->bur->material, BurMaterial::Diamond);
     EXPECT_EQ(opened->bur->flutes, 0);
     EXPECT_EQ(opened->bur->gritMicrometres, 106);
     EXPECT_EQ(opened->bur->sharpness, 0.5);
+}
+
+/// A case whose dentin is "composite", which its own file of materials adds.
+std::vector<CaseFile> compositeCase() {
+    auto files = test::blockCase();
+    std::string text = "materials = \"m.toml\"\n" + std::string(asText(files[0].bytes));
+    for (std::size_t at = text.find("dentin ="); at != std::string::npos; at = text.find("dentin =", at))
+        text.replace(at, 8, "composite =");
+    files[0].bytes = bytesOf(text);
+    files.push_back({"m.toml", bytesOf("[composite]\nstiffness = 0.7\nnesting = 6\n")});
+    return files;
+}
+
+TEST(OpenCase, ItsOwnFileMayAddAMaterialThatALayerIsMadeOf) {
+    const auto bytes = packCase(compositeCase()).value();
+    const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
+    ASSERT_TRUE(opened) << opened.error().message;
+    const MaterialRegistry& materials = opened->teeth->materials();
+    const MaterialId at = opened->teeth->materialAt(Vec3(0, 0, 0));
+    EXPECT_EQ(materials.nameOf(at), "composite");
+    EXPECT_EQ(materials[at].numbers.stiffness, 0.7);
+    EXPECT_NE(caseText(opened->description).find("composite = "), std::string::npos);
+}
+
+TEST(OpenCase, MaterialsThatAreGivenStandInForItsOwn) {
+    const auto bytes = packCase(compositeCase()).value();
+    const auto store = CaseStore::openArchive(bytes, "x.ttcase").value();
+    const auto without = openCase(store, {}, &builtinMaterials());
+    ASSERT_FALSE(without);
+    EXPECT_NE(without.error().message.find("there is no material 'composite'; the materials are enamel, "),
+              std::string::npos)
+        << without.error().message;
+    const auto other = parseMaterials("[composite]\nstiffness = 0.3\n", "m.toml");
+    ASSERT_TRUE(other);
+    const auto opened = openCase(store, {}, *other);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_EQ(&opened->teeth->materials(), *other);
+}
+
+TEST(OpenCase, AMistakeInItsMaterialsIsSaidWithThatFile) {
+    auto files = compositeCase();
+    files.back().bytes = bytesOf("[enamel]\nstiffness = 9\n");
+    const auto bytes = packCase(files).value();
+    const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().message.find("m.toml, line 2: 'stiffness' must be a number"), std::string::npos);
 }
 
 TEST(OpenCase, OverlapsAreFound) {
@@ -123,8 +171,8 @@ TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
         return tick.around;
     };
     EXPECT_EQ(press(Vec3(0, 0, 4)), std::nullopt);
-    EXPECT_EQ(press(Vec3(-10, 0, 3)), MaterialId::Enamel);
-    EXPECT_EQ(press(Vec3(-5, 0, -11)), MaterialId::Other);
+    EXPECT_EQ(press(Vec3(-10, 0, 3)), test::kEnamel);
+    EXPECT_EQ(press(Vec3(-5, 0, -11)), test::kOther);
 }
 
 TEST(OpenCase, EveryToothOfACaseCanBeCut) {
@@ -140,8 +188,8 @@ TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     for (const Vec3& top : {Vec3(0, 0, 4), Vec3(-10, 0, 3)}) {
         const auto removed = tooth->piece->sweep(*tool, {top + Vec3(0, 0, 1), Quat::Identity()},
                                                  {top - Vec3(0, 0, 2.96), Quat::Identity()});
-        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 3.14159 * 0.25 * 2, 0.1);
-        EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 3.14159 * 0.25 * 0.96, 0.1);
+        EXPECT_NEAR(removed[static_cast<std::size_t>(test::kEnamel)], 3.14159 * 0.25 * 2, 0.1);
+        EXPECT_NEAR(removed[static_cast<std::size_t>(test::kDentin)], 3.14159 * 0.25 * 0.96, 0.1);
     }
     tooth->piece->refreshSurface();
     const auto cut = parseStl(stlBytes(visibleMesh(*tooth->piece->surface()).mesh), "cut");

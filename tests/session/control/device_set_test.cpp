@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "haptics/haptic_simulation.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -24,7 +25,7 @@ constexpr double kPressed = -1.2;  // mm: 1.2 N on enamel of 1 N/mm
 Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
 
 std::shared_ptr<const Surface> block() {
-    const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(MaterialId::Enamel));
+    const std::vector<SurfaceTag> tags(12, static_cast<SurfaceTag>(test::kEnamel));
     auto surface = std::make_shared<Surface>();
     surface->base =
         std::make_shared<const SurfacePart>(test::box(Vec3(-kWide, -kWide, -kWide), Vec3(kWide, kWide, 0)), tags);

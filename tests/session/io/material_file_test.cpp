@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sound/voices/drill_sound_state.h"
+#include "support/materials.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
@@ -15,79 +16,124 @@ namespace {
 using ::testing::HasSubstr;
 
 void expectEqual(const MaterialTable& got, const MaterialTable& expected) {
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        const auto id = static_cast<MaterialId>(i);
-        SCOPED_TRACE(materialName(id));
-        EXPECT_EQ(got[id].stiffness, expected[id].stiffness);
-        EXPECT_EQ(got[id].damping, expected[id].damping);
-        EXPECT_EQ(got[id].friction, expected[id].friction);
-        EXPECT_EQ(got[id].removal, expected[id].removal);
-        EXPECT_EQ(got[id].colour, expected[id].colour);
-        EXPECT_EQ(got[id].roughness, expected[id].roughness);
-        EXPECT_EQ(got[id].soundCentre, expected[id].soundCentre);
-        EXPECT_EQ(got[id].soundBrightness, expected[id].soundBrightness);
+    ASSERT_EQ(got.registry().size(), expected.registry().size());
+    for (const MaterialId id : got.registry().ids()) {
+        EXPECT_EQ(got.registry().nameOf(id), expected.registry().nameOf(id));
+        EXPECT_EQ(got[id], expected[id]) << got.registry().nameOf(id);
     }
 }
 
-MaterialTable parsed(std::string_view text) {
-    const auto table = parseMaterials(text, "m.toml", {});
-    EXPECT_TRUE(table) << table.error().message;
-    return table ? *table : MaterialTable();
+const MaterialRegistry& registryOf(std::string_view text) {
+    const auto registry = parseMaterials(text, "m.toml");
+    EXPECT_TRUE(registry) << registry.error().message;
+    return registry ? **registry : builtinMaterials();
 }
+
+MaterialTable parsed(std::string_view text) { return MaterialTable(registryOf(text)); }
 
 std::string refusal(std::string_view text) {
-    const auto table = parseMaterials(text, "m.toml", {});
-    return table ? "accepted" : table.error().message;
+    const auto registry = parseMaterials(text, "m.toml");
+    return registry ? "accepted" : registry.error().message;
 }
 
-TEST(MaterialFile, TheBuiltInTextNamesEachNumberOfTheProgramsDefaults) {
-    MaterialTable other;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        other[static_cast<MaterialId>(i)] = {-1, -1, -1, -1, {-1, -1, -1}, -1, -1, -1};
-    }
-    const auto table = parseMaterials(defaultMaterialsText(), "data/materials.toml", other);
-    ASSERT_TRUE(table) << table.error().message;
-    expectEqual(*table, MaterialTable());
-    expectEqual(defaultMaterials(), MaterialTable());
+/// The layers below know no TOML: CMake makes their materials from the same file.
+TEST(MaterialFile, TheProgramsTextGivesTheMaterialsThatAreBuiltIn) {
+    std::vector<MaterialDefinition> blank = builtinMaterials().definitions();
+    for (MaterialDefinition& one : blank) one.titleEn = one.titleJa = {}, one.numbers = {};
+    const auto registry = parseMaterials(defaultMaterialsText(), "data/materials.toml", MaterialRegistry::make(blank));
+    ASSERT_TRUE(registry) << registry.error().message;
+    EXPECT_EQ((*registry)->definitions(), builtinMaterials().definitions());
 }
 
 TEST(MaterialFile, TheDefaultsSoundAsTheSynthesisersOwnCharacters) {
     const MaterialTable table;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        const auto id = static_cast<MaterialId>(i);
-        const SoundCharacter character = soundCharacterOf(materialName(id));
-        EXPECT_EQ(table[id].soundCentre, character.bandCentreHz) << materialName(id);
-        EXPECT_EQ(table[id].soundBrightness, character.level) << materialName(id);
+    for (const MaterialId id : table.registry().ids()) {
+        const std::string& name = table.registry().nameOf(id);
+        const SoundCharacter character = soundCharacterOf(name);
+        EXPECT_EQ(table[id].soundCentre, character.bandCentreHz) << name;
+        EXPECT_EQ(table[id].soundBrightness, character.level) << name;
+        EXPECT_EQ(table[id].soundOctaves, character.bandOctaves) << name;
+        EXPECT_EQ(table[id].soundGraininess, character.graininess) << name;
+        EXPECT_EQ(table[id].tapFrequency, character.tapHz) << name;
+        EXPECT_EQ(table[id].tapDecay, character.tapDecay) << name;
+        EXPECT_EQ(table[id].tapBrightness, character.tapBrightness) << name;
     }
 }
 
 TEST(MaterialFile, AFileOverridesOnlyWhatItNames) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "mine.toml", "[caries]\nstiffness = 0.4\ncolour = [0, 0.5, 1]\n\n[pulp]\nremoval = 2\n");
-    const auto table = readMaterials(folder / "mine.toml");
-    ASSERT_TRUE(table) << table.error().message;
+    const auto registry = readMaterials(folder / "mine.toml");
+    ASSERT_TRUE(registry) << registry.error().message;
     MaterialTable expected;
-    expected[MaterialId::Caries].stiffness = 0.4;
-    expected[MaterialId::Caries].colour = {0, 0.5F, 1};
-    expected[MaterialId::Pulp].removal = 2;
-    expectEqual(*table, expected);
+    expected[test::kCaries].stiffness = 0.4;
+    expected[test::kCaries].colour = {0, 0.5F, 1};
+    expected[test::kPulp].removal = 2;
+    expectEqual(MaterialTable(**registry), expected);
 }
 
 TEST(MaterialFile, AnyWayOfWritingATomlTableWill) {
-    EXPECT_EQ(parsed("enamel.stiffness = 3")[MaterialId::Enamel].stiffness, 3);
-    EXPECT_EQ(parsed("dentin = { damping = 1e-3 }")[MaterialId::Dentin].damping, 0.001);
-    EXPECT_EQ(parsed("\xEF\xBB\xBF[other]\r\nroughness = 1\r\n")[MaterialId::Other].roughness, 1);
+    EXPECT_EQ(parsed("enamel.stiffness = 3")[test::kEnamel].stiffness, 3);
+    EXPECT_EQ(parsed("dentin = { damping = 1e-3 }")[test::kDentin].damping, 0.001);
+    EXPECT_EQ(parsed("\xEF\xBB\xBF[other]\r\nroughness = 1\r\n")[test::kOther].roughness, 1);
     expectEqual(parsed("# nothing but a comment\n"), MaterialTable());
 }
 
-TEST(MaterialFile, RefusesAnUnknownMaterialOrKey) {
-    EXPECT_EQ(refusal("\n[gold]\nstiffness = 1\n"),
-              "m.toml, line 2: there is no material 'gold'; the materials are enamel, dentin, pulp, other, "
-              "restoration, caries.");
+TEST(MaterialFile, ANewBlockAddsAMaterialThatIsOtherwiseAsTheSurroundings) {
+    const MaterialRegistry& all =
+        registryOf("[composite]\nstiffness = 0.7\ntitle_ja = 'コンポジット'\n[amalgam]\ncode = 70\n");
+    ASSERT_EQ(all.size(), 8U);
+    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other, composite, amalgam");
+    const MaterialDefinition& composite = all[all.find("composite").value()];
+    Material expected = builtinMaterials()[test::kOther].numbers;
+    expected.stiffness = 0.7;
+    EXPECT_EQ(composite.numbers, expected);
+    EXPECT_EQ(composite.titleEn, "composite");
+    EXPECT_EQ(composite.titleJa, "コンポジット");
+    EXPECT_EQ(composite.role, MaterialRole::None);
+    EXPECT_EQ(composite.nesting, builtinMaterials()[test::kOther].nesting);
+    EXPECT_EQ(composite.code, 64);
+    EXPECT_EQ(all[all.find("amalgam").value()].code, 70);
+    for (const MaterialId id : builtinMaterials().ids()) EXPECT_EQ(all[id], builtinMaterials()[id]);
+}
+
+TEST(MaterialFile, ANewMaterialMayHaveARoleAndANestingOrder) {
+    const MaterialRegistry& all = registryOf("[nerve]\nrole = 'pulp'\nnesting = 9\n");
+    EXPECT_TRUE(all.hasRole(all.find("nerve").value(), MaterialRole::Pulp));
+    EXPECT_EQ(all[all.find("nerve").value()].nesting, 9);
+}
+
+TEST(MaterialFile, ACodeThatTheFileGivesLaterIsLeftFree) {
+    const MaterialRegistry& all = registryOf("[a]\n[b]\ncode = 64\n");
+    EXPECT_EQ(all[all.find("a").value()].code, 65);
+    EXPECT_EQ(all[all.find("b").value()].code, 64);
+}
+
+TEST(MaterialFile, RefusesADefinitionThatCannotBe) {
+    EXPECT_EQ(refusal("[Gold]\n"),
+              "m.toml, line 1: a material cannot be named 'Gold'; take small letters, digits, - and _, at most 40, a "
+              "letter first.");
+    EXPECT_EQ(refusal("[gold]\ncode = 1\n"),
+              "m.toml, line 2: the code 1 is that of dentin; give each material its own.");
+    EXPECT_EQ(refusal("[gold]\nrole = 'metal'\n"),
+              "m.toml, line 2: 'role' must be one of enamel, dentin, pulp, decay, surroundings, none.");
+    EXPECT_EQ(refusal("[enamel]\nnesting = 9\n"),
+              "m.toml, line 2: 'nesting' belongs to new materials; that of enamel is built in.");
+    EXPECT_THAT(refusal("[enamel]\nrole = 'pulp'\n"), HasSubstr("'role' belongs to new materials"));
+    EXPECT_THAT(refusal("[gold]\ncode = 256\n"), HasSubstr("'code' must be a whole number from 0 to 255"));
+    EXPECT_THAT(refusal("[gold]\ntitle_en = 3\n"), HasSubstr("'title_en' must be a text of one line in quotes"));
+    std::string many;
+    for (std::size_t i = 0; i <= kMaxMaterials; ++i) many += "[m" + std::to_string(i) + "]\n";
+    EXPECT_EQ(refusal(many), "m.toml, line 27: there are more than 32 materials; leave some out.");
+}
+
+TEST(MaterialFile, RefusesAnUnknownKey) {
     EXPECT_EQ(refusal("[enamel]\n# as steel\nstiffnes = 1\n"),
               "m.toml, line 3: a material has no key 'stiffnes'; the keys are colour, stiffness, damping, friction, "
-              "removal, roughness, sound_centre, sound_level.");
-    EXPECT_THAT(refusal("stiffness = 1\n"), HasSubstr("line 1: there is no material 'stiffness'"));
+              "removal, roughness, translucency, wetness, grain, sound_centre, sound_level, sound_octaves, "
+              "sound_graininess, tap_frequency, tap_decay, tap_brightness, title_en, title_ja, role, nesting, code.");
+    EXPECT_EQ(refusal("stiffness = 1\n"),
+              "m.toml, line 1: expected the keys of stiffness below a line [stiffness], but found 1.");
 }
 
 TEST(MaterialFile, RefusesAValueOfAnotherKind) {
@@ -122,9 +168,9 @@ TEST(MaterialFile, RefusesWhatNoDeviceMayRender) {
     EXPECT_THAT(refusal("[dentin]\nremoval = 11"), HasSubstr("from 0 to 10, but is 11"));
     EXPECT_THAT(refusal("[dentin]\nsound_centre = 1e5"), HasSubstr("from 0 to 20000, but is 1e+05"));
     const MaterialTable most = parsed("[other]\nstiffness = 5\ndamping = 0.02\nfriction = 2\n");
-    EXPECT_EQ(most[MaterialId::Other].stiffness, kMaxMaterialStiffness);
-    EXPECT_EQ(most[MaterialId::Other].damping, kMaxMaterialDamping);
-    EXPECT_EQ(most[MaterialId::Other].friction, kMaxMaterialFriction);
+    EXPECT_EQ(most[test::kOther].stiffness, kMaxMaterialStiffness);
+    EXPECT_EQ(most[test::kOther].damping, kMaxMaterialDamping);
+    EXPECT_EQ(most[test::kOther].friction, kMaxMaterialFriction);
 }
 
 TEST(MaterialFile, RefusesAColourThatIsNone) {
@@ -144,9 +190,9 @@ TEST(MaterialFile, RefusesWhatIsNotToml) {
 
 TEST(MaterialFile, SaysWhichFileIsMissing) {
     const test::TemporaryFolder folder;
-    const auto table = readMaterials(folder / "none.toml");
-    ASSERT_FALSE(table);
-    EXPECT_THAT(table.error().message, HasSubstr("none.toml: there is no such file"));
+    const auto registry = readMaterials(folder / "none.toml");
+    ASSERT_FALSE(registry);
+    EXPECT_THAT(registry.error().message, HasSubstr("none.toml: there is no such file"));
 }
 
 }  // namespace

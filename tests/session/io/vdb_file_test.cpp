@@ -12,6 +12,7 @@
 #include "bench_scene.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/files/file_bytes.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/test_data.h"
 
@@ -69,13 +70,13 @@ TEST_F(VdbFile, HoldsTheVolumeOfEachMaterialThatIsLeft) {
     const Read read = written(*piece);
     ASSERT_EQ(read.grids.size(), 2U);
     const auto removed = [&](MaterialId id) { return piece->removed()[static_cast<std::size_t>(id)]; };
-    const double enamel = kBlock - kCore - removed(MaterialId::Enamel);
-    const double dentin = kCore - removed(MaterialId::Dentin);
+    const double enamel = kBlock - kCore - removed(test::kEnamel);
+    const double dentin = kCore - removed(test::kDentin);
     EXPECT_NEAR(read.voxelsOf("enamel") * kVoxelVolume, enamel, 0.003 * enamel);
     EXPECT_NEAR(read.voxelsOf("dentin") * kVoxelVolume, dentin, 0.003 * dentin);
     const double left = test::volumeOf(visibleMesh(*piece->surface()).mesh);
     EXPECT_NEAR((read.voxelsOf("enamel") + read.voxelsOf("dentin")) * kVoxelVolume, left, 0.003 * left);
-    EXPECT_GT(removed(MaterialId::Dentin), 0.1);
+    EXPECT_GT(removed(test::kDentin), 0.1);
 }
 
 TEST_F(VdbFile, SaysOfEachGridWhatItIs) {
@@ -131,7 +132,7 @@ TEST_F(VdbFile, VoxelsLieWhereTheSurfaceIs) {
 }
 
 TEST_F(VdbFile, AnUncutToothIsWhole) {
-    auto tooth = LayeredTooth::make(test::sphere(Vec3(0.1, 0.2, 0.3), 2, 96, 64), {}, MaterialId::Dentin);
+    auto tooth = LayeredTooth::make(test::sphere(Vec3(0.1, 0.2, 0.3), 2, 96, 64), {}, test::kDentin);
     const double whole = test::volumeOf(tooth->outer()->mesh());
     const CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.04);
     const Read read = written(piece);

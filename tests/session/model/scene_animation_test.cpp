@@ -9,6 +9,8 @@
 #include <numbers>
 #include <random>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
@@ -72,7 +74,7 @@ TEST(SceneAnimation, ChipsFlyForWhatIsGroundOff) {
     SceneAnimation scene;
     MaterialVolumes ground{};
     for (int i = 0; i < 20; ++i) {
-        ground[static_cast<std::size_t>(MaterialId::Enamel)] += SprayParticleSystem::kChipVolume * 5;
+        ground[static_cast<std::size_t>(test::kEnamel)] += SprayParticleSystem::kChipVolume * 5;
         scene.advance(cutting(), false, false, ground, 0.01);
     }
     EXPECT_TRUE(has(scene, SprayParticleKind::Chip));

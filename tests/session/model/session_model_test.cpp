@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "devices/scripted_device.h"
 #include "model/model_scene.h"
 #include "model/slow_device.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -109,16 +112,17 @@ TEST_F(SessionModelTest, StoppingKeepsToothAndBur) {
 }
 
 TEST_F(SessionModelTest, ACaseBringsItsMaterialsAndItsBur) {
+    std::vector<MaterialDefinition> definitions = builtinMaterials().definitions();
+    std::ranges::find(definitions, "dentin", &MaterialDefinition::name)->numbers.stiffness = 0.123;
     SessionTooth tooth = test::blockTooth();
-    tooth.materials = MaterialTable();
-    (*tooth.materials)[MaterialId::Dentin].stiffness = 0.123;
+    tooth.piece = test::blockOnTheBench(test::kDentin, MaterialRegistry::make(std::move(definitions)));
     tooth.bur = test::flatSessionBur();
     tooth.bur->name = "Bur of the case";
     model_.install(std::move(tooth));
-    EXPECT_EQ(model_.haptics().materials[MaterialId::Dentin].stiffness, 0.123);
+    EXPECT_EQ(model_.haptics().materials[test::kDentin].stiffness, 0.123);
     EXPECT_EQ(model_.bur()->name, "Bur of the case");
     model_.install(test::blockTooth());
-    EXPECT_EQ(model_.haptics().materials[MaterialId::Dentin].stiffness, MaterialTable()[MaterialId::Dentin].stiffness);
+    EXPECT_EQ(model_.haptics().materials[test::kDentin].stiffness, MaterialTable()[test::kDentin].stiffness);
     EXPECT_EQ(model_.bur()->name, "Bur of the case") << "it stays in the handpiece";
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/materials.h"
+
 namespace tactooth {
 namespace {
 
@@ -88,7 +90,7 @@ TEST(TickLog, EventsOfTheLossAreReported) {
     TickLog log;
     record(log, {tickAt(1)});
     ToothLoss loss;
-    loss.removed[static_cast<std::size_t>(MaterialId::Dentin)] = 1;
+    loss.removed[static_cast<std::size_t>(test::kDentin)] = 1;
     const std::vector<Tick> ticks{tickAt(2)};
     log.record(ticks, loss);
     ASSERT_EQ(log.events().all().size(), 2U);

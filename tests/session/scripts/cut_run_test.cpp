@@ -10,6 +10,7 @@
 
 #include "session/cut_outcome.h"
 #include "session/io/softened_materials.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -43,7 +44,7 @@ std::vector<Slot> slots() {
 
 std::shared_ptr<const LayeredTooth> block() {
     return std::make_shared<const LayeredTooth>(
-        std::move(*LayeredTooth::make(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)), {}, MaterialId::Dentin)));
+        std::move(*LayeredTooth::make(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)), {}, test::kDentin)));
 }
 
 /// Down into the block and on along x, where the bur rests for a tenth of a second.

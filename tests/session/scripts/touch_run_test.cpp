@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "session/io/finite_tick.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -50,7 +51,7 @@ TEST(TouchRun, PressingIntoTheBlockPushesBack) {
     ASSERT_TRUE(runTouchPath(trajectory, simulation, [&](double, const Tick& tick) {
         strongest = std::max(strongest, tick.wrench.force.z());
     }));
-    const Material enamel = MaterialTable{}[MaterialId::Enamel];
+    const Material enamel = MaterialTable{}[test::kEnamel];
     EXPECT_NEAR(strongest, 0.296 * enamel.stiffness + 4 * enamel.damping, 1e-5);
 }
 

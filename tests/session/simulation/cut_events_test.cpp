@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "bench_scene.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -24,9 +25,9 @@ Tick tickAt(double z, int contacts, double speedRpm = 200000, double pedal = 1) 
 
 ToothLoss gone(double enamel, double dentin, double pulp, std::size_t pieces = 0) {
     ToothLoss loss;
-    loss.removed[static_cast<std::size_t>(MaterialId::Enamel)] = enamel;
-    loss.removed[static_cast<std::size_t>(MaterialId::Dentin)] = dentin;
-    loss.removed[static_cast<std::size_t>(MaterialId::Pulp)] = pulp;
+    loss.removed[static_cast<std::size_t>(test::kEnamel)] = enamel;
+    loss.removed[static_cast<std::size_t>(test::kDentin)] = dentin;
+    loss.removed[static_cast<std::size_t>(test::kPulp)] = pulp;
     loss.pieces = pieces;
     return loss;
 }
@@ -93,12 +94,12 @@ TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
         events.update(time, tick, {});
     };
     update(0.0, {});
-    update(0.1, MaterialId::Enamel);
-    update(0.2, {});                  // the bur skips
-    update(0.3, MaterialId::Dentin);  // its root
-    update(0.4, MaterialId::Other);
+    update(0.1, test::kEnamel);
+    update(0.2, {});             // the bur skips
+    update(0.3, test::kDentin);  // its root
+    update(0.4, test::kOther);
     update(0.9, {});
-    update(1.0, MaterialId::Enamel);
+    update(1.0, test::kEnamel);
     std::vector<std::pair<CutEventKind, double>> told;
     for (const CutEvent& event : events.all()) told.emplace_back(event.kind, event.time);
     const std::vector<std::pair<CutEventKind, double>> expected = {{CutEventKind::FirstContact, 0.0},
@@ -163,7 +164,7 @@ TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
 }
 
 TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
-    const auto piece = test::blockOnTheBench(MaterialId::Enamel);
+    const auto piece = test::blockOnTheBench(test::kEnamel);
     HapticSettings settings;  // the air turbine
     settings.force = {.stiffness = 20.0, .damping = 0.0, .friction = 0.0};
     const Instrument bur = test::flatBur();

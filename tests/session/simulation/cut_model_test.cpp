@@ -9,6 +9,7 @@
 
 #include "bench_scene.h"
 #include "collision/bvh/closest_point.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -98,39 +99,40 @@ TEST(CutModel, ResetBringsTheWholeToothBack) {
 }
 
 TEST(CutModel, WhatIsRemovedIsTheMaterialsRateTimesTheWorkBooked) {
-    for (const MaterialId material : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries}) {
+    for (const MaterialId material : {test::kEnamel, test::kDentin, test::kCaries}) {
         const Drilled drilled = drillBlock(material, 0.5);
         const double expected = MaterialTable{}[material].removal * drilled.work;
-        EXPECT_NEAR(drilled.volume, expected, 0.05 * expected) << materialName(material);
+        EXPECT_NEAR(drilled.volume, expected, 0.05 * expected) << builtinMaterials().nameOf(material);
         EXPECT_NEAR(drilled.force, 0.5, 0.01);
     }
 }
 
 TEST(CutModel, TheRateGrowsInProportionToTheForce) {
-    const Drilled light = drillBlock(MaterialId::Dentin, 0.3);
-    const Drilled firm = drillBlock(MaterialId::Dentin, 0.9);
+    const Drilled light = drillBlock(test::kDentin, 0.3);
+    const Drilled firm = drillBlock(test::kDentin, 0.9);
     EXPECT_NEAR(rate(firm) / rate(light), 3, 0.15);
 }
 
 TEST(CutModel, TheRateGrowsInProportionToTheSpeed) {
-    const Drilled slow = drillBlock(MaterialId::Dentin, 0.6, 0.3);
-    const Drilled fast = drillBlock(MaterialId::Dentin, 0.6, 1.0);
+    const Drilled slow = drillBlock(test::kDentin, 0.6, 0.3);
+    const Drilled fast = drillBlock(test::kDentin, 0.6, 1.0);
     ASSERT_GT(fast.speedRpm, 2 * slow.speedRpm);
     EXPECT_NEAR(rate(fast) / rate(slow), fast.speedRpm / slow.speedRpm, 0.05 * fast.speedRpm / slow.speedRpm);
 }
 
 TEST(CutModel, MaterialsGiveWayInTheConfiguredRatio) {
     const MaterialTable table;
-    const double enamel = rate(drillBlock(MaterialId::Enamel, 0.5));
-    for (const MaterialId material : {MaterialId::Dentin, MaterialId::Caries}) {
-        const double ratio = table[material].removal / table[MaterialId::Enamel].removal;
-        EXPECT_NEAR(rate(drillBlock(material, 0.5)) / enamel, ratio, 0.05 * ratio) << materialName(material);
+    const double enamel = rate(drillBlock(test::kEnamel, 0.5));
+    for (const MaterialId material : {test::kDentin, test::kCaries}) {
+        const double ratio = table[material].removal / table[test::kEnamel].removal;
+        EXPECT_NEAR(rate(drillBlock(material, 0.5)) / enamel, ratio, 0.05 * ratio)
+            << builtinMaterials().nameOf(material);
     }
 }
 
 TEST(CutModel, HalfTheSharpnessIsHalfTheRate) {
-    const double sharp = rate(drillBlock(MaterialId::Dentin, 0.6));
-    EXPECT_NEAR(rate(drillBlock(MaterialId::Dentin, 0.6, 1, 0.5)) / sharp, 0.5, 0.025);
+    const double sharp = rate(drillBlock(test::kDentin, 0.6));
+    EXPECT_NEAR(rate(drillBlock(test::kDentin, 0.6, 1, 0.5)) / sharp, 0.5, 0.025);
 }
 
 /// A block beside the one on the bench, a hair's breadth away and as high.
@@ -158,7 +160,7 @@ TEST(CutModel, ATickTellsWhetherABodyAroundItHoldsTheTool) {
     const Instrument bur = test::flatBur();
     HapticSimulation simulation(bur.shape, test::kBurRadius, piece->felt(), electric());
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
-    EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).around, MaterialId::Enamel);
+    EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).around, test::kEnamel);
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
     (void)simulation.step({at(0, 0, 0.2), 0, false}, kTick);
     const Tick own = simulation.step({at(0, 0, -0.3), 0, false}, kTick);
@@ -194,7 +196,7 @@ TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
     TriangleMesh outer = test::box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
     append(outer, test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)));
-    auto tooth = LayeredTooth::make(std::move(outer), {}, MaterialId::Dentin, {.firstAdjacent = first});
+    auto tooth = LayeredTooth::make(std::move(outer), {}, test::kDentin, {.firstAdjacent = first});
     CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
     const Instrument bur = test::flatBur();
     piece.sweep(bur.cutting, at(0, 0, 0.5), at(0, 0, -0.3));
@@ -210,7 +212,7 @@ TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
         if (piece.feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece.felt());
     }
     EXPECT_LT(tick.proxy.position.z(), -0.1);
-    EXPECT_EQ(tick.around, MaterialId::Dentin) << "its cut wall is known as well";
+    EXPECT_EQ(tick.around, test::kDentin) << "its cut wall is known as well";
     const double beside = total(piece.removed()) - own;
     EXPECT_GT(beside, 0.05);
     EXPECT_NEAR(piece.loss().beside, beside, 0.01 * beside);
@@ -241,9 +243,9 @@ TEST(CutModel, WorkIsSpentOnce) {
     const CuttingTool bur = test::flatBur().cutting;
     EXPECT_TRUE(piece->feed(bur, pressing(1), {}));
     const double removed = total(piece->removed());
-    EXPECT_NEAR(removed, MaterialTable{}[MaterialId::Dentin].removal, 0.03 * removed);
+    EXPECT_NEAR(removed, MaterialTable{}[test::kDentin].removal, 0.03 * removed);
     for (int i = 0; i < 20; ++i) piece->feed(bur, pressing(1), {});
-    EXPECT_LE(total(piece->removed()), MaterialTable{}[MaterialId::Dentin].removal * (1 + 1e-9));
+    EXPECT_LE(total(piece->removed()), MaterialTable{}[test::kDentin].removal * (1 + 1e-9));
 }
 
 TEST(CutModel, WorkDoneInTheAirOrBeforeIsNotSpentLater) {
@@ -265,7 +267,7 @@ TEST(CutModel, WorkThatFindsNothingToCutIsNotSavedUp) {
     Tick deeper = pressing(1000.001, 1);
     deeper.proxy = at(0, 0, -0.1);
     piece->feed(bur, deeper, {});
-    EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[MaterialId::Dentin].removal);
+    EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[test::kDentin].removal);
 }
 
 TEST(CutModel, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {

@@ -12,6 +12,7 @@
 #include "collision/bvh/closest_point.h"
 #include "devices/null_device.h"
 #include "devices/scripted_device.h"
+#include "support/materials.h"
 #include "support/sanitizer.h"
 
 namespace tactooth {
@@ -335,7 +336,7 @@ TEST(Simulator, TheLargerOfBothPedalsCounts) {
 }
 
 TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
-    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    const auto piece = test::blockOnTheBench(test::kCaries);
     SpyDevice device(stroking());
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
@@ -359,7 +360,7 @@ TEST(Simulator, WhatIsLooseFallsWhileTheBurIsInTheAir) {
 }
 
 TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
-    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    const auto piece = test::blockOnTheBench(test::kCaries);
     // Two cuts, with the bur in the air for 0.8 s between them, and then a rest in the air.
     SpyDevice device({moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.3), 1),
                       moment(0.6, at(-0.5, 0, 0.3), 1), moment(1.4, at(0.5, 0, 0.3), 1),
@@ -382,19 +383,19 @@ TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
 }
 
 TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
-    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    const auto piece = test::blockOnTheBench(test::kCaries);
     SpyDevice device(stroking());
     Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
     const auto saved = parseSavedTooth(simulator.toothFile({}), "saved");
     ASSERT_TRUE(saved) << saved.error().message;
-    EXPECT_GT(saved->removed[static_cast<std::size_t>(MaterialId::Caries)], 0.01);
+    EXPECT_GT(saved->removed[static_cast<std::size_t>(test::kCaries)], 0.01);
     EXPECT_FALSE(saved->cuts.empty());
 }
 
 TEST(Simulator, ACutModelGoesOnFromOneSimulatorToTheNext) {
-    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    const auto piece = test::blockOnTheBench(test::kCaries);
     for (int round = 0; round < 3; ++round) {
         const double before = total(piece->removed());
         SpyDevice device(stroking());
@@ -406,7 +407,7 @@ TEST(Simulator, ACutModelGoesOnFromOneSimulatorToTheNext) {
 }
 
 TEST(Simulator, StopsCleanlyInAnyState) {
-    const auto piece = test::blockOnTheBench(MaterialId::Caries);
+    const auto piece = test::blockOnTheBench(test::kCaries);
     for (int i = 0; i < 25; ++i) {
         SpyDevice device(stroking());
         {

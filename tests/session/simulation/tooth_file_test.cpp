@@ -10,6 +10,8 @@
 #include <random>
 
 #include "bench_scene.h"
+#include "geometry/files/file_bytes.h"
+#include "support/materials.h"
 #include "support/test_data.h"
 #include "tooth/file/byte_stream.h"
 
@@ -53,7 +55,7 @@ TEST(ToothFile, AnOpenedToothIsCutOnAsIfItHadNeverBeenSaved) {
     };
     const MaterialVolumes removed = cutOn(*piece);
     EXPECT_EQ(cutOn(*opened->piece), removed);
-    EXPECT_GT(removed[static_cast<std::size_t>(MaterialId::Dentin)], 0.01);
+    EXPECT_GT(removed[static_cast<std::size_t>(test::kDentin)], 0.01);
     EXPECT_EQ(opened->piece->hash(), piece->hash());
 }
 
@@ -74,9 +76,9 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
     for (int i = 0; i < 100; ++i) {  // as many as a whole mouth has
         const double x = -1.9 + 0.03 * i;
         layers.push_back(
-            {"layer " + std::to_string(i), MaterialId::Dentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
+            {"layer " + std::to_string(i), test::kDentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
     }
-    auto tooth = LayeredTooth::make(outer, std::move(layers), MaterialId::Enamel, {.mesialX = -1, .firstAdjacent = 12});
+    auto tooth = LayeredTooth::make(outer, std::move(layers), test::kEnamel, {.mesialX = -1, .firstAdjacent = 12});
     ASSERT_TRUE(tooth) << tooth.error().message;
     const CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
     const test::TemporaryFolder folder;
@@ -92,11 +94,46 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
     EXPECT_TRUE(felt.base->isAdjacent(12));
 }
 
+/// A block of enamel with a restoration over decay, cut by 0.0618 and 0.0829 mm^3 and saved in format version 2.
+std::filesystem::path oldFile() { return test::sourceFolder() / "tests/session/data/version-2.tactooth"; }
+
+TEST(ToothFile, OfTheSecondVersionIsStillRead) {
+    const auto opened = openTooth(oldFile());
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_TRUE(opened->importNotes.empty());
+    const LayeredTooth& tooth = opened->piece->tooth();
+    EXPECT_EQ(&tooth.materials(), &builtinMaterials());
+    ASSERT_EQ(tooth.layers().size(), 3U);
+    EXPECT_EQ(tooth.layers()[0].material, test::kEnamel);
+    EXPECT_EQ(tooth.layers()[1].material, test::kRestoration);
+    EXPECT_EQ(tooth.layers()[2].material, test::kCaries);
+    const MaterialVolumes& removed = opened->piece->removed();
+    EXPECT_EQ(removed[static_cast<std::size_t>(test::kEnamel)], 0.061851022540588774);
+    EXPECT_EQ(removed[static_cast<std::size_t>(test::kRestoration)], 0.08293871344285701);
+    EXPECT_EQ(total(removed), 0.061851022540588774 + 0.08293871344285701);
+    EXPECT_FALSE(opened->piece->surface()->patches.empty());
+}
+
+TEST(ToothFile, OfTheSecondVersionIsSavedAgainAsTheNewOne) {
+    const auto opened = openTooth(oldFile());
+    ASSERT_TRUE(opened) << opened.error().message;
+    const std::vector<std::byte> bytes = toothFileBytes(*opened->piece, opened->provenance);
+    EXPECT_EQ(bytes[8], std::byte{3});
+    const auto parsed = parseSavedTooth(bytes, "new");
+    ASSERT_TRUE(parsed) << parsed.error().message;
+    EXPECT_EQ(parsed->removed, opened->piece->removed());
+    EXPECT_EQ(parsed->layers[1].material, test::kRestoration);
+    EXPECT_EQ(parsed->cuts.size(), opened->piece->volume().cutBricks().size());
+}
+
 /// Version 1 ended its surfaces with the material of the rest.
 TEST(ToothFile, OfTheFirstVersionIsStillRead) {
-    std::vector<std::byte> bytes = toothFileBytes(*cutBlock(), kNotes);
+    const auto file = readFile(oldFile());
+    ASSERT_TRUE(file);
+    std::vector<std::byte> bytes(file->bytes().begin(), file->bytes().end());
+    constexpr double kVoxel = 0.1;
     std::vector<std::byte> voxel(sizeof(double));
-    std::memcpy(voxel.data(), &test::kVoxel, sizeof(double));
+    std::memcpy(voxel.data(), &kVoxel, sizeof(double));
     const auto volume = std::search(bytes.begin(), bytes.end(), voxel.begin(), voxel.end());
     ASSERT_NE(volume, bytes.end());
     bytes.erase(volume - 5, volume);
@@ -105,7 +142,8 @@ TEST(ToothFile, OfTheFirstVersionIsStillRead) {
     std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
     const auto parsed = parseSavedTooth(bytes, "old");
     ASSERT_TRUE(parsed) << parsed.error().message;
-    EXPECT_EQ(parsed->cuts.size(), cutBlock()->volume().cutBricks().size());
+    EXPECT_EQ(parsed->cuts.size(), openTooth(oldFile())->piece->volume().cutBricks().size());
+    EXPECT_EQ(parsed->layers[2].material, test::kCaries);
     EXPECT_EQ(parsed->toothContext.mesialX, 1);
     EXPECT_EQ(parsed->toothContext.firstAdjacent, UINT32_MAX);
 }

@@ -8,6 +8,7 @@
 
 #include "collision/bvh/closest_point.h"
 #include "support/few_teeth.h"
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -40,7 +41,7 @@ double gapBetween(const TriangleMesh& a, const SurfacePart& b) {
 TEST(ToothInMouth, NeighboursAreInItsFrameAndTaggedByWhatTheyAreMadeOf) {
     for (const ToothInMouth::Body& body : premolar().around) {
         const auto material = static_cast<MaterialId>(body.part->tag(0));
-        EXPECT_EQ(material, body.isGingiva ? MaterialId::Other : MaterialId::Enamel);
+        EXPECT_EQ(material, body.isGingiva ? test::kOther : test::kEnamel);
         EXPECT_TRUE(body.part->isAdjacent(0));
         if (!body.isGingiva) {
             EXPECT_EQ(gapBetween(premolar().tooth.outer, *body.part), 1) << "they are not next to it";
@@ -70,8 +71,8 @@ TEST(ToothInMouth, IsCutTogetherWithTheTeethBesideIt) {
     // What lies behind its neighbour's surface is known as well.
     const SurfacePart& outer = *both.outer();
     const auto from = outer.tags().begin() + both.toothContext().firstAdjacent;
-    EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(MaterialId::Enamel)), 300);
-    EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(MaterialId::Dentin)), 300);
+    EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(test::kEnamel)), 300);
+    EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(test::kDentin)), 300);
 }
 
 TEST(ToothInMouth, TheFrontTeethOfBothSidesAreBesideEachOther) {

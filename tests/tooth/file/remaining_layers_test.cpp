@@ -9,6 +9,7 @@
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_report.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -22,8 +23,8 @@ Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}
 CutVolume drilledBlock(bool layered) {
     std::vector<LayerMesh> layers;
     if (layered) {
-        layers.push_back({"shell", MaterialId::Enamel, test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0))});
-        layers.push_back({"core", MaterialId::Dentin, test::box(Vec3(-1, -1, -2), Vec3(1, 1, -0.5))});
+        layers.push_back({"shell", test::kEnamel, test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0))});
+        layers.push_back({"core", test::kDentin, test::box(Vec3(-1, -1, -2), Vec3(1, 1, -0.5))});
     }
     auto tooth = LayeredTooth::make(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)), std::move(layers));
     CutVolume volume(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);

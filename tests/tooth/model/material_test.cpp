@@ -1,39 +1,131 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 #include <gtest/gtest.h>
+
+#include "support/materials.h"
 
 namespace tactooth {
 namespace {
 
-TEST(Material, EveryNameLeadsBackToItsMaterial) {
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        const auto id = static_cast<MaterialId>(i);
-        EXPECT_EQ(materialFromName(materialName(id)), id);
+MaterialDefinition definitionOf(const std::string& name, std::uint8_t code) {
+    MaterialDefinition one;
+    one.name = name;
+    one.code = code;
+    return one;
+}
+
+/// The built-in materials and some more.
+const MaterialRegistry& withMore(const std::vector<MaterialDefinition>& more) {
+    std::vector<MaterialDefinition> all = builtinMaterials().definitions();
+    all.insert(all.end(), more.begin(), more.end());
+    return MaterialRegistry::make(std::move(all));
+}
+
+std::vector<std::string> namesOf(const MaterialRegistry& registry, std::span<const MaterialId> ids) {
+    std::vector<std::string> names;
+    for (const MaterialId id : ids) names.push_back(registry.nameOf(id));
+    return names;
+}
+
+TEST(MaterialRegistry, EveryNameAndCodeLeadsBackToItsMaterial) {
+    const MaterialRegistry& all = builtinMaterials();
+    EXPECT_EQ(all.size(), 6U);
+    for (const MaterialId id : all.ids()) {
+        EXPECT_EQ(all.find(all.nameOf(id)), id);
+        EXPECT_EQ(all.findCode(all[id].code), id);
     }
-    EXPECT_EQ(materialFromName("Enamel"), std::nullopt);
+    EXPECT_EQ(all.find("Enamel"), std::nullopt);
+    EXPECT_EQ(all.findCode(99), std::nullopt);
 }
 
-TEST(Material, DecayCutsFasterThanDentinAndDentinFasterThanEnamel) {
-    const MaterialTable table;
-    const double enamel = table[MaterialId::Enamel].removal;
-    EXPECT_GE(table[MaterialId::Dentin].removal, 2 * enamel);
-    EXPECT_LE(table[MaterialId::Dentin].removal, 4 * enamel);
-    EXPECT_GE(table[MaterialId::Caries].removal, 8 * enamel);
+/// Files of saved teeth, and tags of surfaces in caches, hold these numbers.
+TEST(MaterialRegistry, TheBuiltInMaterialsKeepTheirIndices) {
+    const MaterialRegistry& all = builtinMaterials();
+    EXPECT_EQ(all.find("enamel"), test::kEnamel);
+    EXPECT_EQ(all.find("dentin"), test::kDentin);
+    EXPECT_EQ(all.find("pulp"), test::kPulp);
+    EXPECT_EQ(all.find("other"), test::kOther);
+    EXPECT_EQ(all.find("restoration"), test::kRestoration);
+    EXPECT_EQ(all.find("caries"), test::kCaries);
+    for (const MaterialId id : all.ids()) EXPECT_EQ(all[id].code, static_cast<std::uint8_t>(id)) << all.nameOf(id);
 }
 
-TEST(Material, TheHarderTheTissueTheHigherItSounds) {
+TEST(MaterialRegistry, ListsForMenusAndByRole) {
+    const MaterialRegistry& all = builtinMaterials();
+    const std::vector<std::string> menu = {"enamel", "dentin", "pulp", "caries", "restoration", "other"};
+    const std::vector<std::string> roles = {"enamel", "dentin", "pulp", "caries", "other", "restoration"};
+    EXPECT_EQ(namesOf(all, all.inMenuOrder()), menu);
+    EXPECT_EQ(namesOf(all, all.byRole()), roles);
+    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other");
+}
+
+TEST(MaterialRegistry, ARoleIsThatOfTheFirstMaterialWithIt) {
+    MaterialDefinition second = definitionOf("pulp-stone", 80);
+    second.role = MaterialRole::Pulp;
+    const MaterialRegistry& all = withMore({second});
+    EXPECT_EQ(all.withRole(MaterialRole::Pulp), test::kPulp);
+    EXPECT_TRUE(all.hasRole(all.find("pulp-stone").value(), MaterialRole::Pulp));
+    EXPECT_EQ(builtinMaterials().withRole(MaterialRole::Decay), test::kCaries);
+    EXPECT_EQ(builtinMaterials().withRole(MaterialRole::Surroundings), test::kOther);
+}
+
+TEST(MaterialRegistry, TheCodeGivesTheIndexAndTheOrderOfGivingThatOfTheMenus) {
+    const MaterialRegistry& all = withMore({definitionOf("b", 70), definitionOf("a", 65)});
+    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(6)), "a");
+    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(7)), "b");
+    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other, b, a");
+    EXPECT_EQ(all.find("enamel"), test::kEnamel);
+}
+
+TEST(MaterialRegistry, EqualListsAreOneRegistry) {
+    EXPECT_EQ(&withMore({}), &builtinMaterials());
+    EXPECT_EQ(&withMore({definitionOf("gold", 64)}), &withMore({definitionOf("gold", 64)}));
+    EXPECT_NE(&withMore({definitionOf("gold", 64)}), &withMore({definitionOf("gold", 65)}));
+}
+
+TEST(MaterialRegistry, AFreeCodeIsOneThatNobodyHas) {
+    const std::vector<MaterialDefinition> taken = {definitionOf("a", 64), definitionOf("b", 65)};
+    EXPECT_EQ(MaterialRegistry::freeCode(taken), 66);
+    EXPECT_EQ(MaterialRegistry::freeCode({}), 64);
+}
+
+TEST(MaterialDefinition, ANameCanNameAFile) {
+    for (const char* good : {"a", "composite", "resin-2", "gold_alloy"}) EXPECT_TRUE(isMaterialName(good)) << good;
+    for (const char* bad : {"", "Gold", "2nd", "a/b", "a b", "..", "-a", "\xE6\xAD\xAF"})
+        EXPECT_FALSE(isMaterialName(bad));
+    EXPECT_TRUE(isMaterialName(std::string(40, 'a')));
+    EXPECT_FALSE(isMaterialName(std::string(41, 'a')));
+}
+
+TEST(MaterialTable, HasTheNumbersOfItsRegistry) {
     const MaterialTable table;
-    const MaterialId order[] = {MaterialId::Enamel, MaterialId::Restoration, MaterialId::Dentin, MaterialId::Caries,
-                                MaterialId::Pulp};
+    for (const MaterialId id : table.registry().ids()) EXPECT_EQ(table[id], builtinMaterials()[id].numbers);
+    MaterialDefinition gold = definitionOf("gold", 64);
+    gold.numbers.stiffness = 0.7;
+    const MaterialTable more(withMore({gold}));
+    EXPECT_EQ(more[more.registry().find("gold").value()].stiffness, 0.7);
+}
+
+TEST(MaterialTable, DecayCutsFasterThanDentinAndDentinFasterThanEnamel) {
+    const MaterialTable table;
+    const double enamel = table[test::kEnamel].removal;
+    EXPECT_GE(table[test::kDentin].removal, 2 * enamel);
+    EXPECT_LE(table[test::kDentin].removal, 4 * enamel);
+    EXPECT_GE(table[test::kCaries].removal, 8 * enamel);
+}
+
+TEST(MaterialTable, TheHarderTheTissueTheHigherItSounds) {
+    const MaterialTable table;
+    const MaterialId order[] = {test::kEnamel, test::kRestoration, test::kDentin, test::kCaries, test::kPulp};
     for (int i = 0; i + 1 < 5; ++i) EXPECT_GT(table[order[i]].soundCentre, table[order[i + 1]].soundCentre);
-    EXPECT_EQ(table[MaterialId::Enamel].soundBrightness, 1);
-    for (std::size_t i = 0; i < kMaterialCount; ++i) EXPECT_LE(table[static_cast<MaterialId>(i)].soundBrightness, 1);
+    EXPECT_EQ(table[test::kEnamel].soundBrightness, 1);
+    for (const MaterialId id : table.registry().ids()) EXPECT_LE(table[id].soundBrightness, 1);
 }
 
-TEST(Material, OneNewtonOnEnamelAtFullSpeedStaysWithinTheMeasuredRates) {
-    const double rate = MaterialTable{}[MaterialId::Enamel].removal * 1.0 * 15.7;  // N, m/s -> mm^3/s
+TEST(MaterialTable, OneNewtonOnEnamelAtFullSpeedStaysWithinTheMeasuredRates) {
+    const double rate = MaterialTable{}[test::kEnamel].removal * 1.0 * 15.7;  // N, m/s -> mm^3/s
     EXPECT_GE(rate, 0.06);
     EXPECT_LE(rate, 0.3);
 }

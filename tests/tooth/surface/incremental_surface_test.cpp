@@ -15,6 +15,7 @@
 #include "geometry/io/stl_reader.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_report.h"
+#include "support/materials.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -80,7 +81,7 @@ LayeredTooth twoBlocks() {
     TriangleMesh outer = test::box(Vec3(-1, -1, -2), Vec3(1, 1, 0));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
     append(outer, test::box(Vec3(1 + kBetween, -1, -2), Vec3(3, 1, 0)));
-    return *LayeredTooth::make(std::move(outer), {}, MaterialId::Enamel, {.firstAdjacent = first});
+    return *LayeredTooth::make(std::move(outer), {}, test::kEnamel, {.firstAdjacent = first});
 }
 
 double volumeCutFrom(const TriangleMesh& left, double whole) { return whole - test::volumeOf(left); }
@@ -97,7 +98,7 @@ TEST(IncrementalSurface, ACutOfABodyAroundTheToothCountsForThatBody) {
                                    std::pair(at(-0.2, -0.1, 0.5), at(-0.2, -0.1, -1.1))}) {  // in the tooth itself
         const CarveResult result = volume.carve(bur, from, to, 0);
         surface.update(volume, result.changed);
-        for (std::size_t i = 0; i < kMaterialCount; ++i) removed[i] += result.removed[i];
+        for (std::size_t i = 0; i < kMaxMaterials; ++i) removed[i] += result.removed[i];
     }
     const Surface cut = *surface.snapshot();
     const TriangleMesh own = visibleToothMesh(cut).mesh;
@@ -407,8 +408,8 @@ TEST(IncrementalSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
     if (!folder) GTEST_SKIP() << "needs the layers of a real tooth; cut boxes and balls are tested above";
     const auto load = [&](const std::string& name) { return *readStl(*folder / name); };
     std::vector<LayerMesh> layers;
-    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
-        const std::string name(materialName(id));
+    for (const MaterialId id : {test::kEnamel, test::kDentin, test::kPulp}) {
+        const std::string name = builtinMaterials().nameOf(id);
         layers.push_back({name, id, load("openmandible/layered/L6_" + name + ".stl")});
     }
     auto tooth = LayeredTooth::make(load("openmandible/whole/L6_whole.stl"), layers);
@@ -426,10 +427,10 @@ TEST(IncrementalSurface, ARealToothCutToItsPulpIsWatertightInItsFile) {
         };
         const CarveResult result = volume.carve(bur, point(i), point(i + 1));
         surface.update(volume, result.changed);
-        for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += result.removed[m];
+        for (std::size_t m = 0; m < kMaxMaterials; ++m) removed[m] += result.removed[m];
     }
-    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Pulp}) {
-        EXPECT_GT(removed[static_cast<std::size_t>(id)], 0.05) << materialName(id);
+    for (const MaterialId id : {test::kEnamel, test::kDentin, test::kPulp}) {
+        EXPECT_GT(removed[static_cast<std::size_t>(id)], 0.05) << builtinMaterials().nameOf(id);
     }
     const test::TemporaryFolder temporary;
     ASSERT_TRUE(writeStl(visibleMesh(*surface.snapshot()).mesh, temporary / "cut.stl"));

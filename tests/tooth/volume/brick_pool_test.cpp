@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "support/expect_assert.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 #include "tooth/volume/cut_volume.h"
 
@@ -16,9 +17,8 @@ namespace {
 constexpr double kVoxel = 0.05;
 
 std::shared_ptr<const LayeredTooth> ball() {
-    return std::make_shared<const LayeredTooth>(
-        std::move(*LayeredTooth::make(test::sphere(Vec3::Zero(), 3, 48, 24),
-                                      {{"dentin", MaterialId::Dentin, test::sphere(Vec3::Zero(), 2.4, 48, 24)}})));
+    return std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(
+        test::sphere(Vec3::Zero(), 3, 48, 24), {{"dentin", test::kDentin, test::sphere(Vec3::Zero(), 2.4, 48, 24)}})));
 }
 
 RevolutionEnvelope bur() { return *RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.4), 0.4, 48, 24)); }

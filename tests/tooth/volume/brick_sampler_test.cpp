@@ -7,6 +7,7 @@
 #include <random>
 
 #include "collision/bvh/closest_point.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -19,8 +20,7 @@ const LayeredTooth& ball() {
     static const LayeredTooth tooth = [] {
         const TriangleMesh outer = test::sphere(Vec3::Zero(), kRadius, 96, 72);
         const TriangleMesh inner = test::sphere(Vec3::Zero(), 0.7, 96, 64);
-        return *LayeredTooth::make(outer,
-                                   {{"enamel", MaterialId::Enamel, outer}, {"dentin", MaterialId::Dentin, inner}});
+        return *LayeredTooth::make(outer, {{"enamel", test::kEnamel, outer}, {"dentin", test::kDentin, inner}});
     }();
     return tooth;
 }
@@ -58,7 +58,7 @@ TEST(BrickSampler, MaterialsFollowTheLayers) {
             const double radius = nodePosition(lattice, key, node).norm();
             if (radius > 0.99 || std::abs(radius - 0.7) < 0.005) continue;
             ++compared;
-            ASSERT_EQ(brick->material[node], radius < 0.7 ? MaterialId::Dentin : MaterialId::Enamel);
+            ASSERT_EQ(brick->material[node], radius < 0.7 ? test::kDentin : test::kEnamel);
         }
     }
     EXPECT_GT(compared, 1000);
@@ -86,7 +86,7 @@ TEST(BrickSampler, OverlappingBodiesHaveTheSidesOfARayTest) {
     TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
     append(outer, test::box(Vec3(0.5, -0.6, -0.7), Vec3(2, 0.8, 0.9)));  // inside the first one, and out of it
-    const auto tooth = LayeredTooth::make(outer, {}, MaterialId::Dentin, {.firstAdjacent = first});
+    const auto tooth = LayeredTooth::make(outer, {}, test::kDentin, {.firstAdjacent = first});
     ASSERT_TRUE(tooth);
     EXPECT_TRUE(tooth->bodiesOverlap());
     const Lattice lattice(kVoxel);
@@ -111,7 +111,7 @@ TEST(BrickSampler, BodiesThatStandApartAreNoOverlap) {
     TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
     append(outer, test::box(Vec3(1.01, -1, -1), Vec3(2, 1, 1)));
-    EXPECT_FALSE(LayeredTooth::make(outer, {}, MaterialId::Dentin, {.firstAdjacent = first})->bodiesOverlap());
+    EXPECT_FALSE(LayeredTooth::make(outer, {}, test::kDentin, {.firstAdjacent = first})->bodiesOverlap());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "support/expect_assert.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -34,9 +35,9 @@ FeedResult push(CutVolume& volume, double work, double sharpness = 1) {
 TEST(WorkFor, AddsUpWhatEachMaterialAsksFor) {
     const MaterialTable table;
     MaterialVolumes volumes{};
-    volumes[static_cast<std::size_t>(MaterialId::Enamel)] = 0.2;
-    volumes[static_cast<std::size_t>(MaterialId::Caries)] = 0.3;
-    const double expected = 0.2 / table[MaterialId::Enamel].removal + 0.3 / table[MaterialId::Caries].removal;
+    volumes[static_cast<std::size_t>(test::kEnamel)] = 0.2;
+    volumes[static_cast<std::size_t>(test::kCaries)] = 0.3;
+    const double expected = 0.2 / table[test::kEnamel].removal + 0.3 / table[test::kCaries].removal;
     EXPECT_DOUBLE_EQ(workFor(volumes, table, 1), expected);
     EXPECT_DOUBLE_EQ(workFor(volumes, table, 0.25), 4 * expected);
 }
@@ -62,7 +63,7 @@ TEST(Between, EndsExactlyAtBothPosesAndIsHalfWayInTheMiddle) {
 
 TEST(BurFeed, SpendsTheWorkAndNeverMore) {
     for (const double work : {1.0, 5.0, 20.0}) {
-        CutVolume volume = blockOf(MaterialId::Enamel);
+        CutVolume volume = blockOf(test::kEnamel);
         const FeedResult result = push(volume, work);
         EXPECT_LE(result.work, work);
         EXPECT_GE(result.work, 0.97 * work);
@@ -72,10 +73,10 @@ TEST(BurFeed, SpendsTheWorkAndNeverMore) {
 
 TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
     for (const double work : {1.0, 5.0, 20.0, 1e3}) {
-        CutVolume volume = blockOf(MaterialId::Enamel);
+        CutVolume volume = blockOf(test::kEnamel);
         const FeedResult whole = push(volume, work);
         for (const double enough : {1e-3, 0.05, 0.3, 2.0}) {
-            CutVolume other = blockOf(MaterialId::Enamel);
+            CutVolume other = blockOf(test::kEnamel);
             const FeedResult result = feedBur(other, flatBur(), atDepth(0), atDepth(0.5), work, {}, 1, enough);
             EXPECT_LE(result.work, work) << enough;
             EXPECT_GE(result.work, std::min(0.97 * work, whole.work)) << enough;
@@ -85,7 +86,7 @@ TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
 }
 
 TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
-    CutVolume volume = blockOf(MaterialId::Enamel);
+    CutVolume volume = blockOf(test::kEnamel);
     const double hair = 1e-9;
     const FeedResult result = push(volume, hair);
     EXPECT_EQ(result.fraction, 0);
@@ -97,10 +98,10 @@ TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
 }
 
 TEST(BurFeed, TheDepthIsTheWorkTimesRemovalOverTheArea) {
-    CutVolume volume = blockOf(MaterialId::Dentin);
+    CutVolume volume = blockOf(test::kDentin);
     const FeedResult result = push(volume, 10);
     const double clearance = kDefaultClearance * kVoxel;
-    const double depth = 10 * MaterialTable{}[MaterialId::Dentin].removal / kArea - clearance;
+    const double depth = 10 * MaterialTable{}[test::kDentin].removal / kArea - clearance;
     EXPECT_NEAR(0.5 * result.fraction, depth, 0.04 * depth);
 }
 
@@ -110,20 +111,20 @@ TEST(BurFeed, EqualWorkTakesMaterialsInTheRatioOfTheirRemoval) {
         return total(push(volume, 3).carve.removed);
     };
     const MaterialTable table;
-    const double enamel = removedFrom(MaterialId::Enamel) / table[MaterialId::Enamel].removal;
-    for (const MaterialId other : {MaterialId::Dentin, MaterialId::Caries}) {
+    const double enamel = removedFrom(test::kEnamel) / table[test::kEnamel].removal;
+    for (const MaterialId other : {test::kDentin, test::kCaries}) {
         EXPECT_NEAR(removedFrom(other) / table[other].removal, enamel, 0.05 * enamel);
     }
 }
 
 TEST(BurFeed, AWornBurCutsInProportionToItsSharpness) {
-    CutVolume sharp = blockOf(MaterialId::Enamel);
-    CutVolume worn = blockOf(MaterialId::Enamel);
+    CutVolume sharp = blockOf(test::kEnamel);
+    CutVolume worn = blockOf(test::kEnamel);
     EXPECT_NEAR(total(push(worn, 10, 0.5).carve.removed), 0.5 * total(push(sharp, 10).carve.removed), 0.003);
 }
 
 TEST(BurFeed, GoesAllTheWayWhereTheWorkIsEnough) {
-    CutVolume volume = blockOf(MaterialId::Caries);
+    CutVolume volume = blockOf(test::kCaries);
     const FeedResult result = push(volume, 1e6);
     EXPECT_EQ(result.fraction, 1);
     const double clearance = kDefaultClearance * kVoxel;
@@ -133,7 +134,7 @@ TEST(BurFeed, GoesAllTheWayWhereTheWorkIsEnough) {
 }
 
 TEST(BurFeed, WithoutWorkOrEdgeNothingChanges) {
-    CutVolume volume = blockOf(MaterialId::Enamel);
+    CutVolume volume = blockOf(test::kEnamel);
     const std::uint64_t whole = volume.hash();
     EXPECT_EQ(push(volume, 0).work, 0);
     const FeedResult blunt = push(volume, 100, 0);
@@ -143,7 +144,7 @@ TEST(BurFeed, WithoutWorkOrEdgeNothingChanges) {
 }
 
 TEST(BurFeed, InTheAirItCostsNothing) {
-    CutVolume volume = blockOf(MaterialId::Enamel);
+    CutVolume volume = blockOf(test::kEnamel);
     const FeedResult result = feedBur(volume, flatBur(), atDepth(-1), atDepth(-0.5), 0, {}, 1);
     EXPECT_EQ(result.fraction, 1);
     EXPECT_EQ(result.work, 0);
@@ -151,7 +152,7 @@ TEST(BurFeed, InTheAirItCostsNothing) {
 }
 
 TEST(BurFeedAsserts, WorkAndSharpnessAreNotNegativeAndNumbers) {
-    CutVolume volume = blockOf(MaterialId::Enamel);
+    CutVolume volume = blockOf(test::kEnamel);
     EXPECT_ASSERT(push(volume, -1));
     EXPECT_ASSERT(static_cast<void>(workFor({}, {}, std::nan(""))));
     EXPECT_ASSERT(static_cast<void>(between(atDepth(0), atDepth(1), -0.5)));

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "support/expect_assert.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -42,7 +43,7 @@ MaterialVolumes carvePath(CutVolume& volume, const RevolutionEnvelope& bur, int 
         };
         for (int i = 0; i < parts; ++i) {
             const CarveResult step = volume.carve(bur, point(i), point(i + 1), 0);
-            for (std::size_t m = 0; m < kMaterialCount; ++m) removed[m] += step.removed[m];
+            for (std::size_t m = 0; m < kMaxMaterials; ++m) removed[m] += step.removed[m];
         }
     }
     return removed;
@@ -79,14 +80,14 @@ TEST(CutVolume, ClearanceWidensTheHole) {
 }
 
 TEST(CutVolume, EachMaterialIsCountedWhereItLies) {
-    const auto tooth = block({{"enamel", MaterialId::Enamel, test::box(Vec3(-2, -2, -0.5), Vec3(2, 2, 0))},
-                              {"dentin", MaterialId::Dentin, test::box(Vec3(-2, -2, -3), Vec3(2, 2, -0.5))}});
+    const auto tooth = block({{"enamel", test::kEnamel, test::box(Vec3(-2, -2, -0.5), Vec3(2, 2, 0))},
+                              {"dentin", test::kDentin, test::box(Vec3(-2, -2, -3), Vec3(2, 2, -0.5))}});
     CutVolume volume(tooth, kVoxel);
     const auto removed = volume.carve(flatBur(0.6), at(0, 0, 0.5), at(0, 0, -1.5), 0).removed;
     const double area = kPi * 0.36;
-    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Enamel)], 0.5 * area, 0.5 * kVoxel * area);
-    EXPECT_NEAR(removed[static_cast<std::size_t>(MaterialId::Dentin)], 1.0 * area, 0.5 * kVoxel * area);
-    EXPECT_EQ(removed[static_cast<std::size_t>(MaterialId::Pulp)], 0);
+    EXPECT_NEAR(removed[static_cast<std::size_t>(test::kEnamel)], 0.5 * area, 0.5 * kVoxel * area);
+    EXPECT_NEAR(removed[static_cast<std::size_t>(test::kDentin)], 1.0 * area, 0.5 * kVoxel * area);
+    EXPECT_EQ(removed[static_cast<std::size_t>(test::kPulp)], 0);
 }
 
 TEST(CutVolume, TheSumOverStepsIsTheVolumeOfTheCavity) {

@@ -55,10 +55,10 @@ void printSentences(const std::vector<std::string>& sentences) {
 }
 
 /// "enamel, dentin and pulp (a model)".
-std::string layersOf(const CaseTooth& tooth) {
-    if (tooth.layers.empty()) return "all " + std::string(materialName(tooth.material));
+std::string layersOf(const CaseTooth& tooth, const MaterialRegistry& materials) {
+    if (tooth.layers.empty()) return "all " + materials.nameOf(tooth.material);
     std::string words;
-    for (const auto& [id, file] : tooth.layers) words.append(words.empty() ? "" : ", ").append(materialName(id));
+    for (const auto& [id, file] : tooth.layers) words.append(words.empty() ? "" : ", ").append(materials.nameOf(id));
     return words + (tooth.isModelled ? " (a model)" : "");
 }
 
@@ -66,11 +66,12 @@ void printBodies(const CaseDescription& description, bool withAssumptions) {
     for (const CaseTooth& tooth : description.teeth) {
         const Vec3& at = tooth.toothInCase.position;
         print("  tooth {}{}: {}; at {:.1f}, {:.1f}, {:.1f} mm\n", displayText(tooth.name),
-              tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth), at.x(), at.y(), at.z());
+              tooth.fdi != 0 ? fmt::format(" (FDI {})", tooth.fdi) : "", layersOf(tooth, *description.registry), at.x(),
+              at.y(), at.z());
         if (withAssumptions) printSentences(tooth.assumed);
     }
     for (const CaseSurrounding& body : description.around) {
-        print("  around: {}, taken as {}\n", displayText(body.name), materialName(body.material));
+        print("  around: {}, taken as {}\n", displayText(body.name), description.registry->nameOf(body.material));
         if (withAssumptions) printSentences(body.assumed);
     }
     for (const std::string& bur : description.burs) print("  bur: {}\n", displayText(bur));

@@ -33,7 +33,9 @@ Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem
     return metrics.of(*piece.surface(), total(piece.removed()));
 }
 
-std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
+std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const CutModel& piece) {
+    const ToothLoss& loss = piece.loss();
+    const MaterialRegistry& materials = piece.tooth().materials();
     nlohmann::ordered_json json = {{"tooth", displayName(options.tooth)},
                                    {"target", displayName(options.target)},
                                    {"ideal_mm3", cavity.planned},
@@ -42,13 +44,15 @@ std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, co
                                    {"beyond_mm3", cavity.beyond},
                                    {"deepest_beyond_mm", cavity.maxOverPreparation},
                                    {"likeness", cavity.dice()}};
-    for (std::size_t id = 0; id < kMaterialCount; ++id)
-        json["removed_mm3"][std::string(materialName(static_cast<MaterialId>(id)))] = loss.removed[id];
+    for (const MaterialId id : materials.ids())
+        json["removed_mm3"][materials.nameOf(id)] = loss.removed[static_cast<std::size_t>(id)];
     json["removed_beside_mm3"] = loss.beside;
     return json.dump(1) + '\n';
 }
 
-std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const ToothLoss& loss) {
+std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const CutModel& piece) {
+    const ToothLoss& loss = piece.loss();
+    const MaterialRegistry& materials = piece.tooth().materials();
     std::string text = fmt::format("{} against {}\n", displayName(options.tooth), displayName(options.target));
     text += fmt::format("  ideal cavity   {:8.2f} mm3\n", cavity.planned);
     text +=
@@ -56,10 +60,9 @@ std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, c
     text += fmt::format("  cut beyond it  {:8.2f} mm3, {:.2f} mm deep at worst\n", cavity.beyond,
                         cavity.maxOverPreparation);
     text += fmt::format("  likeness       {:8.0f} %\n", kPercent * cavity.dice());
-    for (std::size_t id = 0; id < kMaterialCount; ++id) {
-        if (loss.removed[id] <= 0) continue;
-        text +=
-            fmt::format("  {:<14} {:8.2f} mm3 removed\n", materialName(static_cast<MaterialId>(id)), loss.removed[id]);
+    for (const MaterialId id : materials.ids()) {
+        const double removed = loss.removed[static_cast<std::size_t>(id)];
+        if (removed > 0) text += fmt::format("  {:<14} {:8.2f} mm3 removed\n", materials.nameOf(id), removed);
     }
     if (loss.beside > 0) text += fmt::format("  of it          {:8.2f} mm3 beside the tooth\n", loss.beside);
     return text;
@@ -76,10 +79,11 @@ int runScore(const ScoreOptions& options) {
     }
     const Expected<OpenedTooth> opened = openTooth(options.tooth);
     if (!opened) return reportError(opened.error());
+    printImportNotes(opened->importNotes);
     const Expected<CavityProgress> cavity = progressOf(*opened->piece, options.target);
     if (!cavity) return reportError(cavity.error());
-    const ToothLoss& loss = opened->piece->loss();
-    writeTo(stdout, options.json ? asJson(options, *cavity, loss) : asTable(options, *cavity, loss));
+    const CutModel& piece = *opened->piece;
+    writeTo(stdout, options.json ? asJson(options, *cavity, piece) : asTable(options, *cavity, piece));
     return kExitOk;
 }
 

@@ -18,9 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::optional<MaterialId>, 5> kFelt = {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries,
-                                                            MaterialId::Pulp, std::nullopt};
-
 bool isWanted(const std::vector<std::string>& names, std::string_view name) {
     return names.empty() || std::ranges::find(names, name) != names.end();
 }
@@ -29,7 +26,7 @@ std::vector<StabilityCase> casesOf(const BenchStabilityOptions& options) {
     std::vector<StabilityCase> cases;
     for (const DevicePreset& device : devicePresets()) {
         for (const HandImpedance& hand : handImpedances()) {
-            for (const auto& material : kFelt) {
+            for (const auto& material : stabilityMaterials()) {
                 for (int i = 0; i < kScenarioCount; ++i) {
                     const StabilityCase one{&device, &hand, material, static_cast<StabilityScenario>(i),
                                             options.rateHz};

@@ -12,7 +12,6 @@
 #include "instruments/bur_shape.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
-#include "session/io/material_file.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -62,7 +61,6 @@ Expected<DrillingScene> DrillingScene::make(std::shared_ptr<const LayeredTooth> 
     constexpr double kAbove = 13;  // mm, as in the window
     eye.fit(crownBox(box, kAbove), size.aspect());
     eye.setView({1.25, 0.62});
-    work.contents_.materials = defaultMaterials();
     work.contents_.camera = eye.camera();
     work.contents_.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(makeBur(spec, 6000).surface),
                                     .turbine = std::make_shared<const TriangleMesh>(makeTurbine()),

@@ -12,6 +12,7 @@
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
 #include "devices/device_presets.h"
+#include "experiments/stability.h"
 
 namespace tactooth {
 namespace {
@@ -148,9 +149,14 @@ void addBenchStability(CLI::App& bench, CommandAction& chosen) {
     for (const DevicePreset& preset : devicePresets()) models.emplace_back(preset.name);
     addNames("--device", options->devices, alternatives(models) + "; may be repeated", {models.begin(), models.end()});
     addNames("--hand", options->hands, "loose, nominal or firm", {"loose", "nominal", "firm"});
-    addNames("--material", options->materials,
-             "enamel, dentin, caries, pulp, or stiffest: a spring as stiff as the device bears",
-             {"enamel", "dentin", "caries", "pulp", "stiffest"});
+    std::set<std::string> materials;
+    std::string names;
+    for (const std::optional<MaterialId>& material : stabilityMaterials()) {
+        materials.emplace(materialNameOf({.material = material}));
+        if (material) names += builtinMaterials().nameOf(*material) + ", ";
+    }
+    addNames("--material", options->materials, (names + "or stiffest: a spring as stiff as the device bears").c_str(),
+             materials);
     addNames("--situation", options->situations, "tap, press (1 N), limit, cusp, fissure, slot, let-go, cut or tremor",
              {"tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor"});
     addRate(*command, options->rateHz);

@@ -94,10 +94,10 @@ Expected<ClipArgument> parseClip(const std::string& text) {
                       "tooth's middle, as buccal=1.5 (mm).");
 }
 
-Expected<OpacityArgument> parseOpacity(const std::string& text) {
+Expected<OpacityArgument> parseOpacity(const std::string& text, const MaterialRegistry& materials) {
     const auto parts = split(text, '=');
     const double opacity = parts.size() == 2 ? toNumber<double>(parts[1]).value_or(-1) : -1;
-    const std::optional<MaterialId> material = materialFromName(parts.front());
+    const std::optional<MaterialId> material = materials.find(parts.front());
     if (material && opacity >= 0 && opacity <= 1) return OpacityArgument{*material, static_cast<float>(opacity)};
     return unexpected(quotedWord(text) +
                       " makes nothing transparent: write a material and its opacity from 0 to 1, as enamel=0.3.");

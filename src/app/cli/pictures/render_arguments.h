@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "geometry/util/expected.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 #include "view/camera/orbit_camera.h"
 
 namespace tactooth {
@@ -39,11 +39,11 @@ struct ClipArgument {
 [[nodiscard]] Expected<ClipArgument> parseClip(const std::string& text);
 
 struct OpacityArgument {
-    MaterialId material = MaterialId::Enamel;
+    MaterialId material{};
     float opacity = 1;
 };
 /// "enamel=0.3"
-[[nodiscard]] Expected<OpacityArgument> parseOpacity(const std::string& text);
+[[nodiscard]] Expected<OpacityArgument> parseOpacity(const std::string& text, const MaterialRegistry& materials);
 
 /// "turn.png" and 7 give "turn-007.png".
 [[nodiscard]] std::filesystem::path numberedFile(const std::filesystem::path& file, int number);

@@ -24,11 +24,12 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of what is looked at: easy to fuse
 
-Expected<SessionTooth> toothOf(const RenderOptions& options) {
+Expected<SessionTooth> toothOf(const RenderOptions& options, const MaterialRegistry& materials) {
     if (options.tooth.empty()) return makeSessionTooth(kBuiltinTeeth.front());
     ToothSource source{.outer = options.tooth, .layers = {}};
+    if (!options.materials.empty()) source.materials = &materials;
     for (const std::string& text : options.layers) {
-        Expected<ToothSource::Layer> layer = parseLayer(text);
+        Expected<ToothSource::Layer> layer = parseLayer(text, materials);
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
@@ -64,7 +65,7 @@ Expected<Inspection> inspectionOf(const RenderOptions& options, const SessionToo
         inspection.section = sectionPlane(clip->side, tooth.mesialX, tooth.box(), clip->fromMiddle);
     }
     for (const std::string& text : options.transparent) {
-        const auto layer = parseOpacity(text);
+        const auto layer = parseOpacity(text, tooth.piece->tooth().materials());
         if (!layer) return Unexpected{layer.error()};
         inspection.opacity[static_cast<std::size_t>(layer->material)] = layer->opacity;
     }
@@ -168,18 +169,19 @@ Expected<void> takeTurn(RenderSetup& studio, OrbitCamera eye) {
 Expected<void> render(const RenderOptions& options) {
     const auto size = parseSize(options.size);
     if (!size) return Unexpected{size.error()};
-    auto tooth = toothOf(options);
+    const auto given = materialsFrom(options.materials);
+    if (!given) return Unexpected{given.error()};
+    auto tooth = toothOf(options, **given);
     if (!tooth) return Unexpected{tooth.error()};
-    const auto materials =
-        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
-    if (!materials) return Unexpected{materials.error()};
+    // A built-in tooth has the built-in materials; all registries begin with these.
+    const MaterialTable materials(options.tooth.empty() ? **given : tooth->piece->tooth().materials());
     auto inspection = inspectionOf(options, *tooth);
     if (!inspection) return Unexpected{inspection.error()};
     const auto eye = eyeOf(options, *tooth, *size);
     if (!eye) return Unexpected{eye.error()};
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
-    RenderSetup studio{options, std::move(*tooth), *materials, std::move(*inspection), {}, *size, std::move(*renderer)};
+    RenderSetup studio{options, std::move(*tooth), materials, std::move(*inspection), {}, *size, std::move(*renderer)};
     if (options.mirror) studio.mirror = makeMirror(*options.mirror);
     return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
 }

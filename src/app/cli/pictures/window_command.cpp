@@ -10,6 +10,7 @@
 #include "app/gui/window/run_window.h"
 #include "devices/open_device.h"
 #include "geometry/util/number_text.h"
+#include "session/io/material_file.h"
 
 namespace tactooth {
 namespace {
@@ -28,10 +29,15 @@ void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
         ->type_name("NAME")
         ->needs(tooth)
         ->group(kGroup);
-    program
-        .add_option("--layer", arguments.layers, "A closed surface inside it; NAME is enamel, dentin, pulp or caries")
+    program.add_option("--layer", arguments.layers, "A closed surface inside it; NAME: " + builtinMaterials().names())
         ->type_name("NAME=FILE")
         ->allow_extra_args(false)
+        ->needs(tooth)
+        ->group(kGroup);
+    program
+        .add_option("--materials", arguments.materials,
+                    "TOML file that changes the materials of it or adds some (pattern: data/materials.toml)")
+        ->type_name("FILE")
         ->needs(tooth)
         ->group(kGroup);
 }
@@ -138,8 +144,11 @@ int runWindowCommand(const WindowArguments& arguments) {
         }
         options.mouth = MouthChoice{*arguments.mouth, !arguments.noCache};
     }
+    const auto materials = materialsFrom(arguments.materials);
+    if (!materials) return reportError(materials.error());
+    if (!arguments.materials.empty()) options.tooth->materials = *materials;
     for (const std::string& text : arguments.layers) {
-        Expected<ToothSource::Layer> layer = parseLayer(text);
+        Expected<ToothSource::Layer> layer = parseLayer(text, **materials);
         if (!layer) return reportError(layer.error());
         options.tooth->layers.push_back(std::move(*layer));
     }

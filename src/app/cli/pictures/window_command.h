@@ -18,6 +18,7 @@ struct WindowArguments {
     std::string tooth;
     std::string workOn;
     std::vector<std::string> layers;
+    std::string materials;
     std::string exercise;
     std::string bur;
     std::map<std::string, std::string> settings;  ///< by flag

@@ -30,17 +30,33 @@ namespace {
 
 constexpr double kUsualVoxel = 0.025;  // mm: walls true to a micrometre, and still hours of cutting in 600 MB
 
-constexpr std::array<std::string_view, 6> kRemovedColumns = {"t", "enamel", "dentin", "pulp", "caries", "other"};
+/// The table of what was removed: t, then the materials in the order of their roles (enamel, dentin, pulp, caries,
+/// other), then all further ones.
+class RemovedCsv {
+public:
+    [[nodiscard]] static Expected<RemovedCsv> create(const std::filesystem::path& path,
+                                                     const MaterialRegistry& materials) {
+        std::vector<std::string_view> columns = {"t"};
+        for (const MaterialId id : materials.byRole()) columns.emplace_back(materials.nameOf(id));
+        auto file = CsvWriter::create(path, columns);
+        if (!file) return Unexpected{file.error()};
+        return RemovedCsv(std::move(*file), materials);
+    }
 
-std::array<double, kRemovedColumns.size()> removedRow(double time, const MaterialVolumes& removed) {
-    const auto of = [&](MaterialId id) { return removed[static_cast<std::size_t>(id)]; };
-    return {time,
-            of(MaterialId::Enamel),
-            of(MaterialId::Dentin),
-            of(MaterialId::Pulp),
-            of(MaterialId::Caries),
-            of(MaterialId::Restoration) + of(MaterialId::Other)};
-}
+    void row(double time, const MaterialVolumes& removed) {
+        row_.assign(1, time);
+        for (const MaterialId id : materials_->byRole()) row_.push_back(removed[static_cast<std::size_t>(id)]);
+        file_.row(row_);
+    }
+    [[nodiscard]] Expected<void> commit() { return file_.commit(); }
+
+private:
+    RemovedCsv(CsvWriter file, const MaterialRegistry& materials) : file_(std::move(file)), materials_(&materials) {}
+
+    CsvWriter file_;
+    const MaterialRegistry* materials_;
+    std::vector<double> row_;
+};
 
 /// The files that the command leaves behind: all of them, or none.
 class CutFiles {
@@ -60,6 +76,7 @@ public:
 
     /// Once it is known what layers the tooth has.
     [[nodiscard]] Expected<void> begin(const CutOptions& options, const LayeredTooth& tooth) {
+        watched_ = CutEvents(tooth.materials());
         if (!options.layersOut.empty()) {
             for (const std::string& layer : remainingLayerNames(tooth)) {
                 if (auto opened = set_.open(layerFile(options.layersOut, layer)); !opened) return opened;
@@ -71,7 +88,7 @@ public:
             forces_.emplace(std::move(*file));
         }
         if (!options.removed.empty()) {
-            auto file = CsvWriter::create(options.removed, kRemovedColumns);
+            auto file = RemovedCsv::create(options.removed, tooth.materials());
             if (!file) return Unexpected{file.error()};
             removed_.emplace(std::move(*file));
         }
@@ -80,7 +97,7 @@ public:
 
     void row(double time, const Tick& tick, const ToothLoss& loss) {
         if (forces_) forces_->write(time, tick);
-        if (removed_) removed_->row(removedRow(time, loss.removed));
+        if (removed_) removed_->row(time, loss.removed);
         watched_.update(time, tick, loss);
     }
 
@@ -135,15 +152,15 @@ private:
 
     FileTransaction set_;
     std::optional<TickCsv> forces_;
-    std::optional<CsvWriter> removed_;
+    std::optional<RemovedCsv> removed_;
     CutEvents watched_;
     std::vector<std::string> layerLines_;  // what is said of them once they are there
 };
 
-Expected<ToothSource> toothSource(const CutOptions& options) {
-    ToothSource source{options.tooth, {}, options.material};
+Expected<ToothSource> toothSource(const CutOptions& options, const MaterialRegistry& materials) {
+    ToothSource source{options.tooth, {}, options.material, options.materials.empty() ? nullptr : &materials};
     for (const std::string& text : options.layers) {
-        auto layer = parseLayer(text);
+        auto layer = parseLayer(text, materials);
         if (!layer) return Unexpected{layer.error()};
         source.layers.push_back(std::move(*layer));
     }
@@ -158,10 +175,10 @@ Expected<CustomBur> burOf(const CutOptions& options, const ToothPlacement& place
     return unexpected("there is no bur: give --tool, or a case that brings one.");
 }
 
-void printLoss(const ToothLoss& loss) {
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        if (loss.removed[i] > 0)
-            print("removed {:>12}: {:8.3f} mm^3\n", materialName(static_cast<MaterialId>(i)), loss.removed[i]);
+void printLoss(const ToothLoss& loss, const MaterialRegistry& materials) {
+    for (const MaterialId id : materials.ids()) {
+        const double removed = loss.removed[static_cast<std::size_t>(id)];
+        if (removed > 0) print("removed {:>12}: {:8.3f} mm^3\n", materials.nameOf(id), removed);
     }
     if (loss.beside > 0) print("of it beside the tooth: {:.3f} mm^3\n", loss.beside);
 }
@@ -172,7 +189,9 @@ int runCut(const CutOptions& options) {
     if (!options.vdb.empty()) {
         if (const auto can = checkVdb(); !can) return reportError(can.error());
     }
-    const auto source = toothSource(options);
+    const auto known = materialsFrom(options.materials);
+    if (!known) return reportError(known.error());
+    const auto source = toothSource(options, **known);
     if (!source) return reportError(source.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return reportError(opened.error());
@@ -188,9 +207,7 @@ int runCut(const CutOptions& options) {
     if (!tool) return reportError({bur->name + ": " + tool.error().message});
     CutModel& piece = *tooth->piece;
     const MaterialVolumes before = piece.removed();
-    const auto materials = options.materials.empty() && tooth->place.materials ? *tooth->place.materials
-                                                                               : materialsFrom(options.materials);
-    if (!materials) return reportError(materials.error());
+    const MaterialTable materials(piece.tooth().materials());
     if (!options.vdb.empty()) {
         if (const auto fits = checkVdbSize(piece.tooth(), piece.volume().lattice().spacing()); !fits)
             return reportError(fits.error());
@@ -199,15 +216,15 @@ int runCut(const CutOptions& options) {
 
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
     if (options.feed == "rigid") {
-        if (const auto done = cutKinematically(*path, *tool, options.speedRpm, *materials, piece, visit); !done)
+        if (const auto done = cutKinematically(*path, *tool, options.speedRpm, materials, piece, visit); !done)
             return reportError(done.error());
     } else {
         HapticSettings settings;
-        settings.materials = *materials;
+        settings.materials = materials;
         settings.spindle = constantSpeed(options.speedRpm);
         HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
                                     tool->envelope.maxRadius(), piece.surface(), settings);
-        if (const auto done = cutWithRemovalLaw(*path, *tool, *materials, simulation, piece, visit); !done)
+        if (const auto done = cutWithRemovalLaw(*path, *tool, materials, simulation, piece, visit); !done)
             return reportError(done.error());
     }
     const TaggedMesh cut = piece.exported();
@@ -215,7 +232,7 @@ int runCut(const CutOptions& options) {
         return reportError(done.error());
     if (!options.vdb.empty()) print("voxels written to {}\n", displayName(options.vdb));
     files.printLayers();
-    printLoss(piece.loss());
+    printLoss(piece.loss(), piece.tooth().materials());
     if (total(before) > 0) print("of which before:      {:8.3f} mm^3\n", total(before));
     print("{} triangles written to {}\n", cut.mesh.triangles.size(), displayName(options.out));
     return kExitOk;

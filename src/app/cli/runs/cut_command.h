@@ -12,7 +12,7 @@ namespace tactooth {
 struct CutOptions {
     std::filesystem::path tooth;
     std::vector<std::string> layers;  ///< NAME=FILE
-    std::string material = "enamel";  ///< of the tooth where it has no layers
+    std::string material;             ///< of the tooth where it has no layers; empty: enamel
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
     std::filesystem::path tool;       ///< surface or description; empty: the case's own
     std::string workOn;               ///< tooth of a case; empty: the first

@@ -43,7 +43,6 @@ struct DemoInputs {
     std::string burName;
     std::shared_ptr<const LayeredTooth> tooth;
     Box3 box;  // of the tooth that is worked on
-    std::optional<MaterialTable> materials;
     std::optional<CustomBur> customBur;
     Surroundings surroundings;
     std::optional<Instrument> instrument;
@@ -60,11 +59,11 @@ Expected<ToothInMouth> makeDemoMouth(DemoInputs& cast) {
     return made;
 }
 
-Expected<void> loadDemoTooth(const DemoOptions& options, DemoInputs& cast) {
+Expected<void> loadDemoTooth(const DemoOptions& options, const MaterialRegistry& materials, DemoInputs& cast) {
     if (!options.tooth.empty()) {
-        ToothSource source{options.tooth, {}, "enamel"};
+        ToothSource source{options.tooth, {}, {}, options.materials.empty() ? nullptr : &materials};
         for (const std::string& text : options.layers) {
-            auto layer = parseLayer(text);
+            auto layer = parseLayer(text, materials);
             if (!layer) return Unexpected{layer.error()};
             source.layers.push_back(std::move(*layer));
         }
@@ -76,7 +75,7 @@ Expected<void> loadDemoTooth(const DemoOptions& options, DemoInputs& cast) {
         cast.tooth = std::move(placed->tooth);
         cast.box = place.box;
         cast.props.mesialX = place.mesialX;
-        cast.materials = std::move(place.materials);
+        cast.props.materials = MaterialTable(cast.tooth->materials());
         cast.customBur = std::move(place.bur);
         return {};
     }
@@ -181,12 +180,11 @@ int runDemo(const DemoOptions& options) {
     FileTransaction files;
     if (const auto done = openFiles(options, files); !done) return reportError(done.error());
     DemoInputs cast;
-    if (const auto done = loadDemoTooth(options, cast); !done) return reportError(done.error());
-    if (const auto done = loadDemoBur(options, cast); !done) return reportError(done.error());
-    const auto materials =
-        options.materials.empty() && cast.materials ? *cast.materials : materialsFrom(options.materials);
+    const auto materials = materialsFrom(options.materials);
     if (!materials) return reportError(materials.error());
-    cast.props.materials = *materials;
+    cast.props.materials = MaterialTable(**materials);
+    if (const auto done = loadDemoTooth(options, **materials, cast); !done) return reportError(done.error());
+    if (const auto done = loadDemoBur(options, cast); !done) return reportError(done.error());
     makeDemoMirror(cast);
     cast.props.box = cast.box;
 

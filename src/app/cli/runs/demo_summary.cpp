@@ -26,8 +26,9 @@ std::string demoSummary(const Demonstration& demonstration, const CutModel& piec
         if (tick.contacts > 0) ++touching, sum += force;
     }
     nlohmann::ordered_json removed;
-    for (std::size_t i = 0; i < kMaterialCount; ++i) {
-        removed[std::string(materialName(static_cast<MaterialId>(i)))] = piece.removed()[i];
+    const MaterialRegistry& materials = piece.tooth().materials();
+    for (const MaterialId id : materials.ids()) {
+        removed[materials.nameOf(id)] = piece.removed()[static_cast<std::size_t>(id)];
     }
     auto events = nlohmann::ordered_json::array();
     for (const auto& [kind, time, place] : demonstration.events) {

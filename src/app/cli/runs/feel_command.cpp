@@ -21,21 +21,22 @@ namespace {
 /// What is felt, and its materials' numbers.
 struct FeltTooth {
     std::shared_ptr<const Surface> surface;
-    std::optional<MaterialTable> materials;
+    MaterialTable materials;
 };
 
 /// All of a case in the frame of one of its teeth, or a surface, which may be open.
-Expected<FeltTooth> toothOf(const FeelOptions& options, std::vector<ImportNote>& importNotes) {
+Expected<FeltTooth> toothOf(const FeelOptions& options, const MaterialRegistry& materials,
+                            std::vector<ImportNote>& importNotes) {
     if (!isCase(options.tooth)) {
         auto surface = loadSurface(options.tooth, &importNotes);
         if (!surface) return Unexpected{surface.error()};
-        return FeltTooth{std::move(*surface), {}};
+        return FeltTooth{std::move(*surface), MaterialTable(materials)};
     }
-    const auto opened = openCase(options.tooth, options.workOn);
+    const auto opened = openCase(options.tooth, options.workOn, options.materials.empty() ? nullptr : &materials);
     if (!opened) return Unexpected{opened.error()};
     auto surface = std::make_shared<Surface>();
     surface->base = opened->teeth->outer();
-    return FeltTooth{std::move(surface), opened->materials};
+    return FeltTooth{std::move(surface), MaterialTable(opened->teeth->materials())};
 }
 
 }  // namespace
@@ -47,19 +48,18 @@ int runFeel(const FeelOptions& options) {
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return reportError(trajectory.error());
     std::vector<ImportNote> importNotes;
-    const auto tooth = toothOf(options, importNotes);
+    const auto materials = materialsFrom(options.materials);
+    if (!materials) return reportError(materials.error());
+    const auto tooth = toothOf(options, **materials, importNotes);
     if (!tooth) return reportError(tooth.error());
     const auto tool = loadTool(options.tool, &importNotes);
     if (!tool) return reportError(tool.error());
     printImportNotes(importNotes);
-    const auto materials =
-        options.materials.empty() && tooth->materials ? *tooth->materials : materialsFrom(options.materials);
-    if (!materials) return reportError(materials.error());
     auto file = TickCsv::create(options.out);
     if (!file) return reportError(file.error());
 
     HapticSettings settings;
-    settings.materials = *materials;
+    settings.materials = tooth->materials;
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
     settings.freedom = options.freedom == 6 ? Freedom::TranslationAndRotation : Freedom::Translation;
     settings.force = {options.stiffness, options.damping, options.friction};

@@ -6,7 +6,6 @@
 
 #include "app/common/scene_builder.h"
 #include "instruments/bur_shape.h"
-#include "session/io/material_file.h"
 
 namespace tactooth {
 namespace {
@@ -53,7 +52,6 @@ Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<
     const Quat turn = upper && !occlusal ? rootsUp(view) : Quat::Identity();
     const Box3 box = surface->base->tree().box();
     SceneContents contents;
-    contents.materials = defaultMaterials();
     contents.tooth = surface;
     contents.camera = cameraOn(turn * box.center(), millimetres, orbit, size);
     Scene scene = makeScene(contents);

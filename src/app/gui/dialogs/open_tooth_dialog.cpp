@@ -8,18 +8,10 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <array>
 
 #include "app/gui/text/term_translation.h"
 
 namespace tactooth {
-namespace {
-
-/// Layers from the outside to the inside.
-constexpr std::array kLayers = {MaterialId::Enamel, MaterialId::Dentin,      MaterialId::Pulp,
-                                MaterialId::Caries, MaterialId::Restoration, MaterialId::Other};
-
-}  // namespace
 
 OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(parent), folder_(std::move(folder)) {
     setWindowTitle(tr("Open tooth"));
@@ -33,11 +25,9 @@ OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(pare
     grid->addWidget(intro, 0, 0, 1, 3);
     outer_ = addRow(*grid, tr("Outer surface"), tr("The whole tooth, a case or a saved one, needed"));
     outer_->setObjectName("outerSurface");
-    for (const MaterialId id : kLayers) {
-        const std::string name(materialName(id));
-        QString label = translated(name);
-        label[0] = label[0].toUpper();
-        layers_[name] = addRow(*grid, label, tr("Optional"));
+    for (const MaterialId id : builtinMaterials().inMenuOrder()) {
+        const MaterialDefinition& material = builtinMaterials()[id];
+        layers_[material.name] = addRow(*grid, materialLabel(material), tr("Optional"));
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
     grid->addWidget(buttons, grid->rowCount(), 0, 1, 3);

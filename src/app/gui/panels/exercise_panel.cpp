@@ -35,7 +35,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
     row->addWidget(makeChoice(), 1);
     row->addWidget(makeNumbers(), 1);
     show(nullptr);
-    show(0, {}, {});
+    show(0, {}, builtinMaterials(), {});
 }
 
 QWidget* ExercisePanel::makeChoice() {
@@ -81,7 +81,7 @@ QWidget* ExercisePanel::makeNumbers() {
          {tr("Likeness"), tr("Twice what your cavity and the ideal one have in common over the sum of both: 100 % is "
                              "the ideal cavity, no more and no less")}}};
     auto* numbers = new QWidget;
-    auto* grid = new QGridLayout(numbers);
+    auto* grid = numbers_ = new QGridLayout(numbers);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(1);
@@ -100,19 +100,29 @@ QWidget* ExercisePanel::makeNumbers() {
         grid->addWidget(title, fact + 1, 0);
         grid->addWidget(value, fact + 1, 1, Qt::AlignRight);
     }
-    // The materials of a tooth come first; the other materials would only show zeros.
-    int row = 1;
-    for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries, MaterialId::Pulp}) {
-        const QString name = translated(materialName(id));
-        auto* value = removed_[static_cast<std::size_t>(id)] = new QLabel;
-        value->setAccessibleName(tr("%1 removed").arg(name));
-        grid->addWidget(new QLabel(name), row, 2);
-        grid->addWidget(value, row++, 3, Qt::AlignRight);
-    }
+    // The main materials of a tooth; each other material gets a row when some of it is removed.
+    const MaterialRegistry& materials = builtinMaterials();
+    for (const MaterialRole role :
+         {MaterialRole::Enamel, MaterialRole::Dentin, MaterialRole::Decay, MaterialRole::Pulp})
+        static_cast<void>(rowOf(materials.withRole(role), materials));
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
-    grid->setRowStretch(row, 1);
     return numbers;
+}
+
+ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id, const MaterialRegistry& materials) {
+    RemovedRow& row = removed_[static_cast<std::size_t>(id)];
+    if (row.value == nullptr) {
+        row = {new QLabel, new QLabel};
+        numbers_->setRowStretch(++removedRows_, 0);
+        numbers_->addWidget(row.title, removedRows_, 2);
+        numbers_->addWidget(row.value, removedRows_, 3, Qt::AlignRight);
+        numbers_->setRowStretch(removedRows_ + 1, 1);
+    }
+    const QString title = materialTitle(materials[id]);
+    row.title->setText(title);
+    row.value->setAccessibleName(tr("%1 removed").arg(title));
+    return row;
 }
 
 QString ExercisePanel::number(double value, int digits) const { return locale().toString(value, 'f', digits); }
@@ -134,11 +144,14 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
                                        : tr("Choose an exercise, or a target of your own under Look inside."));
 }
 
-void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity) {
+void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
+                         const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
     values_[kTime]->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
-    for (std::size_t id = 0; id < kMaterialCount; ++id) {
-        if (removed_[id] != nullptr) removed_[id]->setText(tr("%1 mm³").arg(number(removed[id], 2)));
+    for (const MaterialId id : materials.ids()) {
+        const double volume = removed[static_cast<std::size_t>(id)];
+        const bool isShown = volume > 0 || removed_[static_cast<std::size_t>(id)].value != nullptr;
+        if (isShown) rowOf(id, materials).value->setText(tr("%1 mm³").arg(number(volume, 2)));
     }
     cleared_->setEnabled(cavity.has_value());
     cleared_->setValue(cavity ? static_cast<int>(std::floor(kPercent * cavity->clearedFraction())) : 0);

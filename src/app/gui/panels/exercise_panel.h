@@ -14,6 +14,8 @@
 #include "assessment/cavity_metrics.h"
 #include "tooth/volume/cut_volume.h"
 
+class QGridLayout;
+
 namespace tactooth {
 
 struct Exercise;
@@ -28,8 +30,9 @@ public:
     /// Shows the active exercise; null: free practice. Adds an unknown exercise to the list, in place of one from the
     /// same file. Emits nothing.
     void show(const std::shared_ptr<const Exercise>& exercise);
-    /// `seconds`: since the first contact; `cavity`: none without a target.
-    void show(double seconds, const MaterialVolumes& removed, const std::optional<CavityProgress>& cavity);
+    /// `seconds`: since the first contact; `materials`: of the tooth; `cavity`: none without a target.
+    void show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
+              const std::optional<CavityProgress>& cavity);
 
 signals:
     /// Null: free practice.
@@ -51,7 +54,15 @@ private:
     QLabel* task_;
     QProgressBar* cleared_;
     std::array<QLabel*, kMetricCount> values_{};
-    std::array<QLabel*, kMaterialCount> removed_{};
+    struct RemovedRow {
+        QLabel* title = nullptr;
+        QLabel* value = nullptr;
+    };
+    [[nodiscard]] RemovedRow& rowOf(MaterialId id, const MaterialRegistry& materials);
+
+    QGridLayout* numbers_ = nullptr;
+    std::array<RemovedRow, kMaxMaterials> removed_{};  // by MaterialId; those that were needed
+    int removedRows_ = 0;
 };
 
 }  // namespace tactooth

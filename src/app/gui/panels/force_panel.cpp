@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "app/gui/input/mouse_manipulator.h"
+#include "app/gui/text/term_translation.h"
 
 namespace tactooth {
 
@@ -73,21 +74,26 @@ void ForcePanel::addPresets(QGridLayout& grid) {
     presets_->setObjectName("forcePresets");
     presets_->setAccessibleName(tr("Feel like"));
     presets_->setToolTip(tr("Lets the whole tooth feel like one tissue: fills in its spring, damper and friction"));
-    presets_->addItem(tr("Feel like…"));
-    const std::pair<QString, MaterialId> tissues[] = {{tr("Enamel"), MaterialId::Enamel},
-                                                      {tr("Dentin"), MaterialId::Dentin},
-                                                      {tr("Pulp"), MaterialId::Pulp},
-                                                      {tr("Caries"), MaterialId::Caries},
-                                                      {tr("Restoration"), MaterialId::Restoration}};
-    for (const auto& [name, id] : tissues) presets_->addItem(name, static_cast<int>(id));
+    setMaterials(MaterialTable());
     connect(presets_, &QComboBox::activated, this, [this](int index) {
         if (index > 0) applyPreset(static_cast<MaterialId>(presets_->itemData(index).toInt()));
         presets_->setCurrentIndex(0);
     });
 }
 
+void ForcePanel::setMaterials(const MaterialTable& materials) {
+    materials_ = materials;
+    presets_->clear();
+    presets_->addItem(tr("Feel like…"));
+    const MaterialRegistry& registry = materials.registry();
+    for (const MaterialId id : registry.inMenuOrder()) {
+        if (registry.hasRole(id, MaterialRole::Surroundings)) continue;
+        presets_->addItem(materialLabel(registry[id]), static_cast<int>(id));
+    }
+}
+
 void ForcePanel::applyPreset(MaterialId tissue) {
-    const Material numbers = MaterialTable()[tissue];
+    const Material& numbers = materials_[tissue];
     fromMaterial_->setChecked(false);
     spring_->setValue(numbers.stiffness);
     damper_->setValue(numbers.damping);

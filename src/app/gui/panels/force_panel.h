@@ -24,6 +24,8 @@ public:
     [[nodiscard]] double forceScale() const { return scale_->value(); }
     [[nodiscard]] ForceSettings settings() const;
     void set(const ForceSettings& settings);
+    /// Offers these materials: those of the tooth.
+    void setMaterials(const MaterialTable& materials);
     void setPressDepth(double depth) { press_->setValue(depth); }
 
 signals:
@@ -34,6 +36,7 @@ private:
     void addPresets(QGridLayout& grid);
     void applyPreset(MaterialId tissue);
 
+    MaterialTable materials_;
     QCheckBox* fromMaterial_;
     QComboBox* presets_;
     NumberRow* spring_;

@@ -87,15 +87,17 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     connect(choose_, &QPushButton::clicked, this, &InspectionPanel::targetRequested);
 }
 
-Inspection InspectionPanel::inspection(const Box3& box, double mesialX) const {
+Inspection InspectionPanel::inspection(const Box3& box, double mesialX, const MaterialRegistry& materials) const {
     Inspection result;
     if (section_->currentIndex() > 0) {
         const auto side = static_cast<StandardView>(section_->currentIndex() - 1);
         result.section = sectionPlane(side, mesialX, box, kTenth * place_->value());
     }
     const auto share = [](const QSlider* from) { return static_cast<float>(from->value()) / kFull; };
-    result.opacity[static_cast<std::size_t>(MaterialId::Enamel)] = share(enamel_);
-    result.opacity[static_cast<std::size_t>(MaterialId::Dentin)] = share(dentin_);
+    for (const MaterialId id : materials.ids()) {
+        if (materials.hasRole(id, MaterialRole::Enamel)) result.opacity[static_cast<std::size_t>(id)] = share(enamel_);
+        if (materials.hasRole(id, MaterialRole::Dentin)) result.opacity[static_cast<std::size_t>(id)] = share(dentin_);
+    }
     if (coloured_->isChecked()) result.distances = DistanceColourMap{target_.distances, kColourRange};
     if (ghost_->isChecked()) result.ghost = target_.ghost;
     return result;

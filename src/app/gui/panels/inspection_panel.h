@@ -22,8 +22,8 @@ class InspectionPanel final : public QWidget {
 public:
     explicit InspectionPanel(QWidget* parent = nullptr);
 
-    /// The section plane cuts `box`; `mesialX`: direction of mesial along x.
-    [[nodiscard]] Inspection inspection(const Box3& box, double mesialX) const;
+    /// The section plane cuts `box`; `mesialX`: direction of mesial along x; `materials`: of the tooth.
+    [[nodiscard]] Inspection inspection(const Box3& box, double mesialX, const MaterialRegistry& materials) const;
     [[nodiscard]] Stereo::Mode stereo() const;
     /// Sets the target of the tooth and shows its colours; empty: no target.
     void setTarget(Target target);

@@ -11,13 +11,12 @@
 namespace tactooth {
 namespace {
 
-QString removedText(const MaterialVolumes& removed) {
+QString removedText(const MaterialVolumes& removed, const MaterialRegistry& materials) {
     QStringList parts;
-    for (std::size_t i = 0; i < removed.size(); ++i) {
+    for (const MaterialId id : materials.ids()) {
         constexpr double kShown = 0.005;  // mm^3: less would show as 0.00
-        if (removed[i] < kShown) continue;
-        const std::string_view name = materialName(static_cast<MaterialId>(i));
-        parts += translated(name) + ' ' + QLocale().toString(removed[i], 'f', 2);
+        const double volume = removed[static_cast<std::size_t>(id)];
+        if (volume >= kShown) parts += materialTitle(materials[id]) + ' ' + QLocale().toString(volume, 'f', 2);
     }
     if (parts.isEmpty()) return StatusLine::tr("Nothing removed yet");
     return StatusLine::tr("Removed: %1 mm³").arg(parts.join(", "));
@@ -108,7 +107,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
                   .arg(missed)
                   .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
-    removed_->setText(removedText(simulator.removed()));
+    removed_->setText(removedText(simulator.removed(), simulator.materials()));
     const std::string_view text = statusText(sound);
     sound_->setText(translated(text));
 }

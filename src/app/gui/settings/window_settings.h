@@ -12,18 +12,23 @@
 
 #include "geometry/util/expected.h"
 #include "sound/voices/sound_mixer.h"
-#include "tooth/model/material.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
+
+/// The physical values of built-in enamel.
+[[nodiscard]] inline const Material& enamelNumbers() {
+    return builtinMaterials()[builtinMaterials().withRole(MaterialRole::Enamel)].numbers;
+}
 
 /// The settings of the force panel.
 struct ForceSettings {
     bool fromMaterial = true;
-    double spring = MaterialTable()[MaterialId::Enamel].stiffness;  ///< N/mm
-    double damper = MaterialTable()[MaterialId::Enamel].damping;    ///< N*s/mm
+    double spring = enamelNumbers().stiffness;  ///< N/mm
+    double damper = enamelNumbers().damping;    ///< N*s/mm
     double scale = 1;
     double press = 1;  ///< press depth of the mouse, mm
-    double friction = MaterialTable()[MaterialId::Enamel].friction;
+    double friction = enamelNumbers().friction;
 
     bool operator==(const ForceSettings&) const = default;
 };

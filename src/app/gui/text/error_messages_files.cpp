@@ -149,8 +149,11 @@ constexpr const char* kErrors[] = {
     QT_TRANSLATE_NOOP("Error", "the file is cut short; save the tooth again or use a complete copy."),
     QT_TRANSLATE_NOOP("Error", "this is no saved tooth; choose a file that Tactooth has saved."),
     QT_TRANSLATE_NOOP("Error",
-                      "the file has format version %1, and this program reads versions 1 and 2; open it with the "
+                      "the file has format version %1, and this program reads versions 1 to 3; open it with the "
                       "program that saved it."),
+    QT_TRANSLATE_NOOP("Error",
+                      "the tooth has more materials than this program can hold beside its own (%1); take materials out "
+                      "of the file of --materials."),
     QT_TRANSLATE_NOOP("Error", "there is more in the file than the tooth; use an undamaged copy."),
     QT_TRANSLATE_NOOP("Error", "the file is damaged; use another copy of it."),
     QT_TRANSLATE_NOOP("Error", "%1: a saved tooth has its own layers; give no others."),

@@ -64,6 +64,10 @@ constexpr const char* kImportNotes[] = {
     QT_TRANSLATE_NOOP("Remarks", "The pulp is a model, too: a chamber at the neck and a canal down each root."),
     QT_TRANSLATE_NOOP("Remarks", "There is no room for a pulp: the tooth has none."),
     QT_TRANSLATE_NOOP("Remarks", "The surface encloses a hollow: it is taken as the pulp space, which is empty."),
+    QT_TRANSLATE_NOOP(
+        "Remarks",
+        "The material '%1' of this tooth is not known here: it is felt, cut, seen and heard as bone. Give "
+        "the file of its materials (--materials)."),
 };
 
 }  // namespace

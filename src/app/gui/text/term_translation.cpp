@@ -10,6 +10,9 @@
 namespace tactooth {
 namespace {
 
+/// Its translation is the code of the window's language, "ja": the titles of materials stand in data files.
+constexpr const char* kLanguage = QT_TRANSLATE_NOOP("Words", "en");
+
 constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "Lower first molar (46)"),
     QT_TRANSLATE_NOOP("Words", "Upper central incisor (11)"),
@@ -54,12 +57,7 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("Words", "Air turbine, 400,000 rev/min"),
     QT_TRANSLATE_NOOP("Words", "Electric 1:5, 200,000 rev/min"),
     QT_TRANSLATE_NOOP("Words", "Low-speed contra-angle, 25,000 rev/min"),
-    QT_TRANSLATE_NOOP("Words", "enamel"),
-    QT_TRANSLATE_NOOP("Words", "dentin"),
-    QT_TRANSLATE_NOOP("Words", "pulp"),
-    QT_TRANSLATE_NOOP("Words", "caries"),
-    QT_TRANSLATE_NOOP("Words", "restoration"),
-    QT_TRANSLATE_NOOP("Words", "other"),
+    kLanguage,
     QT_TRANSLATE_NOOP("Words", "Mouse and keyboard"),
     QT_TRANSLATE_NOOP("Words", "Haptic pen (OpenHaptics)"),
     QT_TRANSLATE_NOOP("Words", "Gamepad"),
@@ -102,7 +100,19 @@ QString translated(std::string_view word) {
     const auto* const known =
         std::find_if(std::begin(kWords), std::end(kWords), [&](const char* each) { return each == word; });
     if (known != std::end(kWords)) return QCoreApplication::translate("Words", *known);
+    if (const auto material = builtinMaterials().find(word)) return materialTitle(builtinMaterials()[*material]);
     return translatedBur(word);
+}
+
+QString materialTitle(const MaterialDefinition& material) {
+    const bool isJapanese = QCoreApplication::translate("Words", kLanguage) == "ja";
+    return QString::fromStdString(isJapanese ? material.titleJa : material.titleEn);
+}
+
+QString materialLabel(const MaterialDefinition& material) {
+    QString label = materialTitle(material);
+    if (!label.isEmpty()) label[0] = label[0].toUpper();
+    return label;
 }
 
 }  // namespace tactooth

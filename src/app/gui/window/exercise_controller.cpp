@@ -150,7 +150,8 @@ void ExerciseController::poll() {
 
 void ExerciseController::showProgress() {
     if (model_.simulator() == nullptr) return;
-    panels_.exercise->show(model_.log().workSeconds(), model_.simulator()->removed(), progress_.progress());
+    panels_.exercise->show(model_.log().workSeconds(), model_.simulator()->removed(), model_.simulator()->materials(),
+                           progress_.progress());
 }
 
 void ExerciseController::askForTarget() {
@@ -177,6 +178,7 @@ void ExerciseController::exportReport(const QString& file) {
                                                   .seconds = model_.log().workSeconds(),
                                                   .cavity = progress_.progress(),
                                                   .removed = model_.simulator()->removed(),
+                                                  .materials = &model_.simulator()->materials(),
                                                   .beside = model_.simulator()->loss().beside,
                                                   .events = model_.log().events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);

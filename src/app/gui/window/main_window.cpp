@@ -116,6 +116,7 @@ void MainWindow::showNewTooth() {
     panels_.view->resetView();
     panels_.view->fit();
     exercise_.takeTooth();
+    panels_.force->setMaterials(model_.haptics().materials);
     if (!pendingViewState_) return exercise_.beginExercise();
     ViewState state = *std::exchange(pendingViewState_, std::nullopt);
     panels_.view->setOrbitCamera(state.camera);
@@ -126,7 +127,7 @@ void MainWindow::showNewTooth() {
 void MainWindow::showImportNotes() {
     QStringList hints;
     for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote));
-    if (model_.tooth()->materials) {
+    if (&model_.haptics().materials.registry() != &builtinMaterials()) {
         hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
     }
     if (!hints.isEmpty()) messages_.setHint(hints.join(' '));
@@ -134,7 +135,8 @@ void MainWindow::showImportNotes() {
 
 void MainWindow::updateInspection() {
     if (!model_.tooth()) return;
-    panels_.view->setInspection(panels_.inspection->inspection(model_.tooth()->box(), model_.mesialX()),
+    const MaterialRegistry& materials = model_.haptics().materials.registry();
+    panels_.view->setInspection(panels_.inspection->inspection(model_.tooth()->box(), model_.mesialX(), materials),
                                 panels_.inspection->stereo());
 }
 

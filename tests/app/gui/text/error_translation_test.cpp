@@ -115,7 +115,7 @@ TEST_F(JapaneseErrorTranslation, FailuresOfTheLibrariesHaveATranslation) {
     EXPECT_EQ(translatedError("a.stl: " + tooth.error().message),
               QStringLiteral("a.stl：歯の表面が閉じておらず（隣のない辺 3 本）、削る内部がありません。"
                              "先に穴をふさいでください"));
-    const auto materials = parseMaterials("[enamel]\ncolour = [1, 2]\n", "m.toml", {});
+    const auto materials = parseMaterials("[enamel]\ncolour = [1, 2]\n", "m.toml");
     ASSERT_FALSE(materials);
     EXPECT_EQ(translatedError(materials.error().message),
               QStringLiteral("m.toml、2 行目：'colour' は角括弧で囲んだ三つの数値（赤、緑、青）でなければなりません"

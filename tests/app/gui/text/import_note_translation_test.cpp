@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "patient/scan_import.h"
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -39,8 +40,8 @@ TEST(ImportNoteTranslation, EveryImportNoteIsKnown) {
     TriangleMesh huge = block;
     for (Vec3f& vertex : huge.vertices) vertex *= 7;
     expectAllKnown({"a", huge, {}}, {});
-    const std::vector<LayerMesh> layers = {{"dentin", MaterialId::Dentin, test::box(Vec3(-3, -3, -12), Vec3(3, 3, 0))},
-                                           {"enamel", MaterialId::Enamel, test::box(Vec3(-3, -3, 0), Vec3(3, 3, 8))}};
+    const std::vector<LayerMesh> layers = {{"dentin", test::kDentin, test::box(Vec3(-3, -3, -12), Vec3(3, 3, 0))},
+                                           {"enamel", test::kEnamel, test::box(Vec3(-3, -3, 0), Vec3(3, 3, 8))}};
     expectAllKnown({"a", {}, layers}, {});
     expectAllKnown({"a", block, {layers.front()}}, {});
 }

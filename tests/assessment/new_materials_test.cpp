@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Two materials that the program does not know, from a TOML text: they are felt, cut, counted, heard, saved, exported
+// and scored like the built-in ones. tests/app/scene_builder_test.cpp shows that they are drawn.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/practice_report.h"
+#include "session/audio/tick_sound.h"
+#include "session/bench_scene.h"
+#include "session/io/material_file.h"
+#include "session/simulation/tooth_file.h"
+#include "support/materials.h"
+#include "support/test_data.h"
+#include "tooth/file/remaining_layers.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+using ::testing::HasSubstr;
+
+constexpr const char* kText = R"(
+[composite]
+stiffness = 0.7
+removal = 0.02
+nesting = 6
+sound_centre = 5200
+sound_level = 0.85
+
+[amalgam]
+stiffness = 0.9
+removal = 0.012
+nesting = 7
+sound_centre = 8200
+sound_level = 1.0
+)";
+
+constexpr double kTick = 0.001;  // s
+
+/// A block of enamel with two fillings in its top, side by side: composite on the left, amalgam on the right.
+class NewMaterials : public ::testing::Test {
+protected:
+    [[nodiscard]] MaterialId idOf(const char* name) const { return materials_.find(name).value(); }
+    [[nodiscard]] double removed(const MaterialVolumes& volumes, const char* name) const {
+        return volumes[static_cast<std::size_t>(idOf(name))];
+    }
+    /// The tick in which a bur at rest presses 0.2 mm into the top at x.
+    [[nodiscard]] Tick pressedAt(double x) const {
+        const Instrument bur = test::flatBur();
+        HapticSettings settings;
+        settings.materials = MaterialTable(materials_);
+        HapticSimulation simulation(bur.shape, test::kBurRadius, piece_->surface(), settings);
+        static_cast<void>(simulation.step({at(x, 0, 0.2), 0, false}, kTick));
+        return simulation.step({at(x, 0, -0.2), 0, false}, kTick);
+    }
+    /// Through both fillings, 0.3 mm deep.
+    MaterialVolumes cutBoth() {
+        static_cast<void>(piece_->sweep(test::flatBur().cutting, at(-1, 0, 0.2), at(-1, 0, -0.3)));
+        static_cast<void>(piece_->sweep(test::flatBur().cutting, at(-1, 0, -0.3), at(1, 0, -0.3)));
+        piece_->refreshSurface();
+        return piece_->removed();
+    }
+
+    const MaterialRegistry& materials_ = **parseMaterials(kText, "mine.toml");
+    std::shared_ptr<CutModel> piece_ = [&] {
+        TriangleMesh outer = test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0));
+        std::vector<LayerMesh> layers;
+        layers.push_back({"enamel", test::kEnamel, outer});
+        layers.push_back({"composite", idOf("composite"), test::box(Vec3(-1.8, -1, -1), Vec3(0, 1, 0))});
+        layers.push_back({"amalgam", idOf("amalgam"), test::box(Vec3(0, -1, -1), Vec3(1.8, 1, 0))});
+        auto tooth = LayeredTooth::make(std::move(outer), std::move(layers), test::kEnamel, {}, materials_);
+        return std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    }();
+};
+
+TEST_F(NewMaterials, AreFeltByTheirOwnStiffness) {
+    EXPECT_EQ(pressedAt(-1).material, idOf("composite"));
+    EXPECT_NEAR(pressedAt(-1).stiffness, 0.7, 1e-9);
+    EXPECT_EQ(pressedAt(1).material, idOf("amalgam"));
+    EXPECT_NEAR(pressedAt(1).stiffness, 0.9, 1e-9);
+}
+
+TEST_F(NewMaterials, AreHeardInTheirOwnBand) {
+    const auto heardAt = [&](double x) {
+        return soundOf(pressedAt(x), spindlePresets().front(), MaterialTable(materials_)).material;
+    };
+    EXPECT_EQ(heardAt(-1).bandCentreHz, 5200);
+    EXPECT_EQ(heardAt(-1).level, 0.85);
+    EXPECT_EQ(heardAt(1).bandCentreHz, 8200);
+}
+
+TEST_F(NewMaterials, AreCutByTheirOwnRemovalAndCountedApart) {
+    const MaterialVolumes volumes = cutBoth();
+    const double slot = 2 * test::kBurRadius * 0.3;  // mm^3 for each mm of its length
+    const double end = std::numbers::pi * test::kBurRadius * test::kBurRadius / 2 * 0.3;
+    EXPECT_NEAR(removed(volumes, "composite"), slot + end, 0.02 * slot);
+    EXPECT_NEAR(removed(volumes, "amalgam"), slot + end, 0.02 * slot);
+    EXPECT_EQ(volumes[static_cast<std::size_t>(test::kEnamel)], 0);
+    const double work = workFor(volumes, MaterialTable(materials_), 1);
+    EXPECT_NEAR(work, removed(volumes, "composite") / 0.02 + removed(volumes, "amalgam") / 0.012, 1e-9);
+}
+
+TEST_F(NewMaterials, AreThereAgainInASavedTooth) {
+    const MaterialVolumes before = cutBoth();
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
+    const auto opened = openTooth(folder / "filled.tactooth", &materials_);
+    ASSERT_TRUE(opened) << opened.error().message;
+    EXPECT_TRUE(opened->importNotes.empty());
+    EXPECT_EQ(&opened->piece->tooth().materials(), &materials_);
+    EXPECT_EQ(opened->piece->removed(), before);
+    EXPECT_EQ(opened->piece->hash(), piece_->hash());
+    EXPECT_EQ(opened->piece->tooth().layers()[2].material, idOf("amalgam"));
+}
+
+TEST_F(NewMaterials, AreFoundByNameWhereTheirCodesHaveChanged) {
+    const MaterialVolumes before = cutBoth();
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
+    const auto others = parseMaterials("[gold]\n[amalgam]\n[composite]\n", "others.toml");
+    ASSERT_TRUE(others);
+    const auto opened = openTooth(folder / "filled.tactooth", *others);
+    ASSERT_TRUE(opened) << opened.error().message;
+    const MaterialRegistry& now = opened->piece->tooth().materials();
+    EXPECT_EQ(&now, *others);
+    const MaterialVolumes& after = opened->piece->removed();
+    EXPECT_EQ(after[static_cast<std::size_t>(now.find("amalgam").value())], removed(before, "amalgam"));
+    EXPECT_EQ(after[static_cast<std::size_t>(now.find("composite").value())], removed(before, "composite"));
+}
+
+TEST_F(NewMaterials, KeepTheirNamesWhereNobodyKnowsThem) {
+    cutBoth();
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
+    const auto opened = openTooth(folder / "filled.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_EQ(opened->importNotes.size(), 2U);
+    EXPECT_THAT(inWords(opened->importNotes.front()), HasSubstr("'composite' of this tooth is not known here"));
+    const MaterialRegistry& now = opened->piece->tooth().materials();
+    const MaterialId composite = now.find("composite").value();
+    EXPECT_EQ(now[composite].numbers, builtinMaterials()[test::kOther].numbers);
+    EXPECT_GT(opened->piece->removed()[static_cast<std::size_t>(composite)], 0.1);
+    EXPECT_EQ(toothFileBytes(*opened->piece, {}).size(), toothFileBytes(*piece_, {}).size());
+}
+
+TEST_F(NewMaterials, AreExportedLayerByLayer) {
+    const MaterialVolumes volumes = cutBoth();
+    const std::vector<RemainingLayer> layers = remainingLayers(piece_->volume());
+    ASSERT_EQ(layers.size(), 3U);
+    EXPECT_EQ(layers[1].name, "composite");
+    EXPECT_EQ(layers[2].name, "amalgam");
+    const auto volumeOf = [](const TriangleMesh& mesh) {
+        double sixfold = 0;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            sixfold += mesh.corner(t, 0).dot(mesh.corner(t, 1).cross(mesh.corner(t, 2)));
+        return sixfold / 6;
+    };
+    EXPECT_NEAR(volumeOf(layers[1].mesh), 3.6 - removed(volumes, "composite"), 0.02);
+    EXPECT_NEAR(volumeOf(layers[2].mesh), 3.6 - removed(volumes, "amalgam"), 0.02);
+}
+
+TEST_F(NewMaterials, AreLinesOfTheReport) {
+    PracticeReport report;
+    report.removed = cutBoth();
+    report.materials = &materials_;
+    const std::string text = practiceReportCsv(report);
+    EXPECT_THAT(text, HasSubstr("caries removed,0,mm^3\ncomposite removed,0."));
+    EXPECT_THAT(text, HasSubstr("\namalgam removed,0."));
+}
+
+}  // namespace
+}  // namespace tactooth
