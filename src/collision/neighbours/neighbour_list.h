@@ -10,7 +10,7 @@
 
 #include "collision/narrow/triangle3.h"
 #include "collision/neighbours/near_clusters.h"
-#include "collision/neighbours/work_budget.h"
+#include "collision/neighbours/work_cost.h"
 
 namespace tactooth {
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision/narrow/unit_normal.h"
 #include "collision/neighbours/neighbour_list.h"
 
 namespace tactooth {
