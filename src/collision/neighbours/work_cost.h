@@ -7,24 +7,24 @@
 
 namespace tactooth {
 
-/// What a move costs: about nanoseconds of one core (AMD EPYC, 2.6 GHz). Counted, not timed, so that equal runs stay
+/// Cost of a move: about nanoseconds of one core (AMD EPYC, 2.6 GHz). It is counted, not timed, so that equal runs stay
 /// equal on any machine.
 using Work = std::int64_t;
 
 inline constexpr Work kUnlimitedWork = std::numeric_limits<Work>::max();
 
-/// Of the parts of a move: rounded from least-squares fits to 7,000 measured ticks of burs of 0.5 to 2.3 mm in the
-/// cavity that they cut. (What leads to a list's end is seldom in such a tick, and keeps what it once was measured at.)
+/// Costs of the parts of a move, rounded from least-squares fits to 7,000 measured ticks of burs of 0.5 to 2.3 mm in
+/// the cavity that they cut. (To build a list is rare in such a tick; its cost was measured separately.)
 namespace cost {
-inline constexpr Work kList = 4000;    // making a list,
-inline constexpr Work kNodeMet = 80;   // for each node of the tooth's tree that the search looks into,
-inline constexpr Work kLeafMet = 130;  // each leaf
-inline constexpr Work kListed = 200;   // and each cluster found
-inline constexpr Work kSolution = 1000;
-inline constexpr Work kPacket = 10;      // looking over eight clusters,
-inline constexpr Work kCluster = 25;     // opening one in doubt,
+inline constexpr Work kList = 4000;      // building a list,
+inline constexpr Work kNodeMet = 80;     // each node of the tooth's tree that it opens,
+inline constexpr Work kLeafMet = 130;    // each leaf that it opens,
+inline constexpr Work kListed = 200;     // each cluster that it finds
+inline constexpr Work kSolution = 1000;  // a solution of the QP
+inline constexpr Work kPacket = 10;      // testing eight clusters,
+inline constexpr Work kCluster = 25;     // opening an uncertain cluster,
 inline constexpr Work kPair = 50;        // a pair of it in double precision,
-inline constexpr Work kDistance = 1000;  // and GJK
+inline constexpr Work kDistance = 1000;  // a GJK run
 }  // namespace cost
 
 }  // namespace tactooth
