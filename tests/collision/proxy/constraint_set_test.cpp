@@ -46,7 +46,7 @@ TYPED_TEST_SUITE(ConstraintSetTest, Sets);
 }  // namespace
 
 TYPED_TEST(ConstraintSetTest, WithoutConstraintsTheTargetIsNearest) {
-    const auto target = 3 * this->randomUnit();
+    const typename TestFixture::Vector target = 3 * this->randomUnit();
     const auto answer = this->set_.nearest(target, 1e-9);
     ASSERT_TRUE(answer.feasible);
     EXPECT_EQ(answer.point, target);
@@ -57,7 +57,7 @@ TYPED_TEST(ConstraintSetTest, OneConstraintGivesTheProjection) {
     for (int i = 0; i < 100; ++i) {
         this->set_.clear();
         const auto normal = this->randomUnit();
-        const auto target = 2 * this->randomUnit();
+        const typename TestFixture::Vector target = 2 * this->randomUnit();
         const double offset = normal.dot(target) + 0.5;
         this->set_.add(this->pairNumber(7), {normal, offset});
         const auto answer = this->set_.nearest(target, 1e-12);
@@ -76,7 +76,7 @@ TYPED_TEST(ConstraintSetTest, RandomAnswersMeetTheConditionsOfKarushKuhnAndTucke
         this->set_.clear();
         for (std::uint32_t k = 0; k < 10; ++k)
             this->set_.add(this->pairNumber(k), {this->randomUnit(), offset(this->random_)});
-        const auto target = 2 * this->randomUnit();
+        const typename TestFixture::Vector target = 2 * this->randomUnit();
         const auto answer = this->set_.nearest(target, 1e-12);
         ASSERT_TRUE(answer.feasible);
         this->set_.setActive(answer);

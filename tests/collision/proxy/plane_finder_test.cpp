@@ -86,8 +86,8 @@ TEST(PlaneFinder, RemembersThePlaneOfAPairUntilItIsCleared) {
 }
 
 TEST(PlaneFinder, PrefersThePlaneOfAFaceWhereTheTrianglesTouch) {
-    // The tool's corner stands within a margin beside the edge x = 0 of the tooth and above it: GJK's plane is tilted
-    // by 45 degrees, that of the face leaves nearly as much.
+    // The tool's corner stands beside the corner of the tooth and above it: GJK's plane is tilted, and that of the face
+    // leaves nearly as much.
     ProxyContext context =
         test::sceneOf(test::oneTriangle({0, 0, 0}, {1, 1, 3}, {1, -1, 3}),
                       test::oneTriangle({-9, -9, 0}, {0, 0, 0}, {-9, 9, 0}), test::poseAt(0.3e-6, 0, 1.5e-6));

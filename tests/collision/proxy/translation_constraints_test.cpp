@@ -84,7 +84,7 @@ TEST(TranslationConstraints, HaveNoStepBetweenPlanesThatCloseOnEachOther) {
     step.rotationFraction = 1;  // else to stay is always allowed
     WatchedPair ceiling = floorPair(context);
     ceiling.plane.normal = -ceiling.plane.normal;
-    ceiling.plane.offset = -0.1;
+    ceiling.plane.offset = 0.1;
     TranslationConstraints constraints;
     constraints.add(context, step, floorPair(context));
     constraints.add(context, step, ceiling);
@@ -168,12 +168,16 @@ TEST(TranslationConstraints, PredictTheShiftThatTheContactsAllow) {
 }
 
 TEST(TranslationConstraints, WarmStartWithTheInactivePairsThatTheIterationMet) {
-    ProxyContext context = overFloor();
-    context.state.pose = test::poseAt(0, 0, test::kMargin);
+    // One triangle whose lowest corner stands on a large one: no other plane separates them.
+    ProxyContext context =
+        test::sceneOf(test::oneTriangle({0, 0, 0}, {1, 0, 0.5F}, {0, 1, 0.5F}),
+                      test::oneTriangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}), test::poseAt(0, 0, test::kMargin));
+    test::listAround(context, 0.5);
     const Pose goal = test::poseAt(0, 0, -0.3);
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));
     TranslationConstraints constraints;
-    const WatchedPair pair = floorPair(context);
+    WatchedPair pair = context.planes.watch(context.state, {0, 0, 0}, Vec3::Zero());
+    ASSERT_TRUE(context.ensurePlane(pair));
     constraints.add(context, step, pair);
     WatchedPair other = pair;
     other.plane.normal = Vec3::UnitX();
