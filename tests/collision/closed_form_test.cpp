@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // Shapes whose depth is known in closed form, for the stateless query and for the proxy: a ball of triangles on a
-// plane, on an edge and on a corner of a block, in a V-groove and in the corner of three walls. Allowed is a nanometre
-// and a billionth of the depth.
+// plane, on an edge and on a corner of a block, in a V-groove and in the corner of three walls. The tolerance is a
+// nanometre plus a billionth of the depth.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,8 +41,8 @@ struct ExitDirection {
     Vec3 direction;
 };
 
-/// The least way by which one convex body leaves another: the least overlap along any direction, and the directions
-/// worth trying are the faces of their difference: faces of either, and cross products of their edges.
+/// The shortest exit of one convex body from another: the least overlap along any direction. The candidates are the
+/// normals of the faces of their Minkowski difference: faces of either body, and cross products of their edges.
 ExitDirection convexPenetrationDepth(const TriangleMesh& fixed, const TriangleMesh& moving, const Pose& pose) {
     const std::vector<Vec3> a = cornersAt(fixed, {});
     const std::vector<Vec3> b = cornersAt(moving, pose);
@@ -73,8 +73,8 @@ Quat randomRotation(std::mt19937& random) {
     return Quat(w, x, y, normal(random)).normalized();
 }
 
-/// The proxy's depth once it has settled, coming straight from outside at 10 cm/s. (A leap of millimetres may end in
-/// another minimum: one of these hands is 0.5387 mm deep along two directions 10 degrees apart, to 0.2 um.)
+/// The proxy's depth once it has settled, moving straight from outside at 10 cm/s. (A jump of millimetres may end in
+/// another minimum: one of these poses is 0.5387 mm deep along two directions 10 degrees apart, to 0.2 um.)
 double settledDepth(ProxySolver& body, const Pose& hand, const Vec3& outward) {
     constexpr int kTicks = 20;
     for (int tick = 0; tick <= kTicks; ++tick) {
@@ -86,7 +86,7 @@ double settledDepth(ProxySolver& body, const Pose& hand, const Vec3& outward) {
     return (body.pose().position - hand.position).norm();
 }
 
-/// Presses the ball against the block around `place`, which lies on its surface with `outward` pointing away.
+/// Presses the ball against the block around `place`, a point of its surface with the outward direction `outward`.
 void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
     const TriangleMesh block = test::box(Vec3(-9, -9, -9), Vec3(0, 0, 0));
     const TriangleMesh tool = ball();
@@ -114,11 +114,11 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
     }
 }
 
-/// Space above all of these planes is free.
+/// A tooth whose free space is above all of these planes.
 double exitFromPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& hand) {
     std::vector<HalfSpace> forTheCentre = walls;
     for (HalfSpace& wall : forTheCentre) wall.offset -= lowestAlong(cornersAt(tool, hand), wall.normal);
-    // The nearest point of an intersection of up to three half-spaces through no more than that many of them: try all.
+    // The nearest point of up to three half-spaces lies on some of their planes: all combinations are tried.
     double best = std::numeric_limits<double>::infinity();
     for (unsigned chosen = 0; chosen < 1U << walls.size(); ++chosen) {
         std::vector<HalfSpace> active;

@@ -11,8 +11,8 @@
 
 namespace tactooth::test {
 
-/// A pose with the tip at most `deepest` mm below or 0.2 mm above a random place of the tooth's upper two thirds, the
-/// shaft within 60 degrees of the surface's normal.
+/// A random pose near the tooth's upper two thirds: the tip at most `deepest` mm below or 0.2 mm above the surface, the
+/// shaft within 60 degrees of the surface normal.
 [[nodiscard]] inline Pose randomPoseNear(const TriangleMesh& tooth, double deepest, std::mt19937& random) {
     const Box3 box = boundingBox(tooth);
     std::uniform_int_distribution<std::size_t> anyTriangle(0, tooth.triangles.size() - 1);
@@ -32,7 +32,7 @@ namespace tactooth::test {
     }
 }
 
-/// The least way out among `directions` random ones, or `depth` if none is shorter, mm.
+/// The shortest exit along `directions` random directions, or `depth` if none is shorter, mm.
 [[nodiscard]] inline double leastExitDistance(const Oracle& oracle, const Pose& pose, double depth, int directions,
                                               std::mt19937& random) {
     std::normal_distribution<double> normal;
@@ -52,10 +52,10 @@ namespace tactooth::test {
     return best;
 }
 
-/// How well touching is told from free on a set of random poses.
+/// Errors of the touch test on a set of random poses.
 struct TouchReport {
-    int touching = 0;  ///< by the judge's word
-    int wrong = 0;     ///< poses at which the query differs from the judge
+    int touching = 0;  ///< according to the oracle
+    int wrong = 0;     ///< poses at which the query differs from the oracle
 };
 
 [[nodiscard]] inline TouchReport checkTouch(const TriangleMesh& tooth, const TriangleMesh& tool, int poses,
@@ -73,11 +73,11 @@ struct TouchReport {
     return verdict;
 }
 
-/// What the judge found about depths on a set of random poses.
+/// Errors of the depth on a set of random poses.
 struct ContactReport {
     int poses = 0;
     int touching = 0;
-    int wrongTouch = 0;          ///< touching differs from the judge's word
+    int wrongTouch = 0;          ///< touching differs from the oracle
     int notFreed = 0;            ///< depth + 0.1 um along the normal does not free the tool
     int freedEarly = 0;          ///< depth - 0.1 um does
     std::vector<double> excess;  ///< depth over the best separation found, sorted
@@ -108,7 +108,7 @@ struct ContactReport {
     return verdict;
 }
 
-/// The excess that `share` of the poses do not go beyond.
+/// The quantile `share` of the excess.
 [[nodiscard]] inline double excessAt(const ContactReport& verdict, double share) {
     return verdict.excess[static_cast<std::size_t>(share * static_cast<double>(verdict.excess.size() - 1))];
 }

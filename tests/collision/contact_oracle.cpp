@@ -33,13 +33,13 @@ std::vector<NamedMesh> loadTeeth() {
     return teeth;
 }
 
-/// A file of the real data, its coordinates times `scale`: two models of molars came in units of their own.
+/// A file of the real data. Its coordinates are multiplied by `scale`: two models of molars are not in mm.
 struct ToothFile {
     const char* path;
     float scale;
 };
 
-/// Every body of the real data that is one tooth; of the teeth that are there in layers alone, the crown.
+/// Every body of the real data that is one tooth. Of teeth that exist only in layers, the crown.
 constexpr ToothFile kToothFiles[] = {
     {"openmandible/whole/L1_whole.stl", 1},    {"openmandible/layered/L2_enamel.stl", 1},
     {"openmandible/whole/L3_whole.stl", 1},    {"openmandible/layered/L4_enamel.stl", 1},

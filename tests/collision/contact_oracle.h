@@ -17,13 +17,13 @@ struct NamedMesh {
     TriangleMesh mesh;
 };
 
-/// An incisor, a canine and a molar: real ones where they are at hand, else the built-in ones.
+/// An incisor, a canine and a molar: real ones if the real data are available, else the built-in ones.
 [[nodiscard]] const std::vector<NamedMesh>& oracleTeeth();
 
-/// The built-in teeth, and every tooth of the real data where they are at hand.
+/// The built-in teeth, and every tooth of the real data if they are available.
 [[nodiscard]] const std::vector<NamedMesh>& everyTooth();
 
-/// A ball and a cylinder of the catalogue, and a tapered bur's STL where the real data are at hand.
+/// A ball and a cylinder of the catalogue, and the STL of a tapered bur if the real data are available.
 [[nodiscard]] const std::vector<NamedMesh>& oracleTools();
 
 /// These, and a pear and a tapered diamond of the catalogue.
@@ -32,8 +32,8 @@ struct NamedMesh {
 [[nodiscard]] std::shared_ptr<const Surface> surfaceOf(TriangleMesh mesh, bool closed = true);
 [[nodiscard]] std::shared_ptr<const ToolShape> toolOf(TriangleMesh mesh);
 
-/// Says whether a tool is free of a closed tooth, without any code of the collision layer: CGAL's exact predicates for
-/// the surfaces, the winding number for the tool that is swallowed whole.
+/// Decides whether a tool is free of a closed tooth, without any code of the collision layer: by CGAL's exact
+/// predicates for the surfaces, and by the winding number for a tool that is wholly inside.
 class Oracle {
 public:
     Oracle(const TriangleMesh& tooth, const TriangleMesh& tool) : tooth_(tooth), tool_(tool), surfaces_(tooth, tool) {}

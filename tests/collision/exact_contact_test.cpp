@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The stateless depth on every tooth at hand, judged by exact geometry. The full numbers are in long_judged_test.cpp.
+// The stateless depth on every available tooth, checked by exact geometry. The full numbers are in
+// long_oracle_test.cpp.
 #include <gtest/gtest.h>
 
 #include "collision/contact_checks.h"
@@ -47,7 +48,7 @@ TEST(ExactContact, TheDepthFreesEveryToolOnEveryToothAndATenthOfAMicrometreLessD
     }
 }
 
-// Poses that all but touch: half a nanometre on either side of the depth found.
+// Poses that barely touch or barely do not: half a nanometre on either side of the depth found.
 TEST(ExactContact, TouchingIsDecidedToHalfANanometre) {
     for (const test::NamedMesh& tooth : test::oracleTeeth()) {
         const TriangleMesh& tool = test::oracleTools()[0].mesh;

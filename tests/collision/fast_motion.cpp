@@ -17,19 +17,19 @@ Vec3 spread(int i, int count) {
     return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
 }
 
-/// Whether a straight way is free, looked at every half micrometre or closer; closest where it begins: a tool that
-/// stands a tenth of a micrometre beside an edge must get over that. A pose beyond a wall, however thin, is none that a
-/// tool could have come to.
+/// Whether a straight path is free, sampled every half micrometre or closer, and closest at its start: a tool that
+/// stands a tenth of a micrometre beside an edge must get over the edge. A tool cannot have reached a pose beyond a
+/// wall, however thin the wall is.
 bool isPathFree(const ExactIntersection& oracle, const Pose& from, const Vec3& displacement) {
-    constexpr int kLooks = 80;
-    for (int i = 1; i <= kLooks; ++i) {
-        const double share = static_cast<double>(i * i) / (kLooks * kLooks);
+    constexpr int kSamples = 80;
+    for (int i = 1; i <= kSamples; ++i) {
+        const double share = static_cast<double>(i * i) / (kSamples * kSamples);
         if (oracle.at({from.position + share * displacement, from.rotation})) return false;
     }
     return true;
 }
 
-/// Whether no straight way from `pose` leads nearer to the hand by more than what is exact enough.
+/// Whether no straight path from `pose` leads nearer to the device pose by more than kExactEnough.
 bool isProvenMinimum(const ExactIntersection& oracle, const Pose& pose, const Pose& hand) {
     constexpr int kDirections = 400;
     const Vec3 toHand = hand.position - pose.position;
@@ -56,7 +56,7 @@ std::vector<Pose> pathOver(const Vec3& place, double speed) {
     const Vec3 corners[] = {Vec3(0, 0, 2),      Vec3(0, 0, -0.4),      Vec3(1.2, 0.3, -0.4), Vec3(-1.2, -0.4, -0.4),
                             Vec3(0.2, 1, -0.1), Vec3(0.1, -0.6, -0.6), Vec3(0, 0, 2)};
     std::vector<Pose> poses;
-    double into = 0;  // mm of the present leg
+    double into = 0;  // mm along the present leg
     for (std::size_t leg = 0; leg + 1 < std::size(corners); ++leg) {
         const Vec3 displacement = corners[leg + 1] - corners[leg];
         for (; into < displacement.norm(); into += speed * kTick) {

@@ -9,37 +9,37 @@
 #include "instruments/ten_patches.h"
 #include "instruments/tool_trajectory.h"
 
-// The depth that the proxy gives to a fast hand, tick by tick, against the exact answer.
+// The depth of the proxy under fast motion, tick by tick, compared with the exact depth.
 namespace tactooth::test {
 
 inline constexpr double kExactEnough = 5e-4;                           // mm
 inline constexpr double kTipSpeeds[] = {10, 66, 100, 250, 500, 1000};  // mm/s
 inline constexpr double kTick = 1e-3;                                  // s
 
-/// What a path has shown.
+/// Errors along a path.
 struct SpeedReport {
     int ticks = 0;
     int touching = 0;
     int wrong = 0;         ///< ticks whose depth is not the exact one
-    int intersecting = 0;  ///< by the judge's word
+    int intersecting = 0;  ///< according to the oracle
     double worst = 0;      ///< mm
     int firstWrong = -1;   ///< tick
 };
 
-/// A hand that comes from above to `place`, presses, slides to and fro across it, presses deeper and leaves.
+/// A path of the device from above to `place`: it presses, slides to and fro, presses deeper and leaves.
 [[nodiscard]] std::vector<Pose> pathOver(const Vec3& place, double speed);
 
-/// Leads a tool over the ten patches; exact is what the ten half-spaces say.
+/// Leads a tool over the ten patches. The exact depth is that of the ten half-spaces.
 [[nodiscard]] SpeedReport checkOverPatches(const TenPatches& piece, const TriangleMesh& tool, const Vec3& place,
                                            double speed);
 
-/// Leads a tool over a tooth. A depth is exact if it is that of the same hand followed in a hundred times finer steps,
-/// or else if the pose is proven to be a local minimum of the distance to the hand, with no straight way nearer: where
-/// a hand can rest on either side of a ridge, history decides, and the fine steps have another one.
+/// Leads a tool over a tooth. A depth is exact if it equals that of the same path in much finer steps. Or else if the
+/// pose is proven to be a local minimum of the distance to the device pose, with no straight path nearer: where a tool
+/// can rest on either side of a ridge, the history decides, and the finer steps have another history.
 [[nodiscard]] SpeedReport checkOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed, int strokes,
                                          int subSteps);
 
-/// As many as take some hundred ticks.
+/// The number of strokes that take some hundred ticks.
 [[nodiscard]] inline int fewStrokes(double speed) { return speed > 200 ? 6 : speed > 50 ? 3 : 1; }
 
 }  // namespace tactooth::test

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// From 1 cm/s to 1 m/s at 1 kHz: touching, pressing, sliding and leaving, the depth is exact at every tick.
+// From 1 cm/s to 1 m/s at 1 kHz: while the tool touches, presses, slides and leaves, the depth is exact at every tick.
 #include "collision/fast_motion.h"
 
 #include <gtest/gtest.h>
@@ -49,9 +49,9 @@ TEST_P(FastMotion, OverCuspsAndFissuresIsExact) {
     }
 }
 
-// A hand that turns a pressed tool pushes it away from the tooth, now and then farther than the list of what is near
-// was made for. The turn is made to its end all the same.
-TEST(FastMotion, TurnsThePressedToolAllTheWayInEveryTick) {
+// A rotation of a pressed tool pushes it away from the tooth, sometimes beyond its neighbour list. The rotation is
+// completed nevertheless.
+TEST(FastMotion, CompletesTheRotationOfAPressedToolInEveryTick) {
     ToolTrajectory path;
     path.stroke = 3;
     path.strokes = 12;
@@ -72,7 +72,7 @@ TEST(FastMotion, TurnsThePressedToolAllTheWayInEveryTick) {
     }
 }
 
-// A wall of a tenth of a millimetre: whatever the hand does beyond it, every point of the tool stays on its side.
+// A wall of a tenth of a millimetre: wherever the device goes, every point of the tool stays on its side.
 TEST_P(FastMotion, NeverPullsAToolThroughAThinWall) {
     const TriangleMesh wall = test::box(Vec3(-20, -20, -0.1), Vec3(20, 20, 0));
     for (const TriangleMesh& tool : {test::oracleTools()[1].mesh, test::sphere(Vec3::Zero(), 0.02, 8, 4)}) {
@@ -85,7 +85,7 @@ TEST_P(FastMotion, NeverPullsAToolThroughAThinWall) {
         Vec3 displacement = -Vec3::UnitZ();
         int beyond = 0;
         for (int tick = 0; tick < 2000; ++tick) {
-            if (tick % 7 == 6) {  // a new direction, toward the wall if the hand is far from it
+            if (tick % 7 == 6) {  // a new direction, toward the wall if the device is far from it
                 const double x = unit(random);
                 const double y = unit(random);
                 displacement =
@@ -103,7 +103,8 @@ TEST_P(FastMotion, NeverPullsAToolThroughAThinWall) {
     }
 }
 
-// A fissure of 20 degrees: two planes, so the free space of the tool's tip is a wedge, and its nearest point is known.
+// A fissure of 20 degrees: two planes, so the free space of the tool's tip is a wedge, and its nearest point is known
+// in closed form.
 TEST_P(FastMotion, InANarrowFissureIsExact) {
     TriangleMesh fissure;
     const double slope = 5.671281819617709;  // tan 80 degrees

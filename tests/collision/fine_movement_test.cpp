@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The smallest movement that is felt: a hand that presses on by 100 um down to a nanometre, on the same tooth at five
-// resolutions. Each step must make the depth grow, by the stateless query and by the proxy.
+// The smallest movement that changes the depth: the device presses on by 100 um down to a nanometre, on the same tooth
+// at five resolutions. Each step must increase the depth, for the stateless query and for the proxy.
 #include <gtest/gtest.h>
 
 #include "collision/contact_checks.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that no tooth has and every folder of STL files holds: nothing may crash, hang or become NaN, and what the
-// proxy says is free must be free.
+// Surfaces that no tooth has, but that occur in STL files: nothing may crash, hang or become NaN, and a pose that the
+// proxy takes as free must be free.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kMostIterations = 64;  // far above the body's own budget
+constexpr int kMostIterations = 64;  // far above the proxy's own limit
 
 bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.rotation.coeffs().allFinite(); }
 
@@ -27,7 +27,7 @@ void expectSound(const Contact& contact) {
     EXPECT_TRUE(contact.point.allFinite());
 }
 
-/// Asks everything of tool and tooth around `centre`, `size` mm wide. Returns how often the body was held.
+/// Runs all queries with a tool and a tooth around `centre`, `size` mm wide. Returns how often contacts held the proxy.
 int stressTest(const TriangleMesh& tooth, const TriangleMesh& tool, const Vec3& centre, double size,
                bool closed = false) {
     const auto surface = test::surfaceOf(tooth, closed);
@@ -75,7 +75,7 @@ TriangleMesh smallTool() { return test::cylinder(Vec3(0, 0, 0), 0.3, 2, 9); }
 
 }  // namespace
 
-TEST(HostileMesh, SliversAreFeltLikeAnySurface) {
+TEST(HostileMesh, SliversHoldTheToolLikeAnySurface) {
     TriangleMesh fan;  // a disc of needles, each 1 mm long and 10 um wide at its end, and some of 1 nm
     fan.vertices.push_back(Vec3f(0, 0, 0));
     for (int i = 0; i <= 460; ++i) {
@@ -86,9 +86,9 @@ TEST(HostileMesh, SliversAreFeltLikeAnySurface) {
     EXPECT_GT(stressTest(fan, smallTool(), Vec3(-0.3, 0.4, -0.1), 0.5), 20);
 }
 
-// So many needles meet in one point that no list of near pairs holds them all: the tool must still get through the air
-// around them and be held by them.
-TEST(HostileMesh, ADenseFanOfNeedlesIsFeltAndTheToolStillMoves) {
+// So many needles meet in one point that no neighbour list has room for them all. The tool must still move through the
+// air around them, and they must hold it.
+TEST(HostileMesh, ADenseFanOfNeedlesHoldsAToolThatStillMoves) {
     TriangleMesh fan;
     constexpr std::uint32_t kNeedles = 460;
     fan.vertices.push_back(Vec3f(0, 0, 0));
@@ -108,8 +108,8 @@ TEST(HostileMesh, ADenseFanOfNeedlesIsFeltAndTheToolStillMoves) {
     EXPECT_EQ(body.pose().position.z(), 0.45);
 }
 
-// Random triangles of every size, some of them needles of a tenth of a nanometre, through and over one another.
-TEST(HostileMesh, ARandomSoupOfTrianglesIsFelt) {
+// Random triangles of every size, some of them needles of a tenth of a nanometre, that cross and cover each other.
+TEST(HostileMesh, ARandomSoupOfTrianglesHoldsTheTool) {
     std::mt19937 random(8);
     std::uniform_real_distribution<float> coordinate(-1, 1);
     TriangleMesh soup;
@@ -130,7 +130,7 @@ TEST(HostileMesh, ARandomSoupOfTrianglesIsFelt) {
     EXPECT_GT(stressTest(soup, smallTool(), Vec3(0, 0, 0), 0.8), 20);
 }
 
-// The stateless answer to any of these takes a bounded number of looks: here by the processor's time, generously.
+// The stateless query takes a bounded number of tests on any of these. Here its processor time is checked, generously.
 TEST(HostileMesh, TheStatelessDepthOfASelfIntersectingHeapComesInBoundedTime) {
     TriangleMesh heap;
     for (int i = 0; i < 60; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Every tooth and several burs at every speed: minutes.
+// Every tooth and several burs at every speed. Takes minutes.
 #include <gtest/gtest.h>
 
 #include "collision/fast_motion.h"
@@ -30,9 +30,9 @@ TEST_P(LongFastMotion, OverEveryToothIsExact) {
     }
 }
 
-// Four times as many ways and more.
+// At least four times as many paths.
 TEST_P(LongFastMotionOnManyPaths, IsExactOverEveryTooth) {
-    const int subSteps = GetParam() < 50 ? 5 : 50;  // of two micrometres or more; a slow hand has many ticks
+    const int subSteps = GetParam() < 50 ? 5 : 50;  // of two micrometres or more; a slow path has many ticks
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const std::size_t tool : {0, 1}) {
             const test::NamedMesh& bur = test::oracleTools()[tool];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The full number of poses and directions: minutes.
+// The full number of poses and directions. Takes minutes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-/// How many of `poses` to spend on a pair: the oracle takes its time with millions of pairs of triangles.
+/// The number of poses for a tooth and a tool: the oracle is slow for millions of pairs of triangles.
 int fewerIfLarge(int poses, const test::NamedMesh& tooth, const test::NamedMesh& tool) {
     if (tooth.mesh.triangles.size() > 100000) poses /= 10;
     if (tool.mesh.triangles.size() > 1000) poses /= 10;

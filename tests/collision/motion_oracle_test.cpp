@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The proxy on whole teeth, judged by code that shares nothing with it.
+// The proxy on whole teeth, checked by an oracle that shares no code with it.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t kTeeth = test::cases<std::size_t>(3, 1);
 
-/// One case: a tooth, a tool and how closely to look.
+/// One case: a tooth, a tool, and how often the poses are checked.
 struct Case {
     std::size_t tooth;
     std::size_t tool;
     ToolTrajectory path;
-    std::size_t judgeEvery = 1;    // ticks
+    std::size_t touchEvery = 1;    // ticks
     std::size_t insideEvery = 25;  // ticks
 };
 
-/// Leads a body along a hand path and judges its poses. Returns the share of ticks with contact.
+/// Leads a proxy along a path and checks its poses. Returns the share of ticks with contact.
 double checkAlong(const Case& what) {
     const TriangleMesh& tooth = test::oracleTeeth()[what.tooth].mesh;
     const TriangleMesh& tool = test::oracleTools()[what.tool].mesh;
@@ -51,10 +51,10 @@ double checkAlong(const Case& what) {
             EXPECT_NEAR((body.pose().position - hand[tick].position - pushed).norm(), 0, 1e-3) << tick;
         }
 
-        const bool judged = tick % what.judgeEvery == 0;
-        if (judged && oracle.touches(body.pose())) return ADD_FAILURE() << "intersects at tick " << tick, 0;
-        const bool looked = tick % what.insideEvery == 0 || tick + 1 == hand.size();
-        if (looked && oracle.encloses(body.pose())) return ADD_FAILURE() << "is inside at tick " << tick, 0;
+        const bool checksTouch = tick % what.touchEvery == 0;
+        if (checksTouch && oracle.touches(body.pose())) return ADD_FAILURE() << "intersects at tick " << tick, 0;
+        const bool checksInside = tick % what.insideEvery == 0 || tick + 1 == hand.size();
+        if (checksInside && oracle.encloses(body.pose())) return ADD_FAILURE() << "is inside at tick " << tick, 0;
     }
     EXPECT_LT((body.pose().position - hand.back().position).norm(), what.path.approach < 0 ? 10 : 1e-9);
     return static_cast<double>(held) / static_cast<double>(hand.size());
@@ -80,12 +80,12 @@ TEST(MotionOracle, ACatalogueBurAtTenCentimetresASecondNeverIntersects) {
 }
 
 TEST(MotionOracle, AFinelyMeshedBurNeverIntersects) {
-    if (test::oracleTools().size() < 3) GTEST_SKIP() << "the tapered bur is not at hand";
+    if (test::oracleTools().size() < 3) GTEST_SKIP() << "the tapered bur is not available";
     EXPECT_GT(checkAlong({2, 2, pathAt(10, 0.5), 3}), 0.3);
     EXPECT_GT(checkAlong({0, 2, pathAt(100, 0.3), 3}), 0.3);
 }
 
-TEST(MotionOracle, AHandThatStartsInsideFindsAFreePoseAndGoesOnFromThere) {
+TEST(MotionOracle, APathThatStartsInsideFindsAFreePoseAndContinuesFromThere) {
     for (std::size_t tooth = 0; tooth < kTeeth; ++tooth) {
         ToolTrajectory path = pathAt(100, 0.5);
         path.approach = -0.7;
@@ -109,7 +109,7 @@ TEST(MotionOracle, ARandomWalkOverAToothNeverIntersects) {
         body.placeAt(hand);
         int held = 0;
         for (int tick = 0; tick < 800; ++tick) {
-            const double size = tick % 100 == 99 ? 1.0 : 0.05;  // now and then a jump
+            const double size = tick % 100 == 99 ? 1.0 : 0.05;  // sometimes a jump
             hand.position += size * kick() - 0.02 * (hand.position - home);
             const Vec3 axis = kick();
             hand.rotation =
@@ -127,7 +127,7 @@ TEST(MotionOracle, ARandomWalkOverAToothNeverIntersects) {
     }
 }
 
-TEST(MotionOracle, AHandThatCrossesTheToothDoesNotPullTheToolThroughIt) {
+TEST(MotionOracle, APathThroughTheToothDoesNotPullTheToolThroughIt) {
     const TriangleMesh& tooth = test::oracleTeeth()[0].mesh;
     const TriangleMesh& tool = test::oracleTools()[0].mesh;
     const test::Oracle oracle(tooth, tool);

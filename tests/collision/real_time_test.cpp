@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What a haptic loop relies on: no allocation, and the same bits on every machine and in every build.
+// Guarantees for the haptic loop: no allocation, and the same bits on every machine and in every build.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-/// Numbers from arithmetic that every machine rounds alike: no library function but the square root.
+/// Numbers from arithmetic that every machine rounds in the same way: the square root is the only library function.
 class Dice {
 public:
     /// In -1..1.
@@ -47,7 +47,7 @@ TriangleMesh bumps() {
     return mesh;
 }
 
-/// An octahedron cut twice and drawn out to a ball of 0.6 mm: 128 triangles.
+/// An octahedron, subdivided twice and projected on a ball of 0.6 mm: 128 triangles.
 TriangleMesh ball() {
     TriangleMesh mesh;
     mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -71,7 +71,7 @@ TriangleMesh ball() {
     return mesh;
 }
 
-/// A hand that wanders over the plate and presses into it.
+/// A path of the device that wanders over the plate and presses into it.
 Pose nextGoal(const Pose& hand, Dice& dice) {
     Pose next = hand;
     next.position += 0.04 * dice.vector() - 0.01 * (hand.position - Vec3(0, 0, -0.1));
@@ -84,7 +84,7 @@ Pose nextGoal(const Pose& hand, Dice& dice) {
     return next;
 }
 
-/// Walks and returns a hash of every pose (FNV-1a by 64-bit words).
+/// Follows the path and returns a hash of every pose (FNV-1a by 64-bit words).
 std::uint64_t walk(int ticks, long& allocated, int& held) {
     ProxySolver body(test::toolOf(ball()));
     body.setSurface(test::surfaceOf(bumps(), false));
@@ -124,8 +124,8 @@ TEST(RealTime, EqualRunsGiveEqualBits) {
     EXPECT_EQ(walk(3000, allocated, held), first);
 }
 
-/// The same in every build: vectors or none, Debug or Release. A change of the algorithm may change the number; a
-/// change of the build may not.
+/// The same in every build: with or without vector instructions, Debug or Release. A change of the algorithm may change
+/// the number; a change of the build may not.
 TEST(RealTime, EveryBuildGivesTheGoldenBits) {
     long allocated = 0;
     int held = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A body with six degrees of freedom: held by contacts, it stands where the distance to the hand is least.
+// The proxy with six degrees of freedom: contacts hold it where the distance to the goal is least.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ Vec3 rotationBetween(const Quat& from, const Quat& to) {
     return turn.angle() * turn.axis();
 }
 
-/// What is left of Gauss' condition: the push of the contacts less the way from the goal to the pose, of the shift and
-/// of the turn, mm.
+/// The residual of Gauss' condition: the sum of the contacts minus the displacement from goal to pose, of the shift and
+/// of the rotation, mm.
 struct Imbalance {
     double shift, turn;
 };
@@ -52,7 +52,7 @@ Imbalance imbalance(const ProxySolver& body, const Pose& goal, const MoveResult&
     return {shift.norm(), turn.norm()};
 }
 
-/// The first pose in which a body comes to rest on its way to `goal`.
+/// Moves toward `goal` until the proxy comes to rest.
 MoveResult settle(ProxySolver& body, const Pose& goal) {
     MoveResult move;
     for (int i = 0; i < 50; ++i) {
@@ -64,7 +64,7 @@ MoveResult settle(ProxySolver& body, const Pose& goal) {
 
 }  // namespace
 
-TEST(RotatingProxy, FollowsAFreeHandExactly) {
+TEST(RotatingProxy, FollowsAFreeGoalExactly) {
     ProxySolver body =
         rotatingProxy(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)), test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0)));
     body.placeAt({Vec3(0, 0, 9), Quat::Identity()});
@@ -77,7 +77,7 @@ TEST(RotatingProxy, FollowsAFreeHandExactly) {
     }
 }
 
-TEST(RotatingProxy, PressedOnAPlateLiesWhereGaussWouldHaveIt) {
+TEST(RotatingProxy, PressedOnAPlateMeetsGaussCondition) {
     const TriangleMesh plank = test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6));
     ProxySolver body = rotatingProxy(plank, test::box(Vec3(-9, -9, -5), Vec3(9, 9, 0)));
     std::mt19937 random(2);
@@ -97,14 +97,14 @@ TEST(RotatingProxy, PressedOnAPlateLiesWhereGaussWouldHaveIt) {
         for (const Vec3f& corner : plank.vertices) ASSERT_GT((body.pose() * corner.cast<double>()).z(), 0);
         for (int k = 0; k < move.contactCount; ++k) EXPECT_LT(move.contacts[k].point.z(), 20 * body.margin());
         const Imbalance left = imbalance(body, goal, move);
-        EXPECT_LT(left.shift, 1e-5);  // 10 nm: the last round is not walked to its end
+        EXPECT_LT(left.shift, 1e-5);  // 10 nm: the last iteration does not converge further
         EXPECT_LT(left.turn, 1e-5);
     }
     for (int count = 1; count <= 3; ++count) EXPECT_GT(held[count], 10) << count;  // corner, edge and face
 }
 
-/// A tool whose planes stayed where they are while it turns would be held by its corners in the air.
-TEST(RotatingProxy, OverEdgesAndCornersIsHeldByWhatItTouchesAlone) {
+/// If the planes did not follow a rotation, the corners of the tool would be held in the air.
+TEST(RotatingProxy, OverEdgesAndCornersIsHeldOnlyWhereItTouches) {
     const Vec3 low(-9, -9, -5), high(0, 0, 0);
     ProxySolver body = rotatingProxy(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)), test::box(low, high));
     std::mt19937 random(6);
@@ -135,7 +135,7 @@ TEST(RotatingProxy, OverEdgesAndCornersIsHeldByWhatItTouchesAlone) {
     EXPECT_GT(turned, 100);
 }
 
-TEST(RotatingProxy, InASlotTurnsUntilItsCornersMeetBothWalls) {
+TEST(RotatingProxy, InASlotRotatesUntilItsCornersMeetBothWalls) {
     constexpr double kWidth = 1.0, kHeight = 4.0, kGap = 1.2;
     TriangleMesh slot = test::box(Vec3(-kGap / 2 - 2, -9, -9), Vec3(-kGap / 2, 9, 9));
     const TriangleMesh other = test::box(Vec3(kGap / 2, -9, -9), Vec3(kGap / 2 + 2, 9, 9));
@@ -148,7 +148,7 @@ TEST(RotatingProxy, InASlotTurnsUntilItsCornersMeetBothWalls) {
     const Pose goal{Vec3::Zero(), Quat(Eigen::AngleAxisd(20 * kDegree, Vec3::UnitY()))};
     const MoveResult move = settle(body, goal);
     EXPECT_EQ(move.status, MoveStatus::InContact);
-    // Across the slot, a box tilted by t measures width * cos t + height * sin t.
+    // Across the slot, the width of a box tilted by t is width * cos t + height * sin t.
     const double tilt = rotationBetween(Quat::Identity(), body.pose().rotation).norm();
     EXPECT_NEAR(kWidth * std::cos(tilt) + kHeight * std::sin(tilt), kGap, 1e-5);
     EXPECT_LT(body.pose().position.norm(), 1e-5);

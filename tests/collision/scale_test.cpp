@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Nothing is measured in millimetres: everything a thousand times smaller or larger gives the scaled answer, everything
-// a metre away the same one.
+// No constant of the code is an absolute length: a scene a thousand times smaller or larger gives the scaled result, a
+// scene a metre away the same result.
 #include <gtest/gtest.h>
 
 #include "collision/contact_checks.h"
@@ -21,7 +21,7 @@ TriangleMesh rounded(TriangleMesh mesh) {
     return mesh;
 }
 
-/// Depth of the proxy at every tick of a slide at 2 cm/s, everything times `scale`, then moved by `offset`.
+/// Depth of the proxy at every tick of a slide at 2 cm/s. The scene is multiplied by `scale`, then moved by `offset`.
 std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& tool, double scale, const Vec3& offset) {
     ToolTrajectory how;
     how.speed = 20;
@@ -47,8 +47,8 @@ const TriangleMesh& bur() { return test::oracleTools()[0].mesh; }
 
 }  // namespace
 
-// A power of two scales every number exactly: any difference would be a length hidden in the code.
-TEST(Scale, TheProxyOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit) {
+// A power of two scales every number exactly. Any difference would come from an absolute length in the code.
+TEST(Scale, TheProxyScalesWithPowersOfTwoBitForBit) {
     const std::vector<double> plain = depthsAlong(molar(), bur(), 1, Vec3::Zero());
     for (const double scale : {1.0 / 1024, 1024.0}) {
         const std::vector<double> other = depthsAlong(molar(), bur(), scale, Vec3::Zero());
@@ -58,7 +58,7 @@ TEST(Scale, TheProxyOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit)
     EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0.1);
 }
 
-TEST(Scale, TheDepthOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit) {
+TEST(Scale, TheDepthScalesWithPowersOfTwoBitForBit) {
     for (const double scale : {1.0 / 1024, 1024.0}) {
         ContactQuery plain(test::toolOf(bur()), test::surfaceOf(molar()));
         ContactQuery other(test::toolOf(scaled(bur(), scale)), test::surfaceOf(scaled(molar(), scale)));
@@ -74,8 +74,9 @@ TEST(Scale, TheDepthOfAThousandTimesSmallerOrLargerToothIsTheScaledOneBitForBit)
     }
 }
 
-// By a thousand, single precision rounds every coordinate anew: the surface itself is another by 1e-7 of its size.
-TEST(Scale, AThousandthAndAThousandfoldDifferByTheRoundingOfTheFileAlone) {
+// With a factor of a thousand, single precision rounds every coordinate afresh: the surface itself changes by 1e-7 of
+// its size.
+TEST(Scale, AFactorOfAThousandDiffersOnlyByTheRoundingOfTheFile) {
     for (const double scale : {1e-3, 1e3}) {
         ContactQuery plain(test::toolOf(bur()), test::surfaceOf(molar()));
         ContactQuery other(test::toolOf(scaled(bur(), scale)), test::surfaceOf(scaled(molar(), scale)));

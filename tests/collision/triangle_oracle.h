@@ -7,7 +7,7 @@
 
 namespace tactooth::test {
 
-/// Nearest distance of two segments by the closed form of the two lines, clamped, and the four ends.
+/// Distance of two segments, from the clamped closed form of the two lines and from the four ends.
 inline double segmentDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     double best = std::min({(closestOnSegment(a, c, d) - a).norm(), (closestOnSegment(b, c, d) - b).norm(),
                             (closestOnSegment(c, a, b) - c).norm(), (closestOnSegment(d, a, b) - d).norm()});
@@ -33,7 +33,7 @@ inline bool segmentCrosses(const Vec3& from, const Vec3& to, const Triangle3& t)
     return (closestOnTriangle(point, t[0], t[1], t[2]) - point).norm() < 1e-13 * (1 + point.norm());
 }
 
-/// Distance of two triangles with every feature of one tried against every feature of the other; 0 if they cross.
+/// Distance of two triangles, by brute force over all pairs of features; 0 if they cross.
 inline double triangleDistance(const Triangle3& a, const Triangle3& b) {
     double best = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {

@@ -15,8 +15,8 @@
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
 // Symposium on Interactive Ray Tracing 2007, section 3. Differs from the paper: a node has eight children, found by
-// splitting the child of the largest area again and again, and a leaf is one packet of eight triangles, so the split
-// cost counts packets, not triangles.
+// repeatedly splitting the child of the largest area. A leaf is one packet of eight triangles, so the split cost counts
+// packets, not triangles.
 
 namespace tactooth {
 namespace {
@@ -29,16 +29,16 @@ struct Child {
     float halfArea = 0;
 };
 
-/// A node before its place in memory is known.
+/// A node whose place in memory is not known yet.
 struct BuildNode {
     int count = 0;
     std::array<Child, AabbTree::kWidth> children;
     std::array<std::unique_ptr<BuildNode>, AabbTree::kWidth> inner;  // null: the child is a leaf
-    std::uint32_t nodes = 1, leaves = 0;                             // of the tree that hangs on this node
+    std::uint32_t nodes = 1, leaves = 0;                             // of the sub-tree
 };
 
-/// The child worth splitting next: the largest (by area, or by count where depth is to be bounded) that is not a leaf
-/// yet, or -1.
+/// The child to split next: the largest that is not a leaf yet, or -1. Largest by area, or with `balanced` by number of
+/// triangles, which bounds the depth.
 int widestChild(const BuildNode& node, bool balanced) {
     int widest = -1;
     float width = -1.0F;
@@ -84,7 +84,7 @@ std::unique_ptr<BuildNode> buildBest(const Child& all, int depth) {
     return node;
 }
 
-/// Packets of items, one after the other as they are; nodes are full but for the last.
+/// Makes leaves of the items in their order. All nodes but the last are full.
 std::unique_ptr<BuildNode> buildInOrder(const TreeRange& all) {
     std::size_t most = AabbTree::kWidth;  // items below a child
     while (most * AabbTree::kWidth < all.size()) most *= AabbTree::kWidth;
@@ -111,8 +111,9 @@ std::unique_ptr<BuildNode> buildQuickly(const TreeRange& all) {
 }
 
 void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const TreeItem> items) {
+    TACTOOTH_ASSERT(!items.empty() && items.size() <= AabbTree::kWidth);
     leaf.count = static_cast<std::uint32_t>(items.size());
-    std::array<const Triangle*, AabbTree::kWidth> corners;  // named ahead, so that the memory fetches all at once
+    std::array<const Triangle*, AabbTree::kWidth> corners;  // collected first, so that the memory accesses overlap
     for (std::size_t lane = 0; lane < AabbTree::kWidth; ++lane) {
         leaf.triangle[lane] = items[lane < items.size() ? lane : 0].triangle();
         corners[lane] = &mesh.triangles[leaf.triangle[lane]];
@@ -125,11 +126,11 @@ void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const Tr
     }
 }
 
-constexpr std::uint32_t kMaxLeavesOfDisc = 512;  // what is larger is not flat
-constexpr float kRoundUp = 1.00001F;             // of a length: what single precision may have lost
+constexpr std::uint32_t kMaxLeavesOfDisc = 512;  // a larger sub-tree is not flat
+constexpr float kRoundUp = 1.00001F;             // of a length: more than single precision may lose
 
-/// The mean normal of leaves: that of the sum of their triangles' area vectors, along which what is nearly flat is
-/// thinnest. Zero: there is none.
+/// The mean normal of leaves: the direction of the sum of their triangles' area vectors. A nearly flat surface is
+/// thinnest along it. Zero if there is none.
 Vec3f meanNormal(std::span<const AabbTree::Leaf> leaves) {
     Vec3x8 area = Vec3x8::all(0, 0, 0);
     for (const AabbTree::Leaf& leaf : leaves) {
@@ -144,7 +145,7 @@ Vec3f meanNormal(std::span<const AabbTree::Leaf> leaves) {
     return length > 0 ? Vec3f(sum / length) : Vec3f(Vec3f::Zero());
 }
 
-/// The disc around what hangs on a child: its leaves, or where they are many a ball around its box.
+/// Encloses the leaves of a child in a disc. If there are many leaves: in a ball around the child's box.
 void encloseInDisc(std::span<const AabbTree::Leaf> leaves, AabbTree::Node& node, int child) {
     Vec3f low, high;
     for (int axis = 0; axis < 3; ++axis) low[axis] = node.low[axis][child], high[axis] = node.high[axis][child];
@@ -180,14 +181,15 @@ void encloseInDisc(std::span<const AabbTree::Leaf> leaves, AabbTree::Node& node,
     node.discRadius[child] = kRoundUp * discRadius;
 }
 
-/// Writes a tree into memory, depth first: a child follows its parent closely.
+/// Writes a tree into memory in depth-first order: a child is close to its parent.
 class Layout {
 public:
     Layout(const TriangleMesh& mesh, AabbTree::Node* nodes, AabbTree::Leaf* leaves)
         : mesh_(mesh), nodes_(nodes), leaves_(leaves) {}
 
-    /// `node` and what hangs on it, from these places on.
+    /// Writes a sub-tree; `node` and `leaf` are its first indices.
     void write(const BuildNode& from, std::uint32_t node, std::uint32_t leaf) const {
+        TACTOOTH_ASSERT(from.count >= 1 && from.count <= AabbTree::kWidth);
         AabbTree::Node& to = nodes_[node];
         std::array<std::uint32_t, AabbTree::kWidth> nodeAt{}, leafAt{};
         std::uint32_t nextNode = node + 1;
@@ -242,6 +244,8 @@ AabbTree::AabbTree(const TriangleMesh& mesh, TreeBuild build) {
     whole_ = arrays;
     const auto [low, high] = whole.box();
     box_ = Box3(Vec3f(low).cast<double>(), Vec3f(high).cast<double>());
+    TACTOOTH_ASSERT(wholeLeaves_ >= (count + kWidth - 1) / kWidth && wholeLeaves_ <= count);
+    TACTOOTH_ASSERT(!box_.isEmpty());
 }
 
 }  // namespace tactooth

@@ -9,22 +9,22 @@
 
 #include "collision/narrow/simd8.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/large_pages.h"
 
 namespace tactooth {
 
-/// How a tree is built: for many walks, or to be there soon.
+/// How a tree is built: for the fastest queries, or in the shortest time.
 enum class TreeBuild { Best, Quick };
 
-/// Bounding-volume hierarchy over the triangles of a mesh: nodes of eight children, leaves of up to eight triangles,
-/// each stored side by side in the order in which a query walks over them. Boxes are single precision and hold their
-/// triangles exactly (a mesh keeps single precision too). Built once, read by any number of threads; a copy shares the
-/// memory.
+/// Bounding-volume hierarchy over the triangles of a mesh: nodes of eight children, leaves of up to eight triangles, in
+/// depth-first order. Boxes are in single precision and enclose their triangles exactly (a mesh is in single precision
+/// too). Built once; any number of threads may read it. A copy shares the memory.
 class AabbTree {
 public:
     static constexpr int kWidth = 8;
 
-    /// Where a child of a node lives: another node, a leaf, or nowhere.
+    /// The place of a child: a node or a leaf, by its index.
     class Link {
     public:
         static Link toNode(std::uint32_t index) { return Link(index); }
@@ -39,17 +39,17 @@ public:
         std::uint32_t bits_ = 0;
     };
 
-    /// The boxes of up to eight children, axis by axis. An absent child has an inverted infinite box, which no query
-    /// touches. And a disc around what hangs on each: surfaces are flat where one looks closely, and fill far less of a
-    /// disc across their mean normal than of a box.
+    /// Up to eight children: the box of each, axis by axis, and a disc around its triangles. An absent child has an
+    /// inverted infinite box, which no query meets; absent children come last. A small piece of surface is nearly flat,
+    /// so a disc across its mean normal is much smaller than its box.
     struct alignas(32) Node {
         float low[3][kWidth];
         float high[3][kWidth];
         Link child[kWidth];
-        float centre[3][kWidth];      ///< of the disc
+        float centre[3][kWidth];      ///< of the disc, mm
         float normal[3][kWidth];      ///< unit, or zero where the disc is a ball
-        float halfThickness[kWidth];  ///< from the centre along the normal, either way, mm
-        float discRadius[kWidth];     ///< from the centre across the normal, mm
+        float halfThickness[kWidth];  ///< of the disc along its normal, mm
+        float discRadius[kWidth];     ///< of the disc across its normal, mm
     };
 
     /// Up to eight triangles, corner by corner and axis by axis. Unused lanes repeat the first triangle.
@@ -63,26 +63,40 @@ public:
     explicit AabbTree(const TriangleMesh& mesh, TreeBuild build = TreeBuild::Best);
 
     [[nodiscard]] bool empty() const { return box_.isEmpty(); }
-    /// Where a walk begins; not for an empty tree.
+    /// Where a traversal begins; not for an empty tree.
     [[nodiscard]] Link rootLink() const { return root_; }
-    [[nodiscard]] const Node& root() const { return node(root_); }
+    [[nodiscard]] const Node& root() const {
+        TACTOOTH_ASSERT(!empty());
+        return node(root_);
+    }
     [[nodiscard]] const Node& node(Link link) const {
         const std::uint32_t i = link.index();
+        TACTOOTH_ASSERT(!link.isLeaf());
+        TACTOOTH_ASSERT(i < wholeNodes_ + nodes_.size());
         return i < wholeNodes_ ? wholeNode_[i] : nodes_[i - wholeNodes_];
     }
     [[nodiscard]] const Leaf& leaf(Link link) const {
         const std::uint32_t i = link.index();
+        TACTOOTH_ASSERT(link.isLeaf());
+        TACTOOTH_ASSERT(i < wholeLeaves_ + leaves_.size());
         return i < wholeLeaves_ ? wholeLeaf_[i] : leaves_[i - wholeLeaves_];
     }
-    /// All leaves by index, of a tree from which nothing was taken.
+    /// All leaves by index; of a tree without hidden triangles.
     [[nodiscard]] std::span<const Leaf> leaves() const { return {wholeLeaf_, wholeLeaves_}; }
+    /// All nodes by index; of a tree without hidden triangles.
     [[nodiscard]] std::span<const Node> nodes() const { return {wholeNode_, wholeNodes_}; }
+    /// Of all triangles, mm; empty for an empty tree.
     [[nodiscard]] const Box3& box() const { return box_; }
+    /// Memory of nodes and leaves.
     [[nodiscard]] std::size_t bytes() const {
         return (wholeNodes_ + nodes_.size()) * sizeof(Node) + (wholeLeaves_ + leaves_.size()) * sizeof(Leaf);
     }
 
-    /// Nodes below the root, at most: the stack that a depth-first walk needs is (kWidth - 1) times this, plus one.
+    /// Asserts every invariant, in O(n): each node and leaf is reached once, boxes and discs enclose their triangles,
+    /// absent children come last, the depth is at most kMaxDepth.
+    void validate() const;
+
+    /// The greatest depth. A depth-first traversal needs a stack of (kWidth - 1) times this, plus one.
     static constexpr int kMaxDepth = 24;
     static constexpr int kStackSize = (kWidth - 1) * kMaxDepth + 1;
 
@@ -93,12 +107,12 @@ private:
         LargeVector<Leaf> leaves;
     };
 
-    std::shared_ptr<const Arrays> whole_;  // of the mesh, shared by every tree from which triangles were taken
-    const Node* wholeNode_ = nullptr;      // its nodes: one step less to each on a walk
+    std::shared_ptr<const Arrays> whole_;  // of the mesh, shared by all trees with hidden triangles
+    const Node* wholeNode_ = nullptr;      // its nodes: saves a traversal one indirection
     const Leaf* wholeLeaf_ = nullptr;
     std::uint32_t wholeNodes_ = 0;
     std::uint32_t wholeLeaves_ = 0;
-    std::vector<Node> nodes_;  // instead of some of those: they have the numbers from wholeNodes_ on
+    std::vector<Node> nodes_;  // replace some of those; their indices begin at wholeNodes_
     std::vector<Leaf> leaves_;
     Link root_;
     Box3 box_;

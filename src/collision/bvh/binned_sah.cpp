@@ -6,20 +6,21 @@
 #include <array>
 #include <vector>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 // Binned surface-area heuristic: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE
 // Symposium on Interactive Ray Tracing 2007, section 3; large ranges are binned in parallel as in his section 5.
-// Differs from the paper: a leaf is a packet of triangles, so the cost of a part counts packets, not triangles. And the
-// items in the wrong part are listed without a branch and then exchanged in pairs (S. Edelkamp, A. Weiss,
-// "BlockQuicksort", ESA 2016), which also several threads can do with one and the same result.
+// Differs from the paper: a leaf is a packet of triangles, so the cost of a part counts packets, not triangles. Items
+// in the wrong part are listed without a branch and then exchanged in pairs (S. Edelkamp, A. Weiss, "BlockQuicksort",
+// ESA 2016). Several threads can do that, and the result is the same.
 
 namespace tactooth {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// More than 16 bins gains nothing measurable on scanned teeth; of few items, fewer bins find as good a border.
+// More than 16 bins bring no measurable gain on scanned teeth. For few items, fewer bins find as good a border.
 constexpr int kManyBins = 16;
 constexpr int kFewBins = 8;
 constexpr std::size_t kFewItems = 128;
@@ -48,7 +49,7 @@ struct Binning {
     }
 };
 
-/// The sum over all items of what `block` gives for some of them; a large range is summed up in parallel.
+/// The sum of the results of `block` over all items. A large range is summed in parallel.
 template <class Sum, class Block>
 Sum summed(const TreeRange& range, const Block& block) {
     if (range.size() <= kParallelTreeRange) return block(range);
@@ -61,7 +62,7 @@ Sum summed(const TreeRange& range, const Block& block) {
     return sums[0];
 }
 
-/// Fills the bins and notes beside each item its own.
+/// Fills the bins, and writes the bin of each item beside it.
 template <int kBins>
 Bins<kBins> fillBins(const TreeRange& range, const Binning<kBins>& binning) {
     return summed<Bins<kBins>>(range, [binOf = binning](const TreeRange& block) {
@@ -77,13 +78,13 @@ Bins<kBins> fillBins(const TreeRange& range, const Binning<kBins>& binning) {
     });
 }
 
-/// What the tree of so many items in a box is expected to cost.
+/// The expected cost of a sub-tree of so many items in a box.
 float costOf(const TreeBounds& bounds, std::uint32_t count) {
     return bounds.halfArea() * static_cast<float>((count + kLeafSize - 1) / kLeafSize);
 }
 
-/// The bin border of the lowest cost, 1..kBins-1, or 0 when every item falls into one bin. A border behind an empty bin
-/// is the one before that bin again.
+/// The bin border of the lowest cost, 1..kBins-1; 0 if all items are in one bin. The border after an empty bin gives
+/// the same parts as the border before it.
 template <int kBins>
 int cheapestBorder(const Bins<kBins>& bins) {
     std::array<float, kBins> rightCost;
@@ -108,7 +109,7 @@ int cheapestBorder(const Bins<kBins>& bins) {
     return best;
 }
 
-/// Writes the places begin..end of items whose part is not `left`, and returns how many there are.
+/// Writes the indices, from begin to end, of the items that are not in part `left`. Returns their number.
 std::size_t listStrays(const TreeRange& range, std::size_t begin, std::size_t end, int border, bool left,
                        std::uint32_t* places) {
     std::size_t count = 0;
@@ -119,7 +120,7 @@ std::size_t listStrays(const TreeRange& range, std::size_t begin, std::size_t en
     return count;
 }
 
-/// The places of all items in the first part that belong into the second, or the reverse, in order.
+/// The indices, in order, of all items of the first part that belong into the second, or the reverse.
 std::vector<std::uint32_t> allStrays(const TreeRange& range, std::size_t begin, std::size_t end, int border,
                                      bool left) {
     std::vector<std::uint32_t> places(end - begin);
@@ -141,9 +142,11 @@ std::vector<std::uint32_t> allStrays(const TreeRange& range, std::size_t begin, 
 
 /// Brings the items of the bins below `border`, `leftCount` in all, to the front.
 void partition(const TreeRange& range, std::size_t leftCount, int border) {
+    TACTOOTH_ASSERT(leftCount > 0 && leftCount < range.size());
     if (range.size() > kParallelTreeRange) {
         const std::vector<std::uint32_t> onLeft = allStrays(range, 0, leftCount, border, true);
         const std::vector<std::uint32_t> onRight = allStrays(range, leftCount, range.size(), border, false);
+        TACTOOTH_ASSERT(onLeft.size() == onRight.size());
         parallelFor(
             onLeft.size(),
             [&](std::size_t i) { std::swap(range.items[onLeft[i]], range.items[onRight[onRight.size() - 1 - i]]); },
@@ -156,8 +159,8 @@ void partition(const TreeRange& range, std::size_t leftCount, int border) {
     for (std::size_t i = 0; strays != 0; ++i) std::swap(range.items[onLeft[i]], range.items[onRight[--strays]]);
 }
 
-/// Cuts at the middle item along the longest axis of the centres. Equal keys fall in the order of the triangle
-/// numbers, so the result does not depend on the library's selection algorithm.
+/// Splits at the middle item along the longest axis of the centres. Items with equal keys are ordered by triangle
+/// number, so the result does not depend on the library's sorting algorithm.
 TreeSplit splitAtMedian(const TreeRange& range, int axis) {
     const std::size_t half = (range.size() + kLeafSize - 1) / kLeafSize / 2 * kLeafSize;
     std::sort(range.items.begin(), range.items.end(), [axis](const TreeItem& a, const TreeItem& b) {
@@ -168,9 +171,10 @@ TreeSplit splitAtMedian(const TreeRange& range, int axis) {
     return {half, boundsOf(range.first(half)), boundsOf(range.after(half))};
 }
 
-/// Cuts at the cheapest border between bins along an axis on which the centres lie from `low` on over `size`.
+/// Splits at the cheapest border between bins. Along the axis, the centres lie between `low` and `low + size`.
 template <int kBins>
 TreeSplit splitAtCheapest(const TreeRange& range, int axis, float low, float size) {
+    TACTOOTH_ASSERT(size > 0);
     const auto bins = fillBins<kBins>(range, {axis, low, kBins / size});
     const int border = cheapestBorder(bins);
     if (border == 0) return splitAtMedian(range, axis);
@@ -200,6 +204,8 @@ TreeBounds boundsOf(const TreeRange& range) {
 }
 
 TreeSplit splitRange(const TreeRange& range, bool balanced) {
+    TACTOOTH_ASSERT(range.size() > kLeafSize);
+    TACTOOTH_ASSERT(range.bins.size() == range.size());
     const auto [low, high] = centresOf(range).box();
     int axis = 0;
     for (int other = 1; other < 3; ++other) {

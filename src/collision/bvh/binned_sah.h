@@ -9,12 +9,13 @@
 #include <span>
 
 #include "collision/narrow/simd8.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 
 namespace tactooth {
 
-/// A box in one vector register: its lower corner and, with the sign turned, its upper one, so that it grows by a
-/// single minimum. The fourth number of each means nothing.
+/// A box in one vector register: its lower corner, and its upper corner with the sign reversed. So one minimum extends
+/// it. The fourth number of each corner has no meaning.
 class TreeBounds {
 public:
     TreeBounds() : TreeBounds(Float8::all(std::numeric_limits<float>::infinity())) {}
@@ -22,7 +23,7 @@ public:
 
     void extend(const TreeBounds& other) { min(Float8::load(corners_), Float8::load(other.corners_)).store(corners_); }
 
-    /// The corners, number by number.
+    /// The corners as single numbers, mm.
     struct Box {
         float low[3], high[3];
     };
@@ -43,10 +44,10 @@ private:
     float corners_[8];
 };
 
-/// A triangle on its way into an AABB tree: its box, with its number in a spare place.
+/// A triangle for the construction of an AABB tree: its box and its number.
 class TreeItem {
 public:
-    TreeItem() = default;  // and no number written, so that the threads that fill a large array touch it first
+    TreeItem() = default;  // writes nothing: the threads that fill a large array touch its memory first
     TreeItem(std::uint32_t triangle, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
         for (int axis = 0; axis < 3; ++axis) {
             corners_[axis] = std::min({a[axis], b[axis], c[axis]});
@@ -60,44 +61,50 @@ public:
     [[nodiscard]] std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(corners_[3]); }
     /// Twice the centre of the box.
     [[nodiscard]] float centre(int axis) const { return corners_[axis] - corners_[4 + axis]; }
-    /// The same on all axes, as a box of no size.
+    /// The same on all axes, as a box without extent.
     [[nodiscard]] TreeBounds centre() const {
         return TreeBounds(Float8::load(corners_) - Float8::load(corners_ + 4, corners_));
     }
 
 private:
-    // Written number by number, since to put together a register from single numbers costs more; read as a whole.
+    // Written as single numbers, since to assemble a register costs more; read as a whole.
     alignas(32) float corners_[8];
 };
 
-/// Items that lie side by side, each with a byte of scratch memory.
+/// Items in contiguous memory, each with a byte of scratch memory.
 struct TreeRange {
     std::span<TreeItem> items;
     std::span<std::uint8_t> bins;
 
     [[nodiscard]] std::size_t size() const { return items.size(); }
-    [[nodiscard]] TreeRange first(std::size_t count) const { return {items.first(count), bins.first(count)}; }
-    [[nodiscard]] TreeRange after(std::size_t count) const { return {items.subspan(count), bins.subspan(count)}; }
+    [[nodiscard]] TreeRange first(std::size_t count) const {
+        TACTOOTH_ASSERT(count <= size());
+        return {items.first(count), bins.first(count)};
+    }
+    [[nodiscard]] TreeRange after(std::size_t count) const {
+        TACTOOTH_ASSERT(count <= size());
+        return {items.subspan(count), bins.subspan(count)};
+    }
 };
 
-/// The parts that a range was cut into.
+/// The two parts of a range.
 struct TreeSplit {
     std::size_t leftCount;
     TreeBounds left, right;
 };
 
-/// From how many items on the work on them is worth a task of its own: about 50 us.
+/// The number of items whose work is worth a task of its own: about 50 us.
 inline constexpr std::size_t kParallelTreeRange = 8192;
 
 [[nodiscard]] TreeBounds boundsOf(const TreeRange& range);
-/// Of the items' centres, as TreeItem::centre has them.
+/// Of the items' centres, doubled as in TreeItem::centre.
 [[nodiscard]] TreeBounds centresOf(const TreeRange& range);
 
-/// How many triangles a leaf holds at most.
+/// The most triangles of a leaf.
 inline constexpr std::size_t kLeafSize = 8;
 
-/// Reorders `range` (of more than a packet) into two parts, neither of them empty, that make the cheapest pair of
-/// sub-trees; with `balanced`, into halves. The result does not depend on the number of threads.
+/// Reorders `range` (more than one leaf) into two parts, neither of them empty, that make the cheapest pair of
+/// sub-trees. With `balanced`: into halves. The result does not depend on the number of threads.
 [[nodiscard]] TreeSplit splitRange(const TreeRange& range, bool balanced);
 
 }  // namespace tactooth

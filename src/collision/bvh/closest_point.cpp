@@ -11,9 +11,9 @@
 #include "geometry/util/assert.h"
 
 // Best-first descent with the children of a node visited nearest first: N. Roussopoulos, S. Kelley, F. Vincent,
-// "Nearest Neighbor Queries", SIGMOD 1995. Inside test: parity of the crossings of one ray; a ray that grazes an edge
-// or a corner is thrown away and another direction is taken. Differs from the paper: the boxes are looked at eight at a
-// time, and pruned by the distance to a box alone, without the paper's upper bound.
+// "Nearest Neighbor Queries", SIGMOD 1995, section 3. Differs from the paper: eight boxes are tested at a time, and
+// pruned by the distance to a box alone, without the paper's upper bound. Inside test: parity of the crossings of one
+// ray. A ray that grazes an edge or a corner is rejected, and another direction is tried.
 
 namespace tactooth {
 namespace {
@@ -23,8 +23,7 @@ struct Visit {
     float squaredDistance;
 };
 
-/// Whether the ray crosses the triangles (but those that `hidden` names) an odd number of times; nothing if it grazed
-/// an edge.
+/// Whether the ray crosses the triangles, without those in `hidden`, an odd number of times. None if it grazed an edge.
 std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidden, const Vec3& origin,
                                  const Vec3& direction) {
     bool odd = false;
@@ -35,7 +34,7 @@ std::optional<bool> crossesOddly(const AabbTree& tree, const TriangleMask* hidde
     return isClear ? std::optional(odd) : std::nullopt;
 }
 
-/// Whether a ray may enter `box`; `margin`: as that of boxesOnRay, or larger.
+/// Whether a ray may enter `box`. `margin` is that of boxesOnRay, or larger.
 bool mayEnter(const Box3& box, const Vec3& origin, const Vec3& inverseDirection, double margin) {
     const Eigen::Array3d first = (box.min().array() - margin - origin.array()) * inverseDirection.array();
     const Eigen::Array3d second = (box.max().array() + margin - origin.array()) * inverseDirection.array();
@@ -45,6 +44,8 @@ bool mayEnter(const Box3& box, const Vec3& origin, const Vec3& inverseDirection,
 }  // namespace
 
 std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& query, double within) {
+    TACTOOTH_ASSERT(query.allFinite());
+    TACTOOTH_ASSERT(within >= 0);
     const AabbTree& tree = part.tree();
     if (tree.empty()) return std::nullopt;
     const double slack = slackNear(query);
@@ -82,6 +83,7 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
         const int first = size;
         for (int i = 0; i < AabbTree::kWidth; ++i) {
             if (!(distances[i] <= reach * reach) || std::isinf(distances[i])) continue;  // infinite: an absent child
+            TACTOOTH_ASSERT(size < AabbTree::kStackSize);
             int place = size++;
             for (; place > first && stack[place - 1].squaredDistance < distances[i]; --place)
                 stack[place] = stack[place - 1];
@@ -89,10 +91,12 @@ std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& qu
         }
     }
     if (best) best->distance = std::sqrt(bestSquared);
+    TACTOOTH_ASSERT(!best || best->distance <= within);
     return best;
 }
 
 bool contains(const Surface& surface, const Vec3& query) {
+    TACTOOTH_ASSERT(surface.base != nullptr);
     if (surface.base->tree().empty() || !surface.base->tree().box().contains(query)) return false;
     const VisibleBase base = visibleBase(surface);
     const double margin = 1e-6 * surface.base->tree().box().diagonal().norm();
@@ -111,7 +115,7 @@ bool contains(const Surface& surface, const Vec3& query) {
 }
 
 bool contains(const SurfacePart& part, const Vec3& query) {
-    // A view of the part that does not own it, as the base of a surface without patches.
+    // A surface without patches, whose base refers to the part but does not own it.
     return contains(Surface{std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &part), nullptr, {}, 0}, query);
 }
 

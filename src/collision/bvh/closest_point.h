@@ -9,17 +9,18 @@
 
 namespace tactooth {
 
+/// The point of a surface nearest to a query point.
 struct ClosestPoint {
     Vec3 point;              ///< on the surface, mm
     double distance;         ///< from the query point, mm, >= 0
     std::uint32_t triangle;  ///< of the part's mesh
 };
 
-/// The point of `part` nearest to `query`, if one lies within `within` mm.
+/// The point of `part` nearest to `query`, if it lies within `within` mm.
 [[nodiscard]] std::optional<ClosestPoint> closestPoint(const SurfacePart& part, const Vec3& query,
                                                        double within = std::numeric_limits<double>::infinity());
 
-/// Whether `query` lies inside the closed surface `part` (parity of ray crossings; meaningless on an open surface).
+/// Whether `query` lies inside the closed surface `part` (parity of ray crossings; has no meaning for an open surface).
 [[nodiscard]] bool contains(const SurfacePart& part, const Vec3& query);
 
 /// The same for a tooth that may have been cut: hidden triangles do not count, patches do.

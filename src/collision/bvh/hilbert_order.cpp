@@ -6,13 +6,16 @@
 #include <array>
 #include <vector>
 
-// Hilbert's curve, which has no leaps: I. Kamel, C. Faloutsos, "On Packing R-trees", CIKM 1993. Its places from
-// coordinates: J. Skilling, "Programming the Hilbert Curve", AIP Conference Proceedings 707, 2004.
+#include "geometry/util/assert.h"
+
+// Sorting along the Hilbert curve: I. Kamel, C. Faloutsos, "On Packing R-trees", CIKM 1993. The index of a cell: J.
+// Skilling, "Programming the Hilbert Curve", AIP Conference Proceedings 707, 2004. Differs from the papers: the grid
+// has only 8 x 8 x 8 cells, so the indices come from a table.
 
 namespace tactooth {
 namespace {
 
-constexpr int kBits = 3;  // of a coordinate: a patch of a cut has eight voxels a side
+constexpr int kBits = 3;  // of a coordinate: the patch of a cut has eight voxels along each side
 constexpr int kSide = 1 << kBits;
 constexpr int kPlaces = kSide * kSide * kSide;
 
@@ -39,7 +42,7 @@ constexpr unsigned hilbertIndex(std::array<unsigned, 3> x) {
     return place;
 }
 
-/// By cell, x first.
+/// Hilbert index of each cell; x varies fastest.
 constexpr auto kPlaceOfCell = [] {
     std::array<std::uint16_t, kPlaces> places{};
     for (unsigned cell = 0; cell < kPlaces; ++cell)
@@ -61,11 +64,12 @@ void sortByHilbertIndex(const TreeRange& range) {
         return kPlaceOfCell[static_cast<std::size_t>(cell)];
     };
     std::vector<std::uint16_t> places(range.size());
-    std::array<std::uint32_t, kPlaces + 1> next{};  // where the next item of each place goes
+    std::array<std::uint32_t, kPlaces + 1> next{};  // where the next item of each index goes
     for (std::size_t i = 0; i < range.size(); ++i) ++next[(places[i] = placeOf(range.items[i])) + 1U];
     for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
     std::vector<TreeItem> sorted(range.size());
     for (std::size_t i = 0; i < range.size(); ++i) sorted[next[places[i]]++] = range.items[i];
+    TACTOOTH_ASSERT(next[kPlaces] == range.size());
     std::ranges::copy(sorted, range.items.begin());
 }
 

@@ -10,9 +10,9 @@
 #include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
-// A new version of the tree copies the way from the root to what has changed and shares the rest: J. R. Driscoll et
+// A new version of the tree copies the path from the root to what has changed, and shares the rest: J. R. Driscoll et
 // al., "Making Data Structures Persistent", J. Computer and System Sciences 38, 1989, "path copying". Differs from the
-// paper: every version is made from the first one, so that none keeps another alive.
+// paper: every version is made from the first one, so no version keeps another alive.
 
 namespace tactooth {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::size_t kGrain = 4096;  // nodes or leaves that make a task of som
 
 bool isPresent(const AabbTree::Node& node, int child) { return node.low[0][child] <= node.high[0][child]; }
 
-/// No children: every box inverted and infinite.
+/// A node without children: every box is inverted and infinite.
 AabbTree::Node emptyNode() {
     AabbTree::Node node{};
     std::fill_n(&node.low[0][0], 3 * kWidth, std::numeric_limits<float>::infinity());
@@ -44,6 +44,7 @@ MaskedBvh::MaskedBvh(const AabbTree& whole)
     if (whole.empty()) return;
     std::size_t triangles = 0;
     for (const AabbTree::Leaf& leaf : whole.leaves()) triangles += leaf.count;
+    TACTOOTH_ASSERT(triangles < kNoSlot);
     laneOf_.resize(triangles);
     const auto noteLeaf = [&](std::size_t i) {
         const AabbTree::Leaf& leaf = whole.leaves()[i];
@@ -73,6 +74,7 @@ MaskedBvh::HiddenState MaskedBvh::hiddenOfNode(std::uint32_t node) const {
 }
 
 void MaskedBvh::setChild(Slot slot, HiddenState hides) {
+    TACTOOTH_ASSERT(slot / kWidth < someHidden_.size());
     const auto set = [&](std::uint8_t& mask, bool value) {
         const unsigned bit = 1U << slot % kWidth;
         mask = static_cast<std::uint8_t>(value ? mask | bit : mask & ~bit);
@@ -82,6 +84,7 @@ void MaskedBvh::setChild(Slot slot, HiddenState hides) {
 }
 
 void MaskedBvh::setHidden(std::uint32_t triangle, bool hidden) {
+    TACTOOTH_ASSERT(triangle < laneOf_.size());
     const std::uint32_t leaf = laneOf_[triangle] / kWidth;
     const std::uint32_t lane = laneOf_[triangle] % kWidth;
     if (((hiddenLanes_[leaf] >> lane) & 1U) == static_cast<unsigned>(hidden)) return;
@@ -102,6 +105,8 @@ void MaskedBvh::setHidden(std::uint32_t triangle, bool hidden) {
         count(replacedNodes_, before, now);
         above = aboveNode_[node];
     }
+    TACTOOTH_ASSERT(replacedLeaves_ <= hiddenLanes_.size());
+    TACTOOTH_ASSERT(replacedNodes_ <= someHidden_.size());
 }
 
 void MaskedBvh::showAll() {
@@ -114,6 +119,7 @@ void MaskedBvh::showAll() {
 MaskedBvh::Kept MaskedBvh::keepLeaf(std::uint32_t number, AabbTree& tree) const {
     const AabbTree::Leaf& from = fullTree_.wholeLeaf_[number];
     std::uint32_t left = ((1U << from.count) - 1U) & ~std::uint32_t{hiddenLanes_[number]};
+    TACTOOTH_ASSERT(left != 0);
     AabbTree::Leaf& leaf = tree.leaves_.emplace_back();
     leaf.count = static_cast<std::uint32_t>(std::popcount(left));
     const int first = std::countr_zero(left);
@@ -163,13 +169,14 @@ MaskedBvh::Kept MaskedBvh::keepNode(std::uint32_t number, AabbTree& tree) const 
         for (int axis = 0; axis < 3; ++axis) {
             node.low[axis][count] = kept.low[axis];
             node.high[axis][count] = kept.high[axis];
-            node.centre[axis][count] = from.centre[axis][child];  // the disc holds what is left as well
+            node.centre[axis][count] = from.centre[axis][child];  // the disc encloses the rest as well
             node.normal[axis][count] = from.normal[axis][child];
         }
         node.halfThickness[count] = from.halfThickness[child];
         node.discRadius[count] = from.discRadius[child];
         node.child[count++] = kept.link;
     }
+    TACTOOTH_ASSERT(count > 0);
     Kept whole{{}, {}, {}};
     for (int axis = 0; axis < 3; ++axis) {
         whole.low[axis] = lowest(Float8::load(node.low[axis]));
@@ -188,9 +195,36 @@ AabbTree MaskedBvh::maskedTree() const {
     tree.nodes_.reserve(replacedNodes_);
     tree.leaves_.reserve(replacedLeaves_);
     const Kept root = keepNode(fullTree_.root_.index(), tree);
+    TACTOOTH_ASSERT(tree.nodes_.size() == replacedNodes_ && tree.leaves_.size() == replacedLeaves_);
     tree.root_ = root.link;
     for (const float* corner : {root.low, root.high}) tree.box_.extend(Vec3(corner[0], corner[1], corner[2]));
     return tree;
+}
+
+void MaskedBvh::validate() const {
+    std::size_t leaves = 0, nodes = 0;
+    for (std::uint32_t leaf = 0; leaf < hiddenLanes_.size(); ++leaf) {
+        TACTOOTH_ASSERT(hiddenLanes_[leaf] >> fullTree_.wholeLeaf_[leaf].count == 0);
+        leaves += hiddenOfLeaf(leaf) == HiddenState::Some ? 1 : 0;
+    }
+    for (std::uint32_t node = 0; node < someHidden_.size(); ++node) {
+        TACTOOTH_ASSERT((allHidden_[node] & ~someHidden_[node]) == 0);
+        TACTOOTH_ASSERT((someHidden_[node] & ~children_[node]) == 0);
+        nodes += hiddenOfNode(node) == HiddenState::Some ? 1 : 0;
+        for (int child = 0; child < AabbTree::kWidth; ++child) {
+            if (((children_[node] >> child) & 1U) == 0) continue;
+            const AabbTree::Link link = fullTree_.wholeNode_[node].child[child];
+            const HiddenState state = link.isLeaf() ? hiddenOfLeaf(link.index()) : hiddenOfNode(link.index());
+            TACTOOTH_ASSERT((((someHidden_[node] >> child) & 1U) != 0) == (state != HiddenState::None));
+            TACTOOTH_ASSERT((((allHidden_[node] >> child) & 1U) != 0) == (state == HiddenState::All));
+        }
+    }
+    TACTOOTH_ASSERT(leaves == replacedLeaves_);
+    TACTOOTH_ASSERT(nodes == replacedNodes_);
+    for (std::uint32_t triangle = 0; triangle < laneOf_.size(); ++triangle) {
+        const std::uint32_t lane = laneOf_[triangle] % kWidth;
+        TACTOOTH_ASSERT(fullTree_.wholeLeaf_[laneOf_[triangle] / kWidth].triangle[lane] == triangle);
+    }
 }
 
 }  // namespace tactooth

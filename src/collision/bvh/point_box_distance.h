@@ -5,16 +5,16 @@
 #include "collision/bvh/aabb_tree.h"
 #include "collision/narrow/simd8.h"
 
-// What all who look for the triangles near a point have in common: eight boxes at a time, in single precision.
+// For searches of the triangles near a point: distances from eight boxes at a time, in single precision.
 
 namespace tactooth {
 
-/// A point for comparisons with eight boxes; slackNear says what its rounding may hide.
+/// A point in all eight lanes, rounded to single precision; see slackNear for the error.
 [[nodiscard]] inline Vec3x8 broadcastPoint(const Vec3& point) {
     return Vec3x8::all(static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z()));
 }
 
-/// mm by which a distance from `point` to a box may come out too large.
+/// By how much (mm) a computed distance from `point` to a box may be too large.
 [[nodiscard]] inline double slackNear(const Vec3& point) { return 1e-6 * (1 + point.cwiseAbs().maxCoeff()); }
 
 /// Squared distances from a point to eight boxes, mm^2.
@@ -23,12 +23,12 @@ namespace tactooth {
     return dot(gap, gap);
 }
 
-/// The same to the boxes of a node's children; infinite where there is none.
+/// Squared distances to the boxes of a node's children, mm^2; infinite for absent children.
 [[nodiscard]] inline Float8 squaredBoxDistances(const AabbTree::Node& node, const Vec3x8& query) {
     return squaredBoxDistances(Vec3x8::load(node.low), Vec3x8::load(node.high), query);
 }
 
-/// The same to the boxes of a leaf's triangles; of any value beyond its count.
+/// Squared distances to the boxes of a leaf's triangles, mm^2. Lanes beyond its count have no meaning.
 [[nodiscard]] inline Float8 squaredBoxDistances(const AabbTree::Leaf& leaf, const Vec3x8& query) {
     const Vec3x8 a = Vec3x8::load(leaf.corner[0]);
     const Vec3x8 b = Vec3x8::load(leaf.corner[1]);
@@ -36,7 +36,9 @@ namespace tactooth {
     return squaredBoxDistances(min(min(a, b), c), max(max(a, b), c), query);
 }
 
+/// A corner (0 to 2) of a triangle of a leaf, mm.
 [[nodiscard]] inline Vec3 leafCorner(const AabbTree::Leaf& leaf, int corner, std::uint32_t lane) {
+    TACTOOTH_ASSERT(corner >= 0 && corner < 3 && lane < leaf.count);
     return {leaf.corner[corner][0][lane], leaf.corner[corner][1][lane], leaf.corner[corner][2][lane]};
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 // Private to closest_point.cpp and winding.cpp: the crossings of a ray with the triangles of a tree. A ray that grazes
-// an edge or a corner is thrown away, and another direction is taken.
+// an edge or a corner is rejected, and another direction is tried.
 
 #include <algorithm>
 #include <array>
@@ -13,23 +13,25 @@
 
 #include "collision/bvh/point_box_distance.h"
 #include "collision/bvh/surface.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// Each try grazes an edge with a chance far below one in a million.
+/// Each ray grazes an edge with a probability far below one in a million.
 inline constexpr int kRayAttempts = 16;
 
-/// A ray direction that no edge of an axis-aligned or symmetric model lies along, one for each try.
+/// A ray direction for each attempt. No edge of an axis-aligned or symmetric model is parallel to it.
 inline Vec3 rayDirection(int attempt) {
-    const double angle = 0.7548776662466927 * (attempt + 1);  // plastic number: spreads the tries evenly
+    TACTOOTH_ASSERT(attempt >= 0 && attempt < kRayAttempts);
+    const double angle = 0.7548776662466927 * (attempt + 1);  // plastic number: spreads the attempts evenly
     return Vec3(std::cos(5.1 * angle), std::sin(7.3 * angle), 0.5698402909980532 + 0.1 * attempt).normalized();
 }
 
 enum class RayHit { Miss, Entering, Leaving, Grazing };
 
-/// Crossing of the ray from `origin` along `direction` with a triangle (T. Moeller and B. Trumbore, "Fast, Minimum
-/// Storage Ray/Triangle Intersection", 1997), with the borderline named instead of guessed; entering is against the
-/// triangle's normal.
+/// Crossing of the ray from `origin` along `direction` with a triangle: T. Moeller, B. Trumbore, "Fast, Minimum Storage
+/// Ray/Triangle Intersection", J. Graphics Tools 2(1), 1997. Differs from the paper: a ray near an edge is reported as
+/// grazing. Entering: against the triangle's normal.
 inline RayHit crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c) {
     constexpr double kBorder = 1e-9;  // of the barycentric coordinates: far above rounding, far below any real edge
     const Vec3 ab = b - a;
@@ -51,7 +53,7 @@ inline RayHit crosses(const Vec3& origin, const Vec3& direction, const Vec3& a, 
     return determinant < 0 ? RayHit::Leaving : RayHit::Entering;
 }
 
-/// The boxes of a node that a ray enters, one bit each. Conservative: the box is grown by a rounding margin.
+/// One bit for each box of a node that a ray enters. Conservative: the boxes are grown by `margin` (mm) for rounding.
 inline std::uint32_t boxesOnRay(const AabbTree::Node& node, const Vec3& origin, const Vec3& direction, double margin) {
     std::uint32_t hits = 0;
     for (int i = 0; i < AabbTree::kWidth; ++i) {
@@ -70,14 +72,15 @@ inline std::uint32_t boxesOnRay(const AabbTree::Node& node, const Vec3& origin, 
     return hits;
 }
 
-/// Calls `visit(triangle, hit)` for each triangle that the ray crosses or grazes, but those that `hidden` names, until
-/// it says false. False if it did.
+/// Calls `visit(triangle, hit)` for each triangle that the ray crosses or grazes, without those in `hidden`, until it
+/// returns false. Then the result is false.
 template <class Visit>
 bool visitCrossings(const AabbTree& tree, const TriangleMask* hidden, const Vec3& origin, const Vec3& direction,
                     Visit&& visit) {
     if (tree.empty()) return true;
     const double margin = 1e-6 * tree.box().diagonal().norm();
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
+    TACTOOTH_ASSERT(origin.allFinite() && direction.allFinite());
     int size = 0;
     stack[size++] = tree.rootLink();
     while (size > 0) {
@@ -95,6 +98,7 @@ bool visitCrossings(const AabbTree& tree, const TriangleMask* hidden, const Vec3
         }
         const AabbTree::Node& node = tree.node(link);
         for (std::uint32_t hits = boxesOnRay(node, origin, direction, margin); hits != 0; hits &= hits - 1) {
+            TACTOOTH_ASSERT(size < AabbTree::kStackSize);
             stack[size++] = node.child[std::countr_zero(hits)];
         }
     }

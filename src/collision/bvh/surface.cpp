@@ -15,7 +15,8 @@ std::uint64_t nextPartId() {
     return ++counter;
 }
 
-/// A triangle that rounding to floats has made a line: readers would drop it, and what is left is closed without it.
+/// Whether rounding to floats has made a triangle a line. A reader of the file would drop it, and the surface is closed
+/// without it.
 bool isCollapsed(const TriangleMesh& mesh, const Triangle& triangle) {
     const Vec3f& a = mesh.vertices[triangle[0]];
     const Vec3f& b = mesh.vertices[triangle[1]];
@@ -55,6 +56,21 @@ SurfacePart::SurfacePart(TriangleMesh mesh, std::vector<SurfaceTag> tags, std::u
       tree_(mesh_, build),
       id_(nextPartId()) {
     TACTOOTH_ASSERT(tags_.empty() || tags_.size() == mesh_.triangles.size());
+    TACTOOTH_ASSERT(tree_.empty() == mesh_.empty());
+}
+
+void Surface::validate() const {
+    TACTOOTH_ASSERT(base != nullptr);
+    const std::size_t triangles = base->mesh().triangles.size();
+    base->tree().validate();
+    TACTOOTH_ASSERT(hidden == nullptr || hidden->empty() || hidden->size() == (triangles + 63) / 64);
+    for (const auto& patch : patches) {
+        TACTOOTH_ASSERT(patch != nullptr);
+        patch->tree().validate();
+    }
+    if (maskedTree == nullptr) return;
+    maskedTree->validate();
+    TACTOOTH_ASSERT(base->tree().box().contains(maskedTree->box()));
 }
 
 TaggedMesh visibleMesh(const Surface& surface) {

@@ -4,8 +4,12 @@
 
 #include <cmath>
 
+#include "collision/narrow/unit_normal.h"
+#include "geometry/util/assert.h"
+
 // The contact features of two polyhedra (corner and face, edge and edge): D. Baraff, "Analytical Methods for Dynamic
-// Simulation of Non-penetrating Rigid Bodies", SIGGRAPH 1989, section 4.
+// Simulation of Non-penetrating Rigid Bodies", SIGGRAPH 1989, section 4. Differs from the paper: the features are found
+// by projecting both triangles along the direction of approach.
 
 namespace tactooth {
 namespace {
@@ -18,7 +22,7 @@ double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * 
 
 using Flat = std::array<Point2, 3>;
 
-/// Whether a point lies in the triangle or on its border, whichever way round that goes.
+/// Whether a point lies in the triangle or on its border. The triangle may run in either sense.
 bool isIn(const Flat& triangle, const Point2& point) {
     bool left = true;
     bool right = true;
@@ -39,7 +43,9 @@ bool edgesCross(const Flat& a, int i, const Flat& b, int k) {
     return parts(along, b[k] - a[i], b[(k + 1) % 3] - a[i]) && parts(other, a[i] - b[k], a[(i + 1) % 3] - b[k]);
 }
 
+/// A vector as a unit vector on the side of `up`. None if it is shorter than rounding of `scale` may explain.
 std::optional<Vec3> unitToward(const Vec3& vector, double scale, const Vec3& up) {
+    TACTOOTH_ASSERT(!(scale < 0));
     const double length = vector.norm();
     if (!(length > kParallel * scale)) return std::nullopt;
     return Vec3((vector.dot(up) < 0 ? -1 : 1) / length * vector);
@@ -66,6 +72,7 @@ std::optional<FeatureGap> edgeGap(const Triangle3& tooth, int i, const Triangle3
 }  // namespace
 
 ContactFeatures::ContactFeatures(const Triangle3& tooth, const Triangle3& tool, const Vec3& up) {
+    TACTOOTH_ASSERT(isUnit(up));
     const Vec3 x = up.unitOrthogonal();
     const Vec3 y = up.cross(x);
     Flat below, above;
@@ -84,6 +91,9 @@ ContactFeatures::ContactFeatures(const Triangle3& tooth, const Triangle3& tool, 
 
 std::optional<FeatureGap> gapBetween(const FeaturePair& pair, const Triangle3& tooth, const Triangle3& tool,
                                      const Vec3& up) {
+    TACTOOTH_ASSERT(isUnit(up));
+    TACTOOTH_ASSERT(pair.tooth >= 0 && pair.tooth < 3);
+    TACTOOTH_ASSERT(pair.tool >= 0 && pair.tool < 3);
     if (pair.kind == FeaturePair::Kind::EdgeOverEdge) return edgeGap(tooth, pair.tooth, tool, pair.tool, up);
     if (pair.kind == FeaturePair::Kind::CornerOverPlane) return std::nullopt;
     const bool isCorner = pair.kind == FeaturePair::Kind::CornerOverFace;

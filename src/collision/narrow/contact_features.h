@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// Two features of a tooth's and a tool's triangle that one of them stands over the other with: a corner over a face, a
-/// face over a corner, or two edges that cross; or a corner over a plane in front of the tooth's triangle.
+/// A feature of a tooth's triangle and one of a tool's triangle that can touch: a corner over a face, a face over a
+/// corner, or two edges that cross; or a corner of the tool over a plane in front of the tooth's triangle.
 struct FeaturePair {
     enum class Kind { CornerOverFace, FaceOverCorner, EdgeOverEdge, CornerOverPlane };
     Kind kind = Kind::CornerOverPlane;
@@ -22,13 +22,13 @@ struct FeaturePair {
 
 /// How far apart two features are, and where.
 struct FeatureGap {
-    double gap;   ///< along `normal`; negative where the tool's stands behind the tooth's, mm
+    double gap;   ///< along `normal`, mm; negative: the tool's feature is behind the tooth's
     Vec3 normal;  ///< unit, from the tooth's feature to the tool's
-    Vec3 point;   ///< where the one presses on the other: its place in space is what matters to a turn
+    Vec3 point;   ///< where the two features would touch: the lever of a rotation, mm
 };
 
-/// The features by which the two triangles could meet if the tool's came down along -`up` (unit): at most 3 corners, 3
-/// corners and 9 crossings, which between them say whether the one is above the other.
+/// The features by which the two triangles could meet if the tool's triangle moved along -`up` (unit): at most 3
+/// corners of each triangle and 9 pairs of edges. Together they tell whether one triangle is above the other.
 struct ContactFeatures {
     std::array<FeaturePair, 15> pairs;
     int count = 0;
@@ -36,8 +36,8 @@ struct ContactFeatures {
     ContactFeatures(const Triangle3& tooth, const Triangle3& tool, const Vec3& up);
 };
 
-/// The gap of two features along the normal that belongs to them, on the side of `up`. None where they have no normal:
-/// a triangle without area, parallel edges, a plane.
+/// The gap of two features along their own normal, on the side of `up` (unit). None if they have no normal: a triangle
+/// without area, parallel edges, a plane.
 [[nodiscard]] std::optional<FeatureGap> gapBetween(const FeaturePair& pair, const Triangle3& tooth,
                                                    const Triangle3& tool, const Vec3& up);
 

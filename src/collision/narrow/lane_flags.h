@@ -4,8 +4,8 @@
 
 #include "collision/narrow/simd8.h"
 
-// A flag tells for which of eight lanes something holds, as numbers: 1 where it does, 0 where not. A product is "and",
-// a difference "but not".
+// A flag tells in which of eight lanes a condition holds: 1 where it does, 0 elsewhere. The product of two flags is
+// "and", their difference "and not".
 
 namespace tactooth {
 

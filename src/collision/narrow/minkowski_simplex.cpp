@@ -5,17 +5,19 @@
 #include <cmath>
 #include <limits>
 
-// Sub-simplices are tried from the largest to the smallest, each by its own barycentric coordinates, in the spirit of
-// the signed volumes of M. Montanari, N. Petrinic, E. Barbieri, "Improving the GJK Algorithm for Faster and More
-// Reliable Distance Queries Between Convex Objects", ACM Trans. Graphics 36(3), 2017. Differs from the paper: where a
-// coordinate's sign is in doubt (a sliver), every smaller sub-simplex is tried and the nearest wins.
+#include "geometry/util/assert.h"
+
+// Sub-simplices are tried from the largest to the smallest, each by its own barycentric coordinates, much like the
+// signed volumes of M. Montanari, N. Petrinic, E. Barbieri, "Improving the GJK Algorithm for Faster and More
+// Reliable Distance Queries Between Convex Objects", ACM Trans. Graphics 36(3), 2017. Differs from the paper: if the
+// sign of a coordinate is uncertain (a sliver), every smaller sub-simplex is tried and the nearest wins.
 
 namespace tactooth {
 namespace {
 
 constexpr double kFlat = 1e-12;  // sine-like measure below which a triangle or tetrahedron is taken as degenerate
 
-/// A candidate answer: up to three corners with weights.
+/// A candidate: up to three corners with weights.
 struct Nearest {
     double squared = std::numeric_limits<double>::infinity();
     Vec3 point = Vec3::Zero();
@@ -91,6 +93,7 @@ bool MinkowskiSimplex::holds(const MinkowskiPoint& other) const {
 }
 
 Vec3 MinkowskiSimplex::nearestToOrigin() {
+    TACTOOTH_ASSERT(size_ >= 1 && size_ <= 4);
     const Corners p = {points_[0].point, points_[1].point, points_[2].point, points_[3].point};
     Nearest best;
     switch (size_) {
@@ -108,6 +111,7 @@ Vec3 MinkowskiSimplex::nearestToOrigin() {
             break;
     }
     if (best.size == 0) return Vec3::Zero();
+    TACTOOTH_ASSERT(best.size <= size_);
     const std::array<MinkowskiPoint, 4> old = points_;
     for (int i = 0; i < best.size; ++i) {
         points_[i] = old[best.corner[i]];

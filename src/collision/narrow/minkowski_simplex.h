@@ -4,29 +4,42 @@
 
 #include <array>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 
 namespace tactooth {
 
-/// A corner of the difference b - a of two convex sets, and which corners of a and b it comes from.
+/// A corner of the Minkowski difference b - a of two convex sets, and the corners of a and b that it comes from.
 struct MinkowskiPoint {
     Vec3 point;
     int onA;
     int onB;
 };
 
-/// One to four corners of a difference, reduced after each search to those that carry its point nearest to the origin.
+/// One to four corners of a Minkowski difference. Each search reduces them to those whose hull holds the point nearest
+/// to the origin.
 class MinkowskiSimplex {
 public:
-    void add(const MinkowskiPoint& point) { points_[size_++] = point; }
+    void add(const MinkowskiPoint& point) {
+        TACTOOTH_ASSERT(size_ < 4);
+        points_[size_++] = point;
+    }
     [[nodiscard]] int size() const { return size_; }
-    [[nodiscard]] const MinkowskiPoint& point(int i) const { return points_[i]; }
-    [[nodiscard]] double weight(int i) const { return weights_[i]; }
+    [[nodiscard]] const MinkowskiPoint& point(int i) const {
+        TACTOOTH_ASSERT(i >= 0 && i < size_);
+        return points_[i];
+    }
+    /// Barycentric coordinate of the nearest point, 0 to 1.
+    [[nodiscard]] double weight(int i) const {
+        TACTOOTH_ASSERT(i >= 0 && i < size_);
+        return weights_[i];
+    }
     [[nodiscard]] Vec3 edge(int from, int to) const { return points_[to].point - points_[from].point; }
+    /// Whether a corner is one of the simplex.
     [[nodiscard]] bool holds(const MinkowskiPoint& other) const;
 
-    /// The point of the simplex nearest to the origin. Drops every corner that does not carry it; a tetrahedron stays
-    /// whole only if the origin is inside, and the answer is then the origin.
+    /// The point of the simplex nearest to the origin. Drops the corners that it does not need. A tetrahedron stays
+    /// whole only if the origin is inside; the result is then the origin.
     [[nodiscard]] Vec3 nearestToOrigin();
 
 private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Eight floats side by side: the only file with vector intrinsics. AVX2, SSE2 and plain C++ give the same bits, since
-// every operation is a single correctly rounded IEEE operation and none is fused.
+// Eight floats side by side: the only file with vector intrinsics. AVX2, SSE2 and plain C++ give the same bits: every
+// operation is a single correctly rounded IEEE operation, and none is fused.
 
 #include <algorithm>
 #include <array>
@@ -26,9 +26,9 @@ struct Float8 {
     __m256 lanes;
 
     static Float8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
-    /// Lanes 0-3 from one place, 4-7 from another.
+    /// Lanes 0-3 from `low`, lanes 4-7 from `high`.
     static Float8 load(const float* low, const float* high) { return {_mm256_loadu2_m128(high, low)}; }
-    /// The first and the second of eight pairs of whole numbers.
+    /// Eight pairs of integers: the first of each pair, and the second.
     static std::array<Float8, 2> loadPairs(const std::int16_t* p) {
         const __m256i pairs = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
         return {Float8{_mm256_cvtepi32_ps(_mm256_srai_epi32(_mm256_slli_epi32(pairs, 16), 16))},
@@ -64,7 +64,7 @@ struct Float8 {
         const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
         return _mm_cvtss_f32(_mm_max_ss(two, _mm_shuffle_ps(two, two, 1)));
     }
-    /// The four numbers that each lane's place holds: the first of all lanes, the second, and so on.
+    /// Reads four numbers from the address of each lane: returns the first number of all lanes, the second, and so on.
     static std::array<Float8, 4> loadFours(const std::array<const float*, 8>& p) {
         const __m256 a = load(p[0], p[4]).lanes;
         const __m256 b = load(p[1], p[5]).lanes;
@@ -171,7 +171,7 @@ struct Float8 {
     friend Float8 operator/(const Float8& a, const Float8& b) {
         return each([&](int i) { return a.lanes[i] / b.lanes[i]; });
     }
-    // The vector instructions return their second operand where one is NaN: so do these.
+    // Where one operand is NaN, the vector instructions return the second one. So do these.
     friend Float8 min(const Float8& a, const Float8& b) {
         return each([&](int i) { return a.lanes[i] < b.lanes[i] ? a.lanes[i] : b.lanes[i]; });
     }
@@ -212,7 +212,7 @@ struct Vec3x8 {
     friend Vec3x8 operator-(const Vec3x8& a, const Vec3x8& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend Vec3x8 operator*(const Vec3x8& a, Float8 scale) { return {a.x * scale, a.y * scale, a.z * scale}; }
     friend Float8 dot(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-    /// As Eigen adds up three products.
+    /// Adds the three products in the order in which Eigen does.
     friend Float8 dotAsEigen(const Vec3x8& a, const Vec3x8& b) { return a.x * b.x + (a.y * b.y + a.z * b.z); }
     friend Vec3x8 cross(const Vec3x8& a, const Vec3x8& b) {
         return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

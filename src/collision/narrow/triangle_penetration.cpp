@@ -4,11 +4,14 @@
 
 #include <limits>
 
+#include "collision/narrow/unit_normal.h"
+#include "geometry/util/assert.h"
+
 // Expanding polytope: G. van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects", GDC
-// 2001. The depth is the distance of the origin from the border of the difference of the two sets. Differs from the
-// paper: the difference of two triangles has so few faces (two from the triangles' own planes, nine from pairs of
-// edges, each with its opposite) that all of them are looked at instead of being found by expansion: the answer is
-// exact and the work the same for every pair.
+// 2001. The depth is the distance of the origin from the boundary of the Minkowski difference of the two sets. Differs
+// from the paper: the difference of two triangles has few faces (two from the triangles' own planes, nine from pairs of
+// edges, each with its opposite). So all of them are tested instead of being found by expansion: the result is exact,
+// and the work is the same for every pair.
 
 namespace tactooth {
 namespace {
@@ -26,6 +29,7 @@ void keepShallower(const Triangle3& a, const Triangle3& b, const Vec3& axis, Tri
 }  // namespace
 
 TrianglePenetration penetrationOf(const Triangle3& a, const Triangle3& b) {
+    TACTOOTH_ASSERT(a[0].allFinite() && b[0].allFinite());
     TrianglePenetration best{std::numeric_limits<double>::infinity(), Vec3::Zero()};
     keepShallower(a, b, (a[1] - a[0]).cross(a[2] - a[0]), best);
     keepShallower(a, b, (b[1] - b[0]).cross(b[2] - b[0]), best);
@@ -34,6 +38,7 @@ TrianglePenetration penetrationOf(const Triangle3& a, const Triangle3& b) {
             keepShallower(a, b, (a[(i + 1) % 3] - a[i]).cross(b[(j + 1) % 3] - b[j]), best);
         }
     }
+    TACTOOTH_ASSERT(best.depth == std::numeric_limits<double>::infinity() || isUnit(best.normal));
     return best;
 }
 

@@ -6,13 +6,13 @@
 
 namespace tactooth {
 
-/// The least translation that parts two triangles which intersect.
+/// The least translation that separates two intersecting triangles.
 struct TrianglePenetration {
     double depth = 0;            ///< mm
-    Vec3 normal = Vec3::Zero();  ///< unit: moving `b` by depth along it just frees it from `a`
+    Vec3 normal = Vec3::Zero();  ///< unit: `b` is just free of `a` when moved by `depth` along it
 };
 
-/// Depth of `b` in `a`. Both have area; they intersect.
+/// Depth of `b` in `a`. The two intersect. The depth is infinite if neither has an area.
 [[nodiscard]] TrianglePenetration penetrationOf(const Triangle3& a, const Triangle3& b);
 
 }  // namespace tactooth

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 
+#include "geometry/util/assert.h"
+
 // Voronoi regions of a triangle: C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5. Differs from the
-// book: the regions of the edges and corners are left to three segment queries, which a needle cannot mislead.
+// book: three segment queries handle the regions of edges and corners. They are robust for needles.
 
 namespace tactooth {
 
@@ -14,10 +16,12 @@ Vec3 closestOnSegment(const Vec3& query, const Vec3& a, const Vec3& b) {
     const double length = ab.squaredNorm();
     if (length == 0) return a;
     const double along = std::clamp((query - a).dot(ab) / length, 0.0, 1.0);
+    TACTOOTH_ASSERT(along >= 0 && along <= 1);
     return a + along * ab;
 }
 
 Vec3 closestOnTriangle(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& c) {
+    TACTOOTH_ASSERT(query.allFinite());
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const Vec3 normal = ab.cross(ac);

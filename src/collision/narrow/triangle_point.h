@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// The point of triangle (a, b, c) nearest to `query`. A zero-area triangle is treated as its longest edge.
+/// The point of triangle (a, b, c) nearest to `query`. A triangle without area is treated as its three edges.
 [[nodiscard]] Vec3 closestOnTriangle(const Vec3& query, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// The point of segment (a, b) nearest to `query`.

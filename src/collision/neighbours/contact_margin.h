@@ -4,16 +4,17 @@
 
 #include <algorithm>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/vec.h"
 
 namespace tactooth {
 
-/// Of a length computed in single precision by a few operations: what rounding has made of it at most.
+/// The greatest relative error of a length computed in single precision by a few operations.
 inline constexpr double kFewRoundings = 1e-6;
 
-/// Where a tool may move before it meets what was not near: its origin (the tip) is shifted to within `around` of the
-/// segment from where it was to `along` further on, and it is turned by `turn`. A turn moves its point p by
-/// turn * |p| at most.
+/// The motion of a tool for which a neighbour list is complete. The tool's origin (the tip) stays within `around` of
+/// the segment from its position at the listing to `along` further on. The rotation is at most `turn`; it moves a point
+/// p of the tool by at most turn * |p|.
 struct ContactMargin {
     Vec3 along = Vec3::Zero();  ///< mm, in the tooth's frame
     double around = 0;          ///< mm
@@ -21,11 +22,12 @@ struct ContactMargin {
 
     /// Distance of a shift from the segment, mm.
     [[nodiscard]] double deviation(const Vec3& shift) const {
+        TACTOOTH_ASSERT(shift.allFinite());
         const double squared = along.squaredNorm();
         const double share = squared > 0 ? std::clamp(shift.dot(along) / squared, 0.0, 1.0) : 0;
         return (shift - share * along).norm();
     }
-    /// The longest shift within it, mm.
+    /// The longest shift that it covers, mm.
     [[nodiscard]] double length() const { return along.norm() + around; }
 };
 

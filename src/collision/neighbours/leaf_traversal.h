@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Private to the walk of near_clusters.cpp.
+// Private to near_clusters.cpp.
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "collision/neighbours/near_clusters.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth::broadphase {
 
-/// Looks into a leaf of the tooth: against which triangles of the tool, and along what slabs.
+/// Opens a leaf of the tooth: finds the triangles of the tool that may come near, and a slab for each.
 class LeafTraversal {
 public:
     LeafTraversal(const ToolShape& tool, const TriangleMask* hidden, std::uint32_t part, const FrameTransform& turn,
@@ -24,8 +26,11 @@ public:
           translations_(shifts),
           chord_(Float8::all(chord)),
           limit_(std::min(limit, out.capacity())),
-          out_(out) {}
+          out_(out) {
+        TACTOOTH_ASSERT(chord >= 0);
+    }
 
+    /// Appends the clusters of a leaf.
     void visitLeaf(const AabbTree::Leaf& leaf) {
         TransformedLeaf tooth(leaf, turn_, translations_);
         visitBelow(tooth, {toolTree_.rootLink().index(), 0xFF});
@@ -38,7 +43,7 @@ private:
         std::uint32_t children;  // one bit each
     };
 
-    /// One bit for each child of a node of the tool that meets the box.
+    /// One bit for each child of a node of the tool whose box overlaps `box`.
     [[nodiscard]] std::uint32_t meeting(AabbTree::Link link, const AabbTree::Node& node, const Boxf& box) const {
         const Float8 grow = Float8::load(tool_.far(link).data()) * chord_;
         return overlaps({Vec3x8::load(node.low), Vec3x8::load(node.high)}, grow, box);
@@ -58,7 +63,7 @@ private:
         }
     }
 
-    /// Writes the clusters of a leaf of the tooth with the triangles of a leaf of the tool: cheapest tests first.
+    /// Writes the clusters of a leaf of the tooth and the triangles of a leaf of the tool. Cheap tests come first.
     void meet(TransformedLeaf& tooth, AabbTree::Link toolLink) {
         const AabbTree::Leaf& toolLeaf = toolTree_.leaf(toolLink);
         const ToolShape::Faces& faces = tool_.faces(toolLink);
@@ -78,8 +83,7 @@ private:
                   lessEqual(Float8::all(translations_.closing(-mean.direction)) + rotationSlack8, behind8));
         if (near == 0) return;
         front8.store(front), behind8.store(behind), rotationSlack8.store(rotationSlack);
-        // The triangles of a flat leaf are hardly further away than the leaf: to ask each of them costs more than it
-        // saves.
+        // The triangles of a flat leaf are hardly further away than the leaf: to test each costs more than it saves.
         const bool isFlat = mean.high - mean.low < translations_.around;
         for (; near != 0; near &= near - 1) {
             const int k = std::countr_zero(near);
@@ -96,7 +100,7 @@ private:
         }
     }
 
-    /// One bit for each of the tool's triangles whose box and plane both may meet those of the leaf.
+    /// One bit for each of the tool's triangles whose box and plane may both meet the box of the leaf.
     [[nodiscard]] std::uint32_t facesNear(const TransformedLeaf& tooth, const ToolShape::Faces& faces) const {
         const Float8 rotationSlack = Float8::load(faces.far) * chord_;
         const std::uint32_t boxes =
@@ -122,19 +126,19 @@ private:
         float gap;
     };
 
-    /// Whether no move within the skin can close the slab.
+    /// Whether no motion within the contact margin can close the slab.
     [[nodiscard]] bool staysOpen(const Slab& slab, float rotationSlack) const {
         return slab.gap > translations_.closing(slab.normal) + rotationSlack;
     }
 
-    /// Takes the slab of which the way expected leaves more: the wider one at its start may lie right across it.
+    /// Takes the slab that stays wider on the expected motion. The wider one at its start may lie right across it.
     void widen(Slab& slab, const Slab& other) const {
-        const auto left = [&](const Slab& one) { return one.gap - translations_.closing(one.normal); };
-        if (left(other) > left(slab)) slab = other;
+        const auto remaining = [&](const Slab& one) { return one.gap - translations_.closing(one.normal); };
+        if (remaining(other) > remaining(slab)) slab = other;
     }
 
-    /// Whether any triangle of the tooth's leaf may meet the tool's triangle `k`. Asked where the leaf as a whole may:
-    /// one that is not flat, as in a groove, fills far more space than its triangles.
+    /// Whether any triangle of the tooth's leaf may meet the tool's triangle `k`, if the leaf as a whole may. A leaf
+    /// that is not flat, as in a groove, fills far more space than its triangles.
     [[nodiscard]] bool isAnyNear(const TransformedLeaf& tooth, const AabbTree::Leaf& toolLeaf,
                                  const ToolShape::Faces& faces, int k, float rotationSlack) const {
         const Vec3x8 &p = tooth.corner[0], &q = tooth.corner[1], &r = tooth.corner[2];
@@ -169,7 +173,7 @@ private:
         return front >= behind ? Slab{normal, front} : Slab{-normal, behind};
     }
 
-    /// The slab between two boxes that are apart.
+    /// The slab between two boxes; of width 0 if they overlap.
     static Slab byBoxes(const Boxf& box, const ToolShape::Faces& faces, int k) {
         Vec3f between;
         for (int axis = 0; axis < 3; ++axis) {
@@ -180,7 +184,7 @@ private:
         return gap > 0 ? Slab{between / gap, gap} : Slab{Vec3f::Zero(), 0};
     }
 
-    /// Writes the leaf. False where there is no room for it, or nothing of it to be felt.
+    /// Writes the leaf. False if there is no room for it, or if all its triangles are hidden.
     bool keep(TransformedLeaf& tooth) {
         std::uint32_t& present = tooth.present = (1U << tooth.leaf->count) - 1U;
         for (std::uint32_t i = 0; hidden_ != nullptr && i < tooth.leaf->count; ++i) {
@@ -203,17 +207,19 @@ private:
             out_.complete = false;
             return;
         }
-        ClusterPacket& eight = out_.packets[out_.count / 8];
+        TACTOOTH_ASSERT(out_.count < limit_ && out_.leafCount > 0);
+        TACTOOTH_ASSERT(std::isfinite(slab.gap));
+        ClusterPacket& packet = out_.packets[out_.count / 8];
         const std::size_t lane = out_.count++ % 8;
         const ToolShape::Ball& ball = tool_.ball(tool);
         for (int axis = 0; axis < 3; ++axis) {
-            eight.normal[axis][lane] = slab.normal[axis];
-            eight.centre[axis][lane] = ball.centre[axis];
+            packet.normal[axis][lane] = slab.normal[axis];
+            packet.centre[axis][lane] = ball.centre[axis];
         }
-        eight.gap[lane] = slab.gap - static_cast<float>(out_.slack);
-        eight.radius[lane] = ball.radius;
-        eight.leaf[lane] = static_cast<std::uint32_t>(out_.leafCount - 1);
-        eight.tool[lane] = tool;
+        packet.gap[lane] = slab.gap - static_cast<float>(out_.slack);
+        packet.radius[lane] = ball.radius;
+        packet.leaf[lane] = static_cast<std::uint32_t>(out_.leafCount - 1);
+        packet.tool[lane] = tool;
     }
 
     const ToolShape& tool_;

@@ -7,25 +7,27 @@
 #include <limits>
 
 #include "collision/neighbours/leaf_traversal.h"
+#include "geometry/util/assert.h"
 
 // Simultaneous descent of two trees: G. van den Bergen, "Efficient Collision Detection of Complex Deformable Models
-// using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the walk happens in the tool's frame, into
-// which only those tooth boxes and triangles are turned that it reaches, eight at a time; the tool's own boxes, which
-// turn with the hand at every tick, are never touched. It goes on only where it is asked to, from the front that it has
-// reached, as in T.-Y. Li, J.-S. Chen, "Incremental 3D Collision Detection with Hierarchical Data Structures", VRST
-// 1998; differs: a disc around a branch of the tooth and a side of the tool part most branches near a contact from the
-// whole tool at once. It ends at a leaf of the tooth against a triangle of the tool: what goes on between their
-// triangles is asked later, and of few (see NeighbourList).
+// using AABB Trees", J. Graphics Tools 2(4), 1997. Differs from the paper: the traversal is in the tool's frame. Only
+// the tooth's boxes and triangles that it reaches are transformed, eight at a time; the tool's boxes never are.
+//
+// The traversal continues on demand from the front that it has reached: T.-Y. Li, J.-S. Chen, "Incremental 3D Collision
+// Detection with Hierarchical Data Structures", VRST 1998. Differs from the paper: near a contact, a disc around a
+// branch of the tooth and a support plane of the tool separate most branches from the whole tool at once. The traversal
+// ends at a leaf of the tooth against a triangle of the tool. The pairs of their triangles are tested later, if at all
+// (see NeighbourList).
 
 namespace tactooth {
 namespace {
 
 using namespace broadphase;
 
-// What the slab of a node may hide, of a coordinate's slack: it is found in the tooth's frame, far from the origin.
+// The error of a node's slab, in slacks of a coordinate: it is computed in the tooth's frame, far from the origin.
 constexpr double kNodeSlacks = 3;
 
-/// What single precision can hide: a few rounding steps of the largest number that a walk handles, mm.
+/// The error of single precision: a few rounding steps of the largest number in a traversal, mm.
 double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose& toolInTooth) {
     const Box3& box = tooth.tree().box();
     const double largest = std::max({box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff(),
@@ -35,7 +37,7 @@ double roundingSlack(const SurfacePart& tooth, const ToolShape& tool, const Pose
 
 }  // namespace
 
-/// Boxes of a tooth node in the tool's frame, grown by the skin's shifts.
+/// The boxes of a tooth node in the tool's frame, grown by the shifts of the contact margin.
 Box8 BvhTraversal::turned(const AabbTree::Node& node) const {
     const Vec3x8 low = Vec3x8::load(node.low);
     const Vec3x8 high = Vec3x8::load(node.high);
@@ -49,11 +51,12 @@ Box8 BvhTraversal::turned(const AabbTree::Node& node) const {
     return {centre - extent - broadcast(translations_.high), centre + extent - broadcast(translations_.low)};
 }
 
-/// The slabs between the tool and those children named by `near`, along the directions of `side` and those beside it.
-/// Returns the children whose slab a move may close.
+/// Finds the slabs between the tool and the children in `near`, along support plane `side` and its neighbours. Returns
+/// the children whose slab the contact margin may close.
 std::uint32_t BvhTraversal::findSlabs(const AabbTree::Node& node, SupportPlanes::Number side, std::uint32_t near,
                                       float slack, NearNode& found) const {
     const SupportPlanes& sides = tool_->sides();
+    TACTOOTH_ASSERT(side < sides.size());
     const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
     const Vec3x8 normal = turn_.direction(Vec3x8::load(node.normal));
     const Float8 zero = Float8::all(0);
@@ -114,7 +117,7 @@ void BvhTraversal::addNode(std::uint32_t part, const AabbTree::Node& node, std::
     ++out.nodeCount;
 }
 
-/// A box of the tool's frame around all children of a node, grown by the skin's shifts.
+/// A box in the tool's frame around all children of a node, grown by the shifts of the contact margin.
 Boxf BvhTraversal::boxAround(const AabbTree::Node& node) const {
     // An absent child's box is inverted and infinite.
     Vec3f low, high;
@@ -132,7 +135,7 @@ Boxf BvhTraversal::boxAround(const AabbTree::Node& node) const {
     return box;
 }
 
-/// Whether a box meets any triangle's of a node of the tool.
+/// Whether a box overlaps the box of any triangle below a node of the tool.
 bool BvhTraversal::meetsTool(const Boxf& box, AabbTree::Link link) const {
     const AabbTree::Node& node = tool_->part().tree().node(link);
     const Float8 chord = Float8::all(chord_);
@@ -152,14 +155,16 @@ bool BvhTraversal::meetsTool(const Boxf& box, AabbTree::Link link) const {
 }
 
 const AabbTree& BvhTraversal::treeOf(std::uint32_t part) const {
+    TACTOOTH_ASSERT(part <= surface_->patches.size());
     return part == 0 ? visibleBase(*surface_).tree : surface_->patches[part - 1]->tree();
 }
 
 float BvhTraversal::gapAlong(std::size_t node, int child, const SupportPlanes::Plane& side,
                              const NearClusters& out) const {
+    TACTOOTH_ASSERT(node < out.nodeCount);
     const NearNode& near = out.nodes[node];
     const AabbTree::Leaf& leaf = treeOf(near.part).leaf(near.child[child]);
-    // The direction is turned, not the leaf's many corners.
+    // It is cheaper to transform the direction than the leaf's many corners.
     const Vec3f& d = side.inward;
     const Vec3f inTooth = toTooth_ * d;
     const Vec3x8 along = broadcast(inTooth);
@@ -171,6 +176,7 @@ float BvhTraversal::gapAlong(std::size_t node, int child, const SupportPlanes::P
 }
 
 void BvhTraversal::open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const {
+    TACTOOTH_ASSERT(surface_ != nullptr && tool_ != nullptr);
     const std::uint32_t part = node.part;
     const AabbTree::Link link = node.child[child];
     const AabbTree& tree = treeOf(part);
@@ -186,6 +192,8 @@ void BvhTraversal::open(const NearNode& node, int child, std::size_t limit, Near
 
 void BvhTraversal::begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth,
                          const ContactMargin& contactMargin, NearClusters& out) {
+    TACTOOTH_ASSERT(surface.base != nullptr);
+    TACTOOTH_ASSERT(contactMargin.around >= 0 && contactMargin.turn >= 0);
     out.nodeCount = out.leafCount = out.count = 0;
     out.complete = true;
     surface_ = &surface;
@@ -200,7 +208,7 @@ void BvhTraversal::begin(const Surface& surface, const ToolShape& tool, const Po
     losses_ = tool.sides().losses(contactMargin.turn);
     const VisibleBase base = visibleBase(surface);
     if (!base.tree.empty()) addNode(0, base.tree.root(), {}, out);
-    // A cheap ball test first: cutting leaves hundreds of patches, of which the tool is near a handful.
+    // A cheap ball test first: a cut tooth has hundreds of patches, and the tool is near a few of them.
     const Vec3 centre = toolInTooth * tool.centre();
     const double ball = tool.radius() + contactMargin.length() +
                         contactMargin.turn * (tool.centre().norm() + tool.radius()) + out.slack;

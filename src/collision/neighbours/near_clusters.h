@@ -25,32 +25,31 @@ struct alignas(32) NearLeaf {
     std::uint32_t present;  ///< one bit for each triangle that is there
 };
 
-/// Eight clusters side by side. A cluster is a leaf of the tooth against one triangle of the tool, and a slab between
-/// them: along `normal` (of the tool's frame, of length 1 at most, from tooth to tool) they are `gap` mm apart, or
-/// overlap by that where it is negative.
+/// Eight clusters. A cluster is a leaf of the tooth, one triangle of the tool, and a slab between them. Along `normal`
+/// (tool's frame, length at most 1, from tooth to tool) they are `gap` mm apart; negative: they overlap by so much.
 struct alignas(32) ClusterPacket {
     float normal[3][8];
     float gap[8];
     float centre[3][8];  ///< ball around the tool's triangle, mm
     float radius[8];
-    std::uint32_t leaf[8];  ///< place in `leaves`
+    std::uint32_t leaf[8];  ///< index in `leaves`
     std::uint32_t tool[8];  ///< triangle of the tool
 };
 
-/// Children of a node of the tooth's tree that may be near and have not been looked into yet, each with a slab between
-/// it and the whole tool, in the tool's frame as those of clusters.
+/// The children of a node of the tooth's tree that may be near and are not opened yet. Each has a slab between it and
+/// the whole tool, in the tool's frame like those of clusters.
 struct alignas(32) NearNode {
     float normal[3][8];
     float gap[8];
-    float loss[8];  ///< what a turn makes the gap less by at most, per chord, mm
+    float loss[8];  ///< how much a rotation may reduce the gap, mm per chord
     AabbTree::Link child[8];
-    SupportPlanes::Number side[8];  ///< of the tool, that looks to the child
+    SupportPlanes::Number side[8];  ///< support plane of the tool that faces the child
     std::uint32_t part;
-    std::uint32_t closed;  ///< one bit for each child that may be near and was not looked into
-    std::uint32_t exact;   ///< one bit for each leaf whose gap is that of its triangles, not of its disc
+    std::uint32_t closed;  ///< one bit for each child that may be near and is not opened
+    std::uint32_t exact;   ///< one bit for each leaf whose gap was computed from its triangles, not from its disc
 };
 
-/// All that is near a tool. Fixed memory: filling it allocates nothing.
+/// The nodes, leaves and clusters near a tool. Fixed memory: filling it allocates nothing.
 struct NearClusters {
     explicit NearClusters(std::size_t capacity) : nodes(capacity / 8), leaves(capacity / 4), packets(capacity / 8) {}
 
@@ -62,22 +61,22 @@ struct NearClusters {
     std::size_t nodeCount = 0;
     std::size_t leafCount = 0;
     std::size_t count = 0;  ///< clusters
-    double slack = 0;       ///< mm: what single precision may hide in a coordinate here
+    double slack = 0;       ///< largest error of a coordinate in single precision here, mm
     bool complete = true;   ///< false: there were more than `limit` clusters, or more than there is room for
 };
 
-/// Finds what is near a tool while it moves within a skin from `toolInTooth`: clusters whose triangles the tool could
-/// bring together, and some that it could not. Looks into no more of the tooth's tree than it is asked for.
+/// Finds the clusters near a tool that moves within a contact margin from `toolInTooth`: all clusters whose triangles
+/// the motion could bring together, and some others. Opens only the nodes of the tooth's tree that the caller asks for.
 class BvhTraversal {
 public:
-    /// Begins with the whole of `surface`, none of which has been looked into. Surface and tool must outlive the walk.
+    /// Begins with the roots of all parts of `surface`, not opened. Surface and tool must outlive the traversal.
     void begin(const Surface& surface, const ToolShape& tool, const Pose& toolInTooth,
                const ContactMargin& contactMargin, NearClusters& out);
-    /// Looks into a child of one of the nodes found: what may be near of it is found, to close it is the caller's.
-    /// Gives up (out.complete) beyond `limit` clusters.
+    /// Opens a child of a node: appends its nodes or clusters that may be near. The caller clears the child's bit in
+    /// `closed`. Beyond `limit` clusters it stops and clears out.complete.
     void open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const;
 
-    /// The slab between a leaf among the children of a node and the whole tool along a direction: its width, mm.
+    /// The width of the slab between a leaf (a child of a node) and the whole tool along a support plane, mm.
     [[nodiscard]] float gapAlong(std::size_t node, int child, const SupportPlanes::Plane& side,
                                  const NearClusters& out) const;
 
@@ -97,7 +96,7 @@ private:
     Eigen::Matrix3f toTooth_ = Eigen::Matrix3f::Identity();
     Vec3f origin_ = Vec3f::Zero();  ///< of the tool, in the tooth's frame
     broadphase::TranslationBounds translations_;
-    float chord_ = 0;  ///< of the skin, a chord
+    float chord_ = 0;  ///< rotation of the contact margin
     std::span<const float> losses_;
 };
 

@@ -9,26 +9,26 @@
 
 #include "collision/narrow/gjk.h"
 
-// Pair list with a skin: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the
-// paper: what is listed carries a separating direction with its gap, so a move along the surface, or away from it, does
-// not use the gap up; a turn counts by its lever arm; and there are two levels, the second filled in where it is asked.
-// Within the list a shorter one serves a few steps, as in S. Pall et al., "Heterogeneous parallelization and
-// acceleration of molecular dynamics simulations in GROMACS", J. Chem. Phys. 153, 2020 (dual pair list).
+// Verlet list: L. Verlet, "Computer Experiments on Classical Fluids", Phys. Rev. 159, 1967. Differs from the paper:
+// each entry has a separating direction with its gap, so a motion along the surface, or away from it, does not use up
+// the gap. A rotation counts by its lever arm. And the levels below are filled in on demand. Within the list, a shorter
+// one serves a few steps, as in S. Pall et al., "Heterogeneous parallelization and acceleration of molecular dynamics
+// simulations in GROMACS", J. Chem. Phys. 153, 2020 (dual pair list).
 
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kManyClusters = 1024;  // a longer list costs more to make and walk than listing twice
+constexpr std::size_t kManyClusters = 1024;  // a longer list costs more to build and test than two lists
 constexpr double kMinReach = 0.001;          // of the tool's radius: 10 um for a bur of 20 mm with its shank
 constexpr double kMaxReach = 1.0;            // of the tool's radius
 
-// A look around serves a few steps like the one at hand, and others that stray from its way by some share of it, by
+// The local candidates serve a few steps like the present one, and others that deviate from it by some share of it, by
 // some micrometres and by 20 arc seconds.
 constexpr float kStepsAround = 4;
 constexpr float kDeviationAround = 0.25F;
 constexpr float kLeastAroundShift = 0.002F;  // mm
 constexpr float kLeastAroundTurn = 1e-4F;    // chord
-constexpr float kAroundSpare = 1e-5F;        // mm: what steps must leave grows with the distance from the origin
+constexpr float kAroundSpare = 1e-5F;        // mm: the least width of slabs grows with the distance from the origin
 
 /// The first in lanes 0-3, the second in lanes 4-7.
 Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
@@ -40,8 +40,8 @@ Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
     return Vec3x8::load(lanes);
 }
 
-/// One bit for each of eight clusters whose slab leaves what it must with the tool moved by `displacement`.
-/// `used`: what it must leave besides.
+/// One bit for each of eight clusters whose slab stays wide enough when the tool is moved by `displacement`. `used`:
+/// the width that it must keep in addition, mm.
 std::uint32_t slabsHold(const ClusterPacket& eight, const ToolMotion::Displacement& displacement, Float8 used) {
     const Vec3x8 n = Vec3x8::load(eight.normal);
     const Vec3x8 turned = {dot(n, broadcast(displacement.turn.col(0))), dot(n, broadcast(displacement.turn.col(1))),
@@ -55,7 +55,7 @@ std::uint32_t slabsHold(const ClusterPacket& eight, const ToolMotion::Displaceme
     return slabsHold(eight, displacement, Float8::all(0));
 }
 
-/// The turn between two ways as a chord: two rotations differ by that in no direction more.
+/// The rotation between two displacements as a chord.
 float chordBetween(const ToolMotion::Displacement& a, const ToolMotion::Displacement& b) {
     return (a.turn - b.turn).norm() * std::numbers::sqrt2_v<float> / 2;
 }
@@ -80,6 +80,8 @@ bool NeighbourList::isLong() const { return 2 * near_.count > kManyClusters; }
 double NeighbourList::leastRotation() { return kMinReach; }
 
 void NeighbourList::make(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted) {
+    TACTOOTH_ASSERT(surface.base != nullptr);
+    TACTOOTH_ASSERT(wanted.along.allFinite() && wanted.around >= 0 && wanted.turn >= 0);
     if (4 * near_.count > kManyClusters) cap_ = std::min(cap_, contactMargin_.length());
     contactMargin_ = {wanted.along, std::max(wanted.around, leastAround()), std::max(wanted.turn, leastRotation())};
     shortenTo(cap_);
@@ -94,13 +96,15 @@ bool NeighbourList::isShortest() const {
 }
 
 bool NeighbourList::shorten() {
+    TACTOOTH_ASSERT(isFull());
     clear();
     cap_ = contactMargin_.length() / 2;
     return !isShortest();
 }
 
-/// Makes the skin as short as that, or the least.
+/// Shortens the contact margin to a length (mm), or to the least one.
 void NeighbourList::shortenTo(double length) {
+    TACTOOTH_ASSERT(length >= 0);
     const double now = contactMargin_.length();
     if (now <= length) return;
     contactMargin_.along *= length / now;
@@ -110,6 +114,7 @@ void NeighbourList::shortenTo(double length) {
 }
 
 void NeighbourList::buildAll(const Surface& surface, const Pose& toolInTooth, const ContactMargin& contactMargin) {
+    TACTOOTH_ASSERT(contactMargin.along.allFinite() && contactMargin.around >= 0 && contactMargin.turn >= 0);
     contactMargin_ = contactMargin;
     list(surface, toolInTooth, near_.capacity());
     openAll();
@@ -118,11 +123,13 @@ void NeighbourList::buildAll(const Surface& surface, const Pose& toolInTooth, co
         list(surface, toolInTooth, near_.capacity());
         openAll();
     }
-    work_ = 0;  // nobody waits for it
+    work_ = 0;  // no move waits for it
+    TACTOOTH_ASSERT(near_.complete && near_.nodeCount == 0);
 }
 
 void NeighbourList::buildWithinCapacity(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted,
                                         double least, double most) {
+    TACTOOTH_ASSERT(least > 0 && most > 0);
     contactMargin_ = wanted;
     shortenTo(std::max(least, most));
     list(surface, toolInTooth, near_.capacity());
@@ -138,6 +145,7 @@ void NeighbourList::buildWithinCapacity(const Surface& surface, const Pose& tool
 }
 
 bool NeighbourList::buildUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit) {
+    TACTOOTH_ASSERT(limit > 0);
     contactMargin_ = {};
     if (limit > near_.capacity()) reserve(limit);
     list(surface, toolInTooth, limit);
@@ -154,6 +162,8 @@ void NeighbourList::reserve(std::size_t capacity) {
 }
 
 void NeighbourList::list(const Surface& surface, const Pose& toolInTooth, std::size_t limit) {
+    TACTOOTH_ASSERT(toolInTooth.position.allFinite());
+    TACTOOTH_ASSERT(std::abs(toolInTooth.rotation.norm() - 1) < 1e-6);
     at_ = toolInTooth;
     rotation_ = at_.rotation.toRotationMatrix();
     limit_ = limit;
@@ -164,15 +174,17 @@ void NeighbourList::list(const Surface& surface, const Pose& toolInTooth, std::s
 }
 
 void NeighbourList::openNode(const NearNode& node, int child) {
+    TACTOOTH_ASSERT(child >= 0 && child < AabbTree::kWidth);
     const std::size_t before = near_.count;
     traversal_.open(node, child, limit_, near_);
+    TACTOOTH_ASSERT(near_.count >= before && near_.count <= limit_);
     std::fill(opened_.begin() + static_cast<std::ptrdiff_t>(before),
               opened_.begin() + static_cast<std::ptrdiff_t>(near_.count), kClosed);
     work_ += (node.child[child].isLeaf() ? cost::kLeafMet : cost::kNodeMet) +
              cost::kListed * static_cast<Work>(near_.count - before);
 }
 
-/// The last node first: so there are never many.
+/// Opens all nodes, the last one first, so there are never many.
 void NeighbourList::openAll() {
     while (near_.nodeCount > 0 && near_.complete) {
         const NearNode node = near_.nodes[--near_.nodeCount];
@@ -182,15 +194,16 @@ void NeighbourList::openAll() {
     near_.nodeCount = 0;
 }
 
-/// The sides of the tool that look along the planes that hold it, once somebody asks.
+/// The tool's support planes along the known directions, computed on demand.
 struct NeighbourList::KnownPlanes {
     std::array<SupportPlanes::Reach, 6> reach;
     bool measured = false;
 };
 
-/// Whether a leaf can be told apart from the whole tool after all: its corners reach less far than its disc, and what
-/// touches separates its neighbourhood too.
+/// Whether a leaf of the tooth is separated from the whole tool after all: by its corners instead of its disc, or by a
+/// known direction. (A plane that separates a contact often separates its neighbourhood.)
 bool NeighbourList::separateLeaf(std::size_t node, int child, const ToolMotion& motion, KnownPlanes& known) {
+    TACTOOTH_ASSERT(node < near_.nodeCount);
     NearNode& near = near_.nodes[node];
     if (!near.child[child].isLeaf()) return false;
     const auto holds = [&](const Vec3f& normal, float gap, float loss) {
@@ -233,7 +246,7 @@ void NeighbourList::openUncertain(const ToolMotion& motion) {
     }
 }
 
-/// Of a node's children that are closed yet, one bit for each whose slab does not hold at both ends of the step.
+/// Of the unopened children of a node: one bit for each whose slab is not wide enough at both ends of the step.
 std::uint32_t NeighbourList::uncertainNodes(std::size_t node, const ToolMotion& motion) const {
     const NearNode& near = near_.nodes[node];
     const Vec3x8 n = Vec3x8::load(near.normal);
@@ -246,6 +259,9 @@ std::uint32_t NeighbourList::uncertainNodes(std::size_t node, const ToolMotion& 
 }
 
 ToolMotion NeighbourList::motion(const Pose& start, const Pose& end, double margin, std::span<const Vec3> known) const {
+    TACTOOTH_ASSERT(made_);
+    TACTOOTH_ASSERT(known.size() <= std::tuple_size_v<decltype(ToolMotion::known)>);
+    TACTOOTH_ASSERT(margin >= 0);
     const double rounding =
         kFewRoundings * (contactMargin_.length() + contactMargin_.turn * (tool_->centre().norm() + tool_->radius()));
     const auto displacement = [&](const Pose& pose, double spare) {
@@ -277,9 +293,11 @@ bool NeighbourList::LocalCandidates::cover(const ToolMotion::Displacement& displ
 }
 
 std::span<const std::uint32_t> NeighbourList::within(const ToolMotion& motion) {
+    TACTOOTH_ASSERT(made_);
     openUncertain(motion);
     if (!around_.cover(motion.start) || !around_.cover(motion.end)) searchAround(motion);
-    if (around_.looked < near_.count) testNewClusters();
+    if (around_.tested < near_.count) testNewClusters();
+    TACTOOTH_ASSERT(around_.count <= (near_.count + 7) / 8);
     return std::span(around_.packets).first(around_.count);
 }
 
@@ -290,15 +308,16 @@ void NeighbourList::searchAround(const ToolMotion& motion) {
     around_.along = kStepsAround * step;
     around_.deviation = kDeviationAround * step.norm() + kLeastAroundShift;
     around_.turn = kStepsAround * chordBetween(motion.start, motion.end) + kLeastAroundTurn;
-    around_.count = around_.looked = 0;
+    around_.count = around_.tested = 0;
 }
 
-/// What is left of a slab at the middle is used up by no step that goes less far from there along its normal.
+/// Tests the clusters that are new. A step that moves less along the normal of a slab than the slab is wide cannot
+/// close it.
 void NeighbourList::testNewClusters() {
     const Float8 deviation = Float8::all(around_.deviation), turn = Float8::all(around_.turn), zero = Float8::all(0);
     const Vec3x8 back = broadcast(-around_.along);
-    const std::size_t first = around_.looked / 8;
-    // Of the eight that more have joined since.
+    const std::size_t first = around_.tested / 8;
+    // The last packet may have got more clusters since.
     if (around_.count > 0 && around_.packets[around_.count - 1] == 8 * first) --around_.count;
     for (std::size_t i = first; 8 * i < near_.count; ++i) {
         const ClusterPacket& eight = near_.packets[i];
@@ -310,10 +329,11 @@ void NeighbourList::testNewClusters() {
         if ((~slabsHold(eight, around_.middle, used) & present) != 0)
             around_.packets[around_.count++] = static_cast<std::uint32_t>(8 * i);
     }
-    around_.looked = near_.count;
+    around_.tested = near_.count;
 }
 
 std::uint32_t NeighbourList::uncertainClusters(std::size_t first, const ToolMotion& motion) const {
+    TACTOOTH_ASSERT(first % 8 == 0 && first < near_.count);
     const std::size_t rest = near_.count - first;
     const ClusterPacket& eight = near_.packets[first / 8];
     return ~(slabsHold(eight, motion.start) & slabsHold(eight, motion.end)) & (rest >= 8 ? 0xFFU : (1U << rest) - 1U);

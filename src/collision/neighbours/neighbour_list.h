@@ -10,15 +10,16 @@
 
 #include "collision/narrow/triangle3.h"
 #include "collision/neighbours/near_clusters.h"
-#include "collision/neighbours/work_budget.h"
+#include "collision/neighbours/work_cost.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// The turn from one orientation to another as a chord: twice the sine of half the angle. A point at distance r from
-/// the origin moves by r times as much at most.
+/// The rotation from one orientation to another as a chord: twice the sine of half the angle. A point at distance r
+/// from the origin moves by at most r times the chord.
 [[nodiscard]] inline double chordBetween(const Quat& a, const Quat& b) { return 2 * (a * b.conjugate()).vec().norm(); }
 
-/// A triangle of the tooth and one of the tool.
+/// A triangle of the tooth and a triangle of the tool.
 struct NearPair {
     std::uint32_t part;   ///< see partOf
     std::uint32_t tooth;  ///< triangle of that part
@@ -27,129 +28,147 @@ struct NearPair {
     friend bool operator==(const NearPair&, const NearPair&) = default;
 };
 
-/// How a tool stands at the start and the end of a step, in its own frame at the listing.
+/// The poses of a tool at the start and the end of a step, in the tool's frame at the listing.
 struct ToolMotion {
-    /// The way of point p of the tool (in the tool's frame) is turn * p + shift.
+    /// Point p of the tool (in the tool's frame) is displaced by turn * p + shift.
     struct Displacement {
         Eigen::Matrix3f turn;
         Vec3f shift;
-        float perLength;  ///< two points of the tool 1 mm apart differ in their ways by this much at most: a chord
-        float spare;      ///< what a slab must leave, mm
+        float perLength;  ///< chord: the displacements of two points 1 mm apart differ by at most this, mm
+        float spare;      ///< least width that a slab must keep, mm
     };
     Displacement start, end;
-    /// The same side by side: lanes 0-3 of the start, 4-7 of the end, with the point itself added to its way.
+    /// Both displacements, with the point itself added: lanes 0-3 of the start, lanes 4-7 of the end.
     Vec3x8 column[3];
     Vec3x8 shift;
-    /// Directions worth a try for every pair: those of the planes that hold the tool.
+    /// Directions to try for every pair: the normals of the active constraints.
     std::array<Vec3f, 6> known;
     int knownCount = 0;
 };
 
-/// The pairs of triangles near a tool, kept while the tool moves within a skin, on three levels, each with slabs that
-/// were free when it was listed. A branch of the tooth's tree has one against the whole tool; a cluster (a leaf of the
-/// tooth against a triangle of the tool) and a pair of triangles have their own. Eight at a time tell which of them a
-/// step could bring together: only those are opened.
+/// The pairs of triangles near a tool, kept while the tool moves within a contact margin.
+///
+/// The list has three levels, each with slabs that were empty at the listing: nodes of the tooth's tree against the
+/// whole tool, clusters (a leaf of the tooth against a triangle of the tool), and pairs of triangles. For a step, eight
+/// slabs at a time tell which nodes, clusters or pairs are uncertain. Only uncertain ones are opened.
 class NeighbourList {
 public:
-    /// Clusters: a bur that fills its own slot in a 25 um mesh lists some 4,000.
+    /// Clusters: a bur in its own slot in a mesh of 25 um lists some 4,000.
     static constexpr std::size_t kUsualCapacity = 1 << 14;
 
     explicit NeighbourList(const ToolShape& tool, std::size_t capacity = kUsualCapacity);
 
-    /// Begins a list of what is within `wanted`, or within less where much was met lately: what is near is looked into
-    /// where a step brings it in doubt (see within). `surface` must stay as long as the list does. Allocates nothing.
+    /// Begins a list of all that is within `wanted`, or within less if the last lists were long. Nodes are opened when
+    /// a step makes them uncertain (see within). `surface` must outlive the list. Allocates nothing.
     void make(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted);
-    /// Lists what is within `contactMargin`, however much it is: allocates where there is no room.
+    /// Lists all that is within `contactMargin`. Allocates if there is no room.
     void buildAll(const Surface& surface, const Pose& toolInTooth, const ContactMargin& contactMargin);
-    /// Lists what is within `wanted`, of which no more than a contactMargin as long as `most` (mm), or within less
-    /// where that is more than there is room for, down to a skin as long as `least`: to make room takes longer than a
-    /// long list is worth.
+    /// Lists all that is within `wanted`, shortened to a length of `most` (mm). If there is no room, shortens it
+    /// further, down to a length of `least`: an allocation takes longer than a long list is worth. Allocates if the
+    /// shortest one has no room either.
     void buildWithinCapacity(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted, double least,
                              double most);
-    /// Lists what the tool meets where it stands, and stops beyond `limit` clusters; allocates where there is no room
-    /// for so many. True if nothing was left out.
+    /// Lists what the tool meets at its pose, at most `limit` clusters. Allocates if there is no room for so many. True
+    /// if nothing was left out.
     bool buildUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
+    /// Empties the list.
     void clear() { made_ = false; }
-    /// There was more to list than there is room for, or than a list is worth: it does not tell what is near. One with
-    /// a shorter skin may.
+    /// Whether there was more to list than there is room for, or than a list is worth. Then the list is not complete;
+    /// one with a shorter contact margin may be.
     [[nodiscard]] bool isFull() const { return made_ && !near_.complete; }
-    /// Clears a full list, and makes the next one shorter. False if it was as short as a list can be.
+    /// Empties a full list, and makes the next one shorter. False if it was as short as a list can be.
     bool shorten();
-    /// What looking into the tooth has cost since this was last asked.
+    /// The work of opening nodes since the last call.
     [[nodiscard]] Work takeWork() { return std::exchange(work_, 0); }
-    /// Clears it, and forgets how long a list may well be.
+    /// Empties the list, and forgets how long a list may be.
     void forget();
 
+    /// Whether there is a list.
     [[nodiscard]] bool made() const { return made_; }
-    /// Everything within this was listed.
+    /// The list is complete within this.
     [[nodiscard]] const ContactMargin& contactMargin() const { return contactMargin_; }
-    /// No list covers less around its segment, however much is near (but where there is no room at all: then 0), mm.
+    /// The least `around` of a contact margin that make() uses, mm.
     [[nodiscard]] double leastAround() const;
-    /// No list covers less of a turn.
+    /// The least `turn` of a contact margin that make() uses, a chord.
     [[nodiscard]] static double leastRotation();
+    /// The number of clusters found so far.
     [[nodiscard]] std::size_t clusters() const { return near_.count; }
-    /// A new one would reach hardly further.
+    /// Whether the list is so long that a new one would hardly cover more.
     [[nodiscard]] bool isLong() const;
-    /// How far a pose of the tool's origin strays from where the list was made for, mm.
+    /// How far a position of the tool's origin is from the segment of the contact margin, mm.
     [[nodiscard]] double deviation(const Vec3& position) const {
         return contactMargin_.deviation(position - at_.position);
     }
-    /// How far an orientation is from that at the listing (a chord, as in Skin).
+    /// The rotation from the listing to an orientation, as a chord.
     [[nodiscard]] double chordTo(const Quat& rotation) const { return chordBetween(rotation, at_.rotation); }
+    /// The motion of a step. `margin`: the least width that slabs keep at its end, mm. `known`: at most six unit
+    /// directions of the tooth's frame, tried for every pair.
     [[nodiscard]] ToolMotion motion(const Pose& start, const Pose& end, double margin,
                                     std::span<const Vec3> known) const;
 
-    /// Where the eight clusters begin of which a step may bring some in doubt, ascending; all others are clear of it,
-    /// and so is what of the tooth is no cluster yet (unless the list is full). Looks them all over once, for the steps
-    /// to come as well, as long as these stay near. Allocates nothing.
+    /// The packets of eight clusters that a step may make uncertain: the first cluster of each, ascending. All other
+    /// clusters are safe, and so are all nodes that are not opened yet (unless the list is full). Tests all clusters
+    /// once, also for later steps as long as these stay near. Allocates nothing.
     [[nodiscard]] std::span<const std::uint32_t> within(const ToolMotion& motion);
-    /// Of the eight clusters from number `first` on (a multiple of eight), one bit for each whose slab does not hold
-    /// at both ends of the step.
+    /// Of the eight clusters from `first` on (a multiple of eight): one bit for each whose slab is not wide enough at
+    /// both ends of the step.
     [[nodiscard]] std::uint32_t uncertainClusters(std::size_t first, const ToolMotion& motion) const;
-    /// The same of the pairs of one cluster. They are numbered from placeOf(cluster, 0) on.
+    /// The same for the pairs of one cluster. Their numbers begin at placeOf(cluster, 0).
     [[nodiscard]] std::uint32_t uncertainPairs(std::size_t cluster, const ToolMotion& motion);
+    /// The number of a pair: its cluster and its lane (0 to 7).
     [[nodiscard]] static std::size_t placeOf(std::size_t cluster, int lane) {
+        TACTOOTH_ASSERT(lane >= 0 && lane < 8);
         return cluster * 8 + static_cast<std::size_t>(lane);
     }
 
-    /// Takes a direction of the tooth's frame for the slabs of those of `uncertain` in a cluster that it parts the
-    /// whole way of the step that uncertainPairs was asked about. Returns those left in doubt.
+    /// Uses a direction of the tooth's frame for the slabs of those `uncertain` pairs of a cluster that it separates
+    /// during the whole step. `motion` is that of the last uncertainPairs. Returns the pairs that stay uncertain.
     [[nodiscard]] std::uint32_t separateBy(const Vec3& direction, std::size_t cluster, std::uint32_t uncertain,
                                            const ToolMotion& motion);
 
-    /// The leaf of the tooth in a cluster; clusters of the same leaf have the same number.
+    /// The number of the tooth's leaf of a cluster.
     [[nodiscard]] std::uint32_t leafOf(std::size_t cluster) const { return packetOf(cluster).leaf[cluster % 8]; }
-    [[nodiscard]] const NearLeaf& leaf(std::uint32_t number) const { return near_.leaves[number]; }
+    [[nodiscard]] const NearLeaf& leaf(std::uint32_t number) const {
+        TACTOOTH_ASSERT(number < near_.leafCount);
+        return near_.leaves[number];
+    }
+    /// The tool's triangle of a cluster.
     [[nodiscard]] std::uint32_t toolOf(std::size_t cluster) const { return packetOf(cluster).tool[cluster % 8]; }
 
+    /// The pair with this number.
     [[nodiscard]] NearPair operator[](std::size_t place) const;
-    /// The direction of the pair's slab in the tooth's frame, of length 1 or almost; zero: none is known.
+    /// The direction of a pair's slab in the tooth's frame, of length 1 or almost; zero if the cluster is not opened.
     [[nodiscard]] Vec3 direction(std::size_t place) const;
-    /// Looks ahead for what parts the tool on its way from `start` to `end`, straight on, from each triangle listed of
-    /// `surface`: a move on about this displacement then finds it here. `margin`: what it shall leave at the end, mm.
+    /// Finds in advance the planes that separate the tool from each listed triangle of `surface` on the straight step
+    /// from `start` to `end`. A later move on about this displacement finds them here. `margin`: the least width at the
+    /// end, mm.
     void separateAhead(const Surface& surface, const Pose& start, const Pose& end, double margin);
-    /// Takes the plane with this unit normal and offset (of the tooth's frame) for the pair's slab.
+    /// Uses the plane with this unit normal and offset (mm), in the tooth's frame, for a pair's slab.
     void certify(std::size_t place, const Vec3& normal, double offset);
+
+    /// Asserts every invariant, in O(n): counts within capacities, numbers within range, slabs as wide as stated at the
+    /// listing. `surface` is that of the list.
+    void validate(const Surface& surface) const;
 
 private:
     /// Slabs of a cluster's eight pairs, in the tool's frame at the listing.
     struct alignas(32) PairPacket {
         float normal[3][8];
-        float high[8];              // no point of the tooth's triangle is further along the normal, mm
-        std::uint32_t unseparable;  // one bit for each pair that none of its triangles' normals has parted
+        float high[8];              // greatest dot product of a corner of the tooth's triangle with the normal, mm
+        std::uint32_t unseparable;  // one bit for each pair that no normal of its triangles has separated
     };
     static constexpr std::uint32_t kClosed = ~0U;
     struct Swept;
     struct KnownPlanes;
 
-    /// A few steps from a pose of the tool on, and the clusters that they may bring in doubt.
+    /// A few steps from a pose, and the clusters that they may make uncertain.
     struct LocalCandidates {
         ToolMotion::Displacement middle;
-        Vec3f along = Vec3f::Zero();      // where they lead, mm
-        float deviation = -1, turn = -1;  // and how far from this way, mm, and as a chord; negative: not known
+        Vec3f along = Vec3f::Zero();      // their total shift, mm
+        float deviation = -1, turn = -1;  // how far they may leave it, mm, and a chord; negative: not known
         std::vector<std::uint32_t> packets;
         std::size_t count = 0;
-        std::size_t looked = 0;  // clusters: those listed since are not among them
+        std::size_t tested = 0;  // clusters: later ones are not tested yet
 
         [[nodiscard]] bool cover(const ToolMotion::Displacement& displacement) const;
     };
@@ -162,6 +181,7 @@ private:
     [[nodiscard]] std::uint32_t uncertainNodes(std::size_t node, const ToolMotion& motion) const;
     [[nodiscard]] bool separateLeaf(std::size_t node, int child, const ToolMotion& motion, KnownPlanes& known);
     void openNode(const NearNode& node, int child);
+    void validateSlab(const ClusterPacket& packet, std::size_t lane) const;
     [[nodiscard]] bool isShortest() const;
     void shortenTo(double length);
     void list(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
@@ -170,25 +190,28 @@ private:
     void fill(PairPacket& pairs, const NearLeaf& leaf, std::uint32_t tool) const;
     [[nodiscard]] Swept sweep(std::uint32_t tool, const ToolMotion& motion) const;
     [[nodiscard]] bool separateCluster(std::size_t cluster, const ToolMotion& motion, const Swept& swept);
-    [[nodiscard]] static std::uint32_t part(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
-                                            std::uint32_t uncertain, PairPacket& pairs);
-    [[nodiscard]] const ClusterPacket& packetOf(std::size_t cluster) const { return near_.packets[cluster / 8]; }
+    [[nodiscard]] static std::uint32_t separatePairs(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
+                                                     std::uint32_t uncertain, PairPacket& pairs);
+    [[nodiscard]] const ClusterPacket& packetOf(std::size_t cluster) const {
+        TACTOOTH_ASSERT(cluster < near_.count);
+        return near_.packets[cluster / 8];
+    }
 
     const ToolShape* tool_;
     BvhTraversal traversal_;
     NearClusters near_;
     LocalCandidates around_;
     std::vector<PairPacket> pairs_;
-    std::vector<std::uint32_t> opened_;  // place in pairs_ of each cluster; kClosed: not opened
+    std::vector<std::uint32_t> opened_;  // index in pairs_ of each cluster; kClosed: not opened
     std::size_t openedCount_ = 0;
     std::array<Vec3f, 4>
-        recentDirections_;  // directions of planes taken last: what parts a pair often parts others near it
+        recentDirections_;  // of the last certified planes: what separates a pair often separates its neighbours
     std::size_t recentCount_ = 0;
     bool made_ = false;
-    Pose at_;
+    Pose at_;        // at the listing
     Mat3 rotation_;  // of at_
     ContactMargin contactMargin_;
-    double cap_ = 0;         // of the next skin's length, mm: where the last list met much, it stays short
+    double cap_ = 0;         // length of the next contact margin, mm: after a long list it stays short
     std::size_t limit_ = 0;  // of clusters
     Work work_ = 0;
 };

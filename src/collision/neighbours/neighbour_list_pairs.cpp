@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "collision/narrow/gjk.h"
+#include "collision/narrow/unit_normal.h"
 #include "collision/neighbours/neighbour_list.h"
 
-// The second level of the list: the pairs of a cluster, opened where a step brings the cluster in doubt.
+// The lowest level of the list: the pairs of a cluster. A cluster is opened when a step makes it uncertain. Separating
+// axes: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for Rapid Interference Detection",
+// SIGGRAPH 1996, section 5. Differs from the paper: the axes are those of two triangles and their boxes, eight pairs at
+// a time, and the best axis is kept for later steps.
 
 namespace tactooth {
 namespace {
@@ -29,7 +34,7 @@ float lowestAlong(const std::array<Vec3f, 3>& points, const Vec3f& direction) {
 
 Vec3x8 opposite(const Vec3x8& v) { return Vec3x8::all(0, 0, 0) - v; }
 
-/// Eight directions, each with the slab found along it: the greatest point of the tooth and the width.
+/// Eight directions, each with a slab: where the tooth ends along it, and the width.
 struct Slabs {
     Vec3x8 normal;
     Float8 high;
@@ -46,7 +51,7 @@ struct Slabs {
     }
 };
 
-/// From the box of each tooth triangle to the tool triangle's; zero where they meet.
+/// The directions from the box of each tooth triangle to the box of the tool triangle; zero if they overlap.
 Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& tool) {
     const Vec3x8 a = Vec3x8::load(tooth[0]), b = Vec3x8::load(tooth[1]), c = Vec3x8::load(tooth[2]);
     const Vec3f low = tool[0].cwiseMin(tool[1]).cwiseMin(tool[2]);
@@ -60,8 +65,9 @@ Vec3x8 betweenBoxes(const float (&tooth)[3][3][8], const std::array<Vec3f, 3>& t
 
 }  // namespace
 
-/// The slabs of a cluster's pairs; null where there is no room for more of them.
+/// The slabs of a cluster's pairs; null if there is no room for more.
 NeighbourList::PairPacket* NeighbourList::open(std::size_t cluster) {
+    TACTOOTH_ASSERT(cluster < near_.count);
     std::uint32_t& place = opened_[cluster];
     if (place != kClosed) return &pairs_[place];
     if (openedCount_ == pairs_.size()) return nullptr;
@@ -71,7 +77,7 @@ NeighbourList::PairPacket* NeighbourList::open(std::size_t cluster) {
     return &pairs_[place];
 }
 
-/// Finds for each pair the widest slab along the normals of the two triangles and from box to box.
+/// Finds for each pair the widest slab along the normals of the two triangles, or from box to box.
 void NeighbourList::fill(PairPacket& pairs, const NearLeaf& leaf, std::uint32_t tool) const {
     const std::array<Vec3f, 3>& corners = tool_->floatCorners(tool);
     const Vec3x8 toolNormal = broadcast(tool_->normal(tool));
@@ -86,12 +92,12 @@ void NeighbourList::fill(PairPacket& pairs, const NearLeaf& leaf, std::uint32_t 
     pairs.unseparable = 0;
 }
 
-/// A triangle of the tool at the start and the end of a step, and what it must keep from the tooth.
+/// A triangle of the tool at the start and the end of a step, and the distance that it must keep from the tooth.
 struct NeighbourList::Swept {
     float corner[3][8];  // axis by axis: lanes 0-2 at the start, 4-6 at the end
     Float8 startSpare, endSpare;
 
-    /// How far up a tooth may reach along each of eight directions.
+    /// How far the tooth may reach along each of eight directions, mm.
     [[nodiscard]] Float8 room(const Vec3x8& directions) const {
         const auto along = [&](int lane) {
             return dot(directions, Vec3x8::all(corner[0][lane], corner[1][lane], corner[2][lane]));
@@ -113,9 +119,10 @@ NeighbourList::Swept NeighbourList::sweep(std::uint32_t tool, const ToolMotion& 
     return swept;
 }
 
-/// Takes these directions for the pairs in doubt that they part the whole way. Returns the pairs left in doubt.
-std::uint32_t NeighbourList::part(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
-                                  std::uint32_t uncertain, PairPacket& pairs) {
+/// Uses these directions for the uncertain pairs that they separate during the whole step. Returns the pairs that stay
+/// uncertain.
+std::uint32_t NeighbourList::separatePairs(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
+                                           std::uint32_t uncertain, PairPacket& pairs) {
     const Float8 high = highestOf(leaf.corner, directions);
     const std::uint32_t separated = lessEqual(high, tool.room(directions)) & uncertain;
     if (separated == 0) return uncertain;
@@ -130,8 +137,8 @@ std::uint32_t NeighbourList::part(const Vec3x8& directions, const NearLeaf& leaf
     return uncertain & ~separated;
 }
 
-/// Takes a plane that holds the tool for the slab of a whole cluster, if it parts that the whole way: what touches
-/// separates its neighbourhood too.
+/// Uses a known direction for the slab of a whole cluster, if it separates the cluster during the whole step. (A plane
+/// that separates a contact often separates its neighbourhood.)
 bool NeighbourList::separateCluster(std::size_t cluster, const ToolMotion& motion, const Swept& swept) {
     ClusterPacket& eight = near_.packets[cluster / 8];
     const std::size_t lane = cluster % 8;
@@ -158,34 +165,37 @@ std::uint32_t NeighbourList::uncertainPairs(std::size_t cluster, const ToolMotio
         const Float8 room = swept.room(Vec3x8::load(pairs.normal));
         return leaf.present & ~lessEqual(Float8::load(pairs.high), room);
     };
-    // What the pairs' own slabs hold is told sooner by these than by the planes that hold the tool.
+    // The pairs' own slabs are a quicker test than the known directions.
     if (opened_[cluster] != kClosed && ownUncertain(pairs_[opened_[cluster]]) == 0) return 0;
     if (separateCluster(cluster, motion, swept)) return 0;
     PairPacket* pairs = open(cluster);
     if (pairs == nullptr) return leaf.present;
     std::uint32_t uncertain = ownUncertain(*pairs);
     for (int i = 0; i < motion.knownCount && uncertain != 0; ++i)
-        uncertain = part(broadcast(motion.known[i]), leaf, swept, uncertain, *pairs);
+        uncertain = separatePairs(broadcast(motion.known[i]), leaf, swept, uncertain, *pairs);
     for (std::size_t i = 0; i < std::min(recentCount_, recentDirections_.size()) && uncertain != 0; ++i)
-        uncertain = part(broadcast(recentDirections_[i]), leaf, swept, uncertain, *pairs);
+        uncertain = separatePairs(broadcast(recentDirections_[i]), leaf, swept, uncertain, *pairs);
     if ((uncertain & ~pairs->unseparable) == 0) return uncertain;
     const Vec3x8 toothNormals = Vec3x8::load(leaf.normal);
-    uncertain = part(toothNormals, leaf, swept, uncertain, *pairs);
-    if (uncertain != 0) uncertain = part(opposite(toothNormals), leaf, swept, uncertain, *pairs);
+    uncertain = separatePairs(toothNormals, leaf, swept, uncertain, *pairs);
+    if (uncertain != 0) uncertain = separatePairs(opposite(toothNormals), leaf, swept, uncertain, *pairs);
     const Vec3x8 toolNormal = broadcast(tool_->normal(tool));
-    if (uncertain != 0) uncertain = part(opposite(toolNormal), leaf, swept, uncertain, *pairs);
-    if (uncertain != 0) uncertain = part(toolNormal, leaf, swept, uncertain, *pairs);
+    if (uncertain != 0) uncertain = separatePairs(opposite(toolNormal), leaf, swept, uncertain, *pairs);
+    if (uncertain != 0) uncertain = separatePairs(toolNormal, leaf, swept, uncertain, *pairs);
     pairs->unseparable = uncertain;
     return uncertain;
 }
 
 std::uint32_t NeighbourList::separateBy(const Vec3& direction, std::size_t cluster, std::uint32_t uncertain,
                                         const ToolMotion& motion) {
+    TACTOOTH_ASSERT(cluster < near_.count);
+    TACTOOTH_ASSERT(uncertain <= 0xFF);
+    TACTOOTH_ASSERT(isUnit(direction));
     if (opened_[cluster] == kClosed) return uncertain;
     const ClusterPacket& eight = packetOf(cluster);
     const Swept swept = sweep(eight.tool[cluster % 8], motion);
     const Vec3x8 directions = broadcast(Vec3f((rotation_.transpose() * direction).cast<float>()));
-    return part(directions, near_.leaves[eight.leaf[cluster % 8]], swept, uncertain, pairs_[opened_[cluster]]);
+    return separatePairs(directions, near_.leaves[eight.leaf[cluster % 8]], swept, uncertain, pairs_[opened_[cluster]]);
 }
 
 void NeighbourList::separateAhead(const Surface& surface, const Pose& start, const Pose& end, double margin) {
@@ -219,10 +229,12 @@ NearPair NeighbourList::operator[](std::size_t place) const {
     const ClusterPacket& eight = packetOf(place / 8);
     const std::size_t lane = place / 8 % 8;
     const NearLeaf& leaf = near_.leaves[eight.leaf[lane]];
+    TACTOOTH_ASSERT(((leaf.present >> (place % 8)) & 1U) != 0);
     return {leaf.part, leaf.triangle[place % 8], eight.tool[lane]};
 }
 
 Vec3 NeighbourList::direction(std::size_t place) const {
+    TACTOOTH_ASSERT(place / 8 < near_.count);
     const std::uint32_t opened = opened_[place / 8];
     if (opened == kClosed) return Vec3::Zero();
     const auto& n = pairs_[opened].normal;
@@ -230,6 +242,8 @@ Vec3 NeighbourList::direction(std::size_t place) const {
 }
 
 void NeighbourList::certify(std::size_t place, const Vec3& normal, double offset) {
+    TACTOOTH_ASSERT(place / 8 < near_.count);
+    TACTOOTH_ASSERT(isUnit(normal) && std::isfinite(offset));
     const std::uint32_t opened = opened_[place / 8];
     if (opened == kClosed) return;
     const Vec3 inTool = rotation_.transpose() * normal;

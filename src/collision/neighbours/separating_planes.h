@@ -3,27 +3,30 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "collision/narrow/unit_normal.h"
 #include "collision/neighbours/neighbour_list.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// A plane that has a tooth triangle behind it and once had a tool triangle in front of it, in the tooth's frame.
+/// A plane in the tooth's frame with a tooth triangle behind it, and at some pose a tool triangle in front of it.
 struct SeparatingPlane {
     Vec3 normal = Vec3::Zero();  ///< unit, from the tooth to the tool; zero: not known yet
     double offset = 0;           ///< every point x of the tooth triangle has normal * x <= offset, mm
-    std::uint64_t stamp = 0;     ///< the pose (numbered by the caller) at which GJK found it
+    std::uint64_t stamp = 0;     ///< number of the pose (the caller's) at which GJK found it
 };
 
-/// A near pair with the plane that tells it apart.
+/// A near pair with a plane that separates it.
 struct WatchedPair {
     NearPair pair;
     SeparatingPlane plane;
 };
 
-/// The few pairs that were in the way last, the latest first.
+/// The pairs that blocked the last steps, the latest first.
 class RecentPairs {
 public:
     void add(const NearPair& pair) {
@@ -35,20 +38,24 @@ public:
         }
         std::move_backward(pairs_.begin(), place, place + 1);
         pairs_.front() = pair;
+        TACTOOTH_ASSERT(count_ >= 1 && count_ <= pairs_.size());
     }
     void clear() { count_ = 0; }
     [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] const NearPair& operator[](std::size_t i) const { return pairs_[i]; }
+    [[nodiscard]] const NearPair& operator[](std::size_t i) const {
+        TACTOOTH_ASSERT(i < count_);
+        return pairs_[i];
+    }
 
 private:
-    std::array<NearPair, 6> pairs_{};  // 3 hold a tool, twice as many for an edge that is just being crossed
+    std::array<NearPair, 6> pairs_{};  // 3 hold a tool; twice as many while it crosses an edge
     std::size_t count_ = 0;
 };
 
-/// Remembers separating planes of pairs from one list of near pairs to the next: most pairs are told apart by the plane
-/// of the tick before with six multiplications instead of a GJK run. A direct-mapped table of fixed size: two pairs
-/// that share a place push each other out, which costs time but never a wrong answer. Places depend on the pair alone,
-/// so equal runs stay equal.
+/// Remembers the separating planes of pairs across neighbour lists. For most pairs the plane of the tick before still
+/// separates: six multiplications instead of a GJK run. A direct-mapped table of fixed size. Two pairs in the same slot
+/// replace each other, which costs time but never gives a wrong result. The slot depends only on the pair, so equal
+/// runs stay equal.
 class SeparatingPlanes {
 public:
     SeparatingPlanes() : entries_(kEntries) {}
@@ -61,7 +68,10 @@ public:
         return same ? &entry.plane : nullptr;
     }
 
+    /// Stores the plane of a pair; replaces another one in the same slot. Returns the stored plane.
     const SeparatingPlane* store(std::uint64_t partId, const NearPair& pair, const SeparatingPlane& plane) {
+        TACTOOTH_ASSERT(isUnit(plane.normal));
+        TACTOOTH_ASSERT(std::isfinite(plane.offset));
         Entry& entry = entries_[slot(pair)];
         entry = {epoch_, partId, pair.tooth, pair.tool, plane};
         return &entry.plane;
@@ -71,7 +81,7 @@ public:
     void clear() { ++epoch_; }
 
 private:
-    static constexpr std::size_t kEntries = 1 << 12;  // 256 kB: more would push the tooth out of the cache
+    static constexpr std::size_t kEntries = 1 << 12;  // 256 kB: more would displace the tooth from the cache
 
     struct alignas(64) Entry {  // one cache line
         std::uint64_t epoch = 0;
@@ -88,7 +98,7 @@ private:
     }
 
     std::vector<Entry> entries_;
-    std::uint64_t epoch_ = 1;  // of the entries that count
+    std::uint64_t epoch_ = 1;  // of the valid entries
 };
 
 }  // namespace tactooth

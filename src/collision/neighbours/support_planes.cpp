@@ -9,23 +9,25 @@
 #include <numeric>
 
 #include "collision/narrow/simd8.h"
+#include "collision/narrow/unit_normal.h"
 
 // A polytope of fixed directions around a body: J. T. Klosowski et al., "Efficient Collision Detection Using Bounding
-// Volume Hierarchies of k-DOPs", IEEE TVCG 4(1), 1998. Differs from the paper: there is one for the whole tool, its
-// directions are those of the tool's own faces, and a leaf of the tooth is held against the few that look its way.
+// Volume Hierarchies of k-DOPs", IEEE TVCG 4(1), 1998. Differs from the paper: there is one polytope for the whole
+// tool, its directions are the normals of the tool's own faces, and a leaf of the tooth is tested against the few
+// planes that face it.
 
 namespace tactooth {
 namespace {
 
 constexpr int kAround = 5;  // directions along the edge of a cube
-// Cosines of 5, 8 and 12 degrees: nearer to another, a direction tells little new. The first that needs no more than
-// `kMaxPlanes`: 12 degrees never do.
+// Cosines of 5, 8 and 12 degrees: a direction nearer to another one brings little. The first of them is used that needs
+// at most `kMaxPlanes` planes; 12 degrees never need more.
 constexpr double kTooSimilar[] = {0.9962, 0.9903, 0.9781};
 constexpr std::size_t kMaxPlanes = 512;
 constexpr std::size_t kMaxFaces = 4096;  // the largest of a tool that has more
-constexpr float kRoundUp = 1.00001F;     // of a length: what single precision may have lost
+constexpr float kRoundUp = 1.00001F;     // of a length: more than single precision may lose
 
-/// Inward normals of the triangles, the largest first.
+/// Inward normals of the triangles, that of the largest triangle first.
 std::vector<Vec3> acrossFaces(const TriangleMesh& mesh) {
     std::vector<Vec3> areas;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -40,6 +42,7 @@ std::vector<Vec3> acrossFaces(const TriangleMesh& mesh) {
     return areas;
 }
 
+/// Directions evenly all around, from a grid on a cube.
 std::vector<Vec3> allAround() {
     std::vector<Vec3> directions;
     for (int axis = 0; axis < 3; ++axis) {
@@ -65,17 +68,19 @@ SupportPlanes::SupportPlanes(const TriangleMesh& mesh) {
     for (const double tooSimilar : kTooSimilar) {
         chosen.clear();
         for (const Vec3& direction : directions) {
-            const auto isIdentical = [&](const Vec3& other) { return other.dot(direction) > tooSimilar; };
-            if (chosen.size() <= kMaxPlanes && std::ranges::none_of(chosen, isIdentical)) chosen.push_back(direction);
+            const auto isSimilar = [&](const Vec3& other) { return other.dot(direction) > tooSimilar; };
+            if (chosen.size() <= kMaxPlanes && std::ranges::none_of(chosen, isSimilar)) chosen.push_back(direction);
         }
         if (chosen.size() <= kMaxPlanes) break;
     }
     for (const Vec3& direction : chosen) planes_.push_back({direction.cast<float>(), 0});
+    TACTOOTH_ASSERT(!planes_.empty() && planes_.size() <= kMaxPlanes + 1);
     measure();
     findNeighbours();
+    TACTOOTH_ASSERT(neighbours_.size() == planes_.size());
 }
 
-/// Each vertex that a triangle uses, once.
+/// Keeps each vertex that a triangle uses, once.
 void SupportPlanes::keepPoints(const TriangleMesh& mesh) {
     std::vector<bool> isUsed(mesh.vertices.size());
     for (const Triangle& triangle : mesh.triangles) {
@@ -86,7 +91,7 @@ void SupportPlanes::keepPoints(const TriangleMesh& mesh) {
         if (!isUsed[i]) continue;
         const Vec3f& point = mesh.vertices[i];
         if (count % 8 == 0) points_.emplace_back();
-        for (std::size_t lane = count++ % 8; lane < 8; ++lane) {  // lanes left over repeat the last one
+        for (std::size_t lane = count++ % 8; lane < 8; ++lane) {  // unused lanes repeat the last one
             for (int axis = 0; axis < 3; ++axis) points_.back().at[axis][lane] = point[axis];
             points_.back().far[lane] = kRoundUp * point.norm();
         }
@@ -105,7 +110,7 @@ float SupportPlanes::lowAfter(double turn, const Vec3f& inward) const {
 void SupportPlanes::measure() {
     for (Plane& side : planes_) {
         side.low = lowAfter(0, side.inward);
-        // What is lost is convex in the turn: a chord over it is never less.
+        // The loss is a convex function of the rotation, so its secant is an upper bound.
         for (std::size_t i = 0; i < kChords.size(); ++i) {
             const auto loss = (side.low - lowAfter(kChords[i], side.inward)) / static_cast<float>(kChords[i]);
             losses_[i].push_back(kRoundUp * std::max(loss, 0.0F));
@@ -114,6 +119,8 @@ void SupportPlanes::measure() {
 }
 
 SupportPlanes::Reach SupportPlanes::across(const Vec3f& inward, float turn) const {
+    TACTOOTH_ASSERT(isUnit(inward));
+    TACTOOTH_ASSERT(turn >= 0);
     const float low = lowAfter(0, inward);
     return {{inward, low}, turn > 0 ? kRoundUp * std::max((low - lowAfter(turn, inward)) / turn, 0.0F) : 0};
 }
@@ -136,6 +143,7 @@ void SupportPlanes::findNeighbours() {
 }
 
 SupportPlanes::Number SupportPlanes::facing(const Vec3f& point) const {
+    TACTOOTH_ASSERT(!planes_.empty());
     const auto beyond = [&](const Plane& side) { return side.low - side.inward.dot(point); };
     std::size_t best = 0;
     float furthest = beyond(planes_[0]);
@@ -146,6 +154,7 @@ SupportPlanes::Number SupportPlanes::facing(const Vec3f& point) const {
 }
 
 std::span<const float> SupportPlanes::losses(double turn) const {
+    TACTOOTH_ASSERT(turn >= 0 && turn <= kChords.back());
     std::size_t i = 0;
     while (i + 1 < kChords.size() && turn > kChords[i]) ++i;
     return losses_[i];

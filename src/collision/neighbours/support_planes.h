@@ -8,34 +8,41 @@
 #include <vector>
 
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
-/// How far a tool reaches along some hundred directions: those across its faces, and others evenly all around. What
-/// lies beyond one of these sides is parted from the whole tool. Read-only after construction.
+/// How far a tool reaches along about a hundred directions: those across its faces, and others evenly all around. A
+/// point beyond one of these planes is separated from the whole tool. Read-only after construction.
 class SupportPlanes {
 public:
     explicit SupportPlanes(const TriangleMesh& mesh);
 
     struct Plane {
         Vec3f inward;  ///< unit
-        float low;     ///< the least dot product of a point of the tool with it, mm
+        float low;     ///< least dot product of a point of the tool with `inward`, mm
     };
     using Number = std::uint16_t;
-    /// A side and those beside it.
+    /// A plane and those with the most similar directions.
     static constexpr int kNeighbours = 16;
     using Neighbours = std::array<Number, kNeighbours>;
 
     [[nodiscard]] std::size_t size() const { return planes_.size(); }
-    [[nodiscard]] const Plane& operator[](Number side) const { return planes_[side]; }
-    [[nodiscard]] const Neighbours& beside(Number side) const { return neighbours_[side]; }
-    /// The side beyond which a point lies the furthest.
+    [[nodiscard]] const Plane& operator[](Number side) const {
+        TACTOOTH_ASSERT(side < planes_.size());
+        return planes_[side];
+    }
+    [[nodiscard]] const Neighbours& beside(Number side) const {
+        TACTOOTH_ASSERT(side < neighbours_.size());
+        return neighbours_[side];
+    }
+    /// The plane that a point (mm, tool's frame) is furthest beyond; not for a tool without triangles.
     [[nodiscard]] Number facing(const Vec3f& point) const;
 
-    /// What a turn about the origin by up to a chord makes of `low`, per chord, at most: the losses of all sides.
+    /// For all planes: how much a rotation about the origin by up to a chord may reduce `low`, mm per chord.
     [[nodiscard]] std::span<const float> losses(double turn) const;
 
-    /// The side that looks along any unit direction, and its loss with a turn by a chord, per chord.
+    /// The plane across any unit direction, and its loss with a rotation by a chord, mm per chord.
     struct Reach {
         Plane side;
         float loss;
@@ -43,7 +50,7 @@ public:
     [[nodiscard]] Reach across(const Vec3f& inward, float turn) const;
 
 private:
-    /// The tool's corners.
+    /// Eight vertices of the tool.
     struct alignas(32) PointPacket {
         float at[3][8];
         float far[8];  ///< distance from the origin, rounded up, mm

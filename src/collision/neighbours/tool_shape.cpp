@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-constexpr float kRoundUp = 1.00001F;  // of a length: what single precision may have lost
+constexpr float kRoundUp = 1.00001F;  // of a length: more than single precision may lose
 
 ToolShape::Ball ballOf(const std::array<Vec3f, 3>& corners) {
     const Vec3f centre = (corners[0] + corners[1] + corners[2]) / 3;
@@ -97,6 +97,9 @@ ToolShape::ToolShape(TriangleMesh mesh) : part_(std::move(mesh)), supportPlanes_
     for (const std::array<Vec3f, 3>& corners : corners_) {
         for (const Vec3f& corner : corners) radius_ = std::max(radius_, (corner.cast<double>() - centre_).norm());
     }
+    TACTOOTH_ASSERT(centre_.allFinite() && radius_ >= 0);
+    TACTOOTH_ASSERT(faces_.size() == part_.tree().leaves().size());
+    TACTOOTH_ASSERT(far_.size() == bounds_.size());
 }
 
 }  // namespace tactooth

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Private to the walk of near_clusters.cpp: boxes and leaves of a tooth, turned into the tool's frame eight at a time.
+// Private to near_clusters.cpp: boxes and leaves of a tooth, transformed into the tool's frame eight at a time.
 
 #include "collision/neighbours/contact_margin.h"
 #include "collision/neighbours/tool_shape.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/pose.h"
 
 namespace tactooth {
@@ -22,7 +23,7 @@ struct Box8 {
 
 using Boxf = ToolShape::Boxf;
 
-/// One bit for each of the eight boxes that, grown by its `grow`, meets `other`.
+/// One bit for each of eight boxes that, grown by its `grow`, overlaps `other`.
 inline std::uint32_t overlaps(const Box8& boxes, Float8 grow, const Boxf& other) {
     return lessEqual(boxes.low.x - grow, Float8::all(other.high[0])) &
            lessEqual(Float8::all(other.low[0]), boxes.high.x + grow) &
@@ -32,12 +33,13 @@ inline std::uint32_t overlaps(const Box8& boxes, Float8 grow, const Boxf& other)
            lessEqual(Float8::all(other.low[2]), boxes.high.z + grow);
 }
 
-/// Boxes spilled to memory, so that one of the eight can be picked.
+/// Boxes stored in memory, so that one of the eight can be picked.
 struct Spilled {
     float low[3][8], high[3][8];
 
     explicit Spilled(const Box8& boxes) { boxes.low.store(low), boxes.high.store(high); }
     [[nodiscard]] Boxf pick(int i) const {
+        TACTOOTH_ASSERT(i >= 0 && i < 8);
         return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
     }
 };
@@ -65,11 +67,11 @@ struct FrameTransform {
     }
 };
 
-/// Where the tool's origin may be shifted to, in the tool's frame, in single precision.
+/// The shifts of the tool's origin in a contact margin, in the tool's frame, in single precision.
 struct TranslationBounds {
     Vec3f along = Vec3f::Zero();
     float around = 0;
-    Vec3f low = Vec3f::Zero(), high = Vec3f::Zero();  // box
+    Vec3f low = Vec3f::Zero(), high = Vec3f::Zero();  // box around all shifts
 
     TranslationBounds() = default;
     TranslationBounds(const ContactMargin& contactMargin, const Pose& toolInTooth, double slack)
@@ -78,11 +80,11 @@ struct TranslationBounds {
           low(along.cwiseMin(0).array() - around),
           high(along.cwiseMax(0).array() + around) {}
 
-    /// How much of a gap along `normal` (from tooth to tool) the shifts can close, mm.
+    /// How much the shifts can reduce a gap along `normal` (from tooth to tool), mm.
     [[nodiscard]] float closing(const Vec3f& normal) const { return around + std::max(0.0F, -normal.dot(along)); }
 };
 
-/// A direction of the tool's frame and what a leaf of the tooth reaches along it, mm.
+/// A direction of the tool's frame, and the interval that a leaf of the tooth covers along it, mm.
 struct Extent {
     Vec3f direction = Vec3f::Zero();
     float low = 0, high = 0;
@@ -101,11 +103,11 @@ struct TransformedLeaf {
     const AabbTree::Leaf* leaf;
     Vec3x8 corner[3];
     Boxf box;
-    Boxf grown;             // by the skin
+    Boxf grown;             // by the contact margin
     std::uint32_t present;  // one bit for each triangle that is there
     Vec3x8 normal;          // of the triangles
     Extent bySum;           // along their mean normal
-    bool isKept = false;
+    bool isKept = false;    // it was written to the list
 
     TransformedLeaf(const AabbTree::Leaf& its, const FrameTransform& turn, const TranslationBounds& shifts)
         : leaf(&its) {
@@ -120,12 +122,12 @@ struct TransformedLeaf {
         }
     }
 
-    /// The mean normal is that of the sum of the triangles' area vectors: what nearly flat triangles are thinnest
-    /// along.
+    /// Finds the triangles' normals and their mean normal: the direction of the sum of the area vectors, along which
+    /// nearly flat triangles are thinnest.
     void findNormals() {
         const Vec3x8 area8 = cross(corner[1] - corner[0], corner[2] - corner[0]);
-        // A triangle without area gets a short normal, whose slabs are narrow: still a bound. (Squares of what is
-        // longer than the least do not underflow.)
+        // A triangle without area gets a short normal. Its slabs are narrow, but still a bound. (The squares of longer
+        // normals do not underflow.)
         const Float8 length8 = max(sqrt(dot(area8, area8)), Float8::all(1e-18F));
         normal = {area8.x / length8, area8.y / length8, area8.z / length8};
         float area[3][8];

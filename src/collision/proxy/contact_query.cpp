@@ -10,24 +10,26 @@
 #include "collision/bvh/closest_point.h"
 #include "collision/narrow/gjk.h"
 #include "collision/narrow/triangle_penetration.h"
+#include "collision/narrow/unit_normal.h"
+#include "geometry/util/assert.h"
 
 // Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
-// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is
-// not convex, so the least is sought by local descent: the tool is pulled out along several candidate directions, swept
-// back to first contact and slid to the nearest free pose; the shortest wins, and is verified.
+// Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is not convex,
+// so the least translation is found by local descent. The tool is pulled out along several candidate directions, swept
+// back to first contact and slid to the nearest free pose. The shortest exit wins, and is verified.
 
 namespace tactooth {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 4096;
-constexpr std::size_t kFirstQuery =
-    64;                        // clusters: where a tool stands in the tooth, one of so many nearly always tells
-constexpr int kMaxMoves = 64;  // moves of a few rounds each until a pulled-out tool has settled
+constexpr std::size_t kFirstQuery = 64;  // clusters: if a tool is in the tooth, one of so many nearly always intersects
+constexpr int kMaxMoves = 64;            // moves of a few iterations each, until a pulled-out tool has settled
 constexpr std::size_t kMaxNormals = 6;
-constexpr double kClearance = 4e-5;  // of the tool's radius (0.12 um for a 6 mm bur): "free" means this much further
-constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: nearer candidates end in the same place
+constexpr double kClearance =
+    4e-5;  // of the tool's radius (0.12 um for a 6 mm bur): a free tool is still free so much further
+constexpr double kSameDirection = 0.97;  // cosine of 14 degrees: more similar candidates end in the same place
 
-/// Keeps `direction` unless a like one is there already.
+/// Adds `direction` as a unit vector, unless a similar one is there already.
 void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::size_t limit) {
     const double length = direction.norm();
     if (!(length > 0) || directions.size() >= limit) return;
@@ -38,7 +40,7 @@ void addDirection(std::vector<Vec3>& directions, const Vec3& direction, std::siz
     directions.push_back(unit);
 }
 
-/// The 26 directions from a cube's middle to its corners, edges and sides.
+/// The 26 directions from the centre of a cube to its corners, edges and faces.
 const std::array<Vec3, 26> kAroundACube = [] {
     std::array<Vec3, 26> directions;
     for (int i = 0; i < 26; ++i) {
@@ -57,18 +59,20 @@ bool intersects(const Surface& surface, const ToolShape& tool, const Pose& toolI
 }  // namespace
 
 ContactQuery::ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface)
-    : tool_(std::move(tool)), surface_(std::move(surface)), body_(tool_), list_(*tool_, kFirstCapacity) {
-    body_.setSurface(surface_);
+    : tool_(std::move(tool)), surface_(std::move(surface)), proxy_(tool_), list_(*tool_, kFirstCapacity) {
+    TACTOOTH_ASSERT(surface_ != nullptr && surface_->base != nullptr);
+    proxy_.setSurface(surface_);
     overlap_.pairs.reserve(kFirstCapacity);
 }
 
 std::shared_ptr<const Surface> ContactQuery::setSurface(std::shared_ptr<const Surface> surface) {
+    TACTOOTH_ASSERT(surface != nullptr && surface->base != nullptr);
     surface_ = std::move(surface);
     blocking_.clear();
-    return body_.setSurface(surface_);
+    return proxy_.setSurface(surface_);
 }
 
-/// Calls `take` with each listed pair that intersects at this pose, until it answers false.
+/// Calls `take` with each listed pair that intersects at this pose, until it returns false.
 template <class Take>
 void ContactQuery::forEachIntersecting(const Pose& toolInTooth, Take&& take) {
     const ToolMotion still = list_.motion(toolInTooth, toolInTooth, 0, {});
@@ -81,7 +85,7 @@ void ContactQuery::forEachIntersecting(const Pose& toolInTooth, Take&& take) {
     }
 }
 
-/// Whether the tool, which crosses no triangle, is wholly inside.
+/// Whether a tool that crosses no triangle is wholly inside.
 bool ContactQuery::isEnclosed(const Pose& toolInTooth) const {
     return surface_->closed && contains(*surface_, toolInTooth * tool_->mesh().corner(0, 0));
 }
@@ -118,7 +122,8 @@ Contact ContactQuery::deepestPairAt(const Pose& toolInTooth) {
     return result;
 }
 
-/// Asks what blocked the tool lately first, and then ever more of what is near: one pair that intersects is enough.
+/// Tests the pairs that blocked the tool recently, then more and more of the pairs that are near. One pair that
+/// intersects is enough.
 bool ContactQuery::isFree(const Pose& toolInTooth) {
     for (std::size_t i = 0; i < blocking_.size(); ++i) {
         if (intersects(*surface_, *tool_, toolInTooth, blocking_[i])) return false;
@@ -136,8 +141,8 @@ bool ContactQuery::isFree(const Pose& toolInTooth) {
     return !isEnclosed(toolInTooth);
 }
 
-/// Directions worth trying: the mean normal of what is touched, the way from the tool's centre to the surface, single
-/// normals that differ, and back along the shaft, which is how a bur leaves a narrow cavity.
+/// Directions to try: the mean normal of the touched triangles, from the tool's centre to the nearest point of the
+/// surface, single normals that differ, and back along the shaft (a bur leaves a narrow cavity that way).
 std::vector<Vec3> ContactQuery::exitDirections(const Pose& toolInTooth, const Overlap& overlap) const {
     std::vector<Vec3> directions;
     Vec3 mean = Vec3::Zero();
@@ -155,10 +160,12 @@ std::vector<Vec3> ContactQuery::exitDirections(const Pose& toolInTooth, const Ov
     return directions;
 }
 
-/// How far the tool must be pulled along `direction` until it is free, more or less, if that is within `limit`.
+/// About how far the tool must be pulled along `direction` to be free, mm. None if that is beyond `limit`.
 std::optional<double> ContactQuery::exitDistance(const Pose& toolInTooth, const Vec3& direction, double limit) {
     constexpr double kStretch = 1.6;  // of a step over the one before
-    constexpr int kHalvings = 5;      // of the last step: the way back to the tooth costs more than a few looks
+    constexpr int kHalvings = 5;      // of the last step: a long way back to the tooth costs more than a few tests
+    TACTOOTH_ASSERT(isUnit(direction));
+    TACTOOTH_ASSERT(limit >= 0);
     const auto freeAt = [&](double distance) {
         return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
     };
@@ -174,41 +181,42 @@ std::optional<double> ContactQuery::exitDistance(const Pose& toolInTooth, const 
     return std::nullopt;
 }
 
-/// Back from where the tool is free along each of the ways out, the shortest first; from far more than the best there
-/// is, nothing better comes.
+/// Moves the tool back from where it is free along each exit direction, the shortest exit first. An exit much longer
+/// than the best depth is not tried.
 void ContactQuery::tryExitDirections(const Pose& toolInTooth, Contact& best) {
     constexpr double kNoProgress = 2;  // times the best depth
     constexpr double kWorthExit = 4;   // times the shortest pull
-    struct Displacement {
+    struct Exit {
         double distance;
         Vec3 direction;
     };
-    std::vector<Displacement> ways;
+    std::vector<Exit> exits;
     double limit = 2 * (surface_->base->tree().box().diagonal().norm() + 2 * tool_->radius());
     for (const Vec3& direction : exitDirections(toolInTooth, overlap_)) {
         const std::optional<double> distance = exitDistance(toolInTooth, direction, limit);
         if (!distance) continue;
-        ways.push_back({*distance, direction});
+        exits.push_back({*distance, direction});
         limit = std::min(limit, kWorthExit * *distance);
     }
-    std::ranges::stable_sort(ways, {}, &Displacement::distance);
-    for (const auto& [distance, direction] : ways) {
+    std::ranges::stable_sort(exits, {}, &Exit::distance);
+    for (const auto& [distance, direction] : exits) {
         if (best.depth > 0 && distance > kNoProgress * best.depth) return;
         keepShallowerExit(toolInTooth, {toolInTooth.position + distance * direction, toolInTooth.rotation}, best);
     }
 }
 
+/// Moves the tool from a free pose toward the query pose. Keeps where it settles as the best exit, if it is shallower.
 void ContactQuery::keepShallowerExit(const Pose& toolInTooth, const Pose& start, Contact& best) {
     constexpr double kApproachShare =
-        0.03;  // of the way: once the tool touches, it expects a short way and lists little
-    body_.placeAt(start);
+        0.03;  // of the way: once the tool touches, it expects a short displacement and builds short lists
+    proxy_.placeAt(start);
     MoveResult move =
-        body_.moveToward({start.position + kApproachShare * (toolInTooth.position - start.position), start.rotation});
+        proxy_.moveToward({start.position + kApproachShare * (toolInTooth.position - start.position), start.rotation});
     for (int i = 0; i < kMaxMoves; ++i) {
-        move = body_.moveToward(toolInTooth);
+        move = proxy_.moveToward(toolInTooth);
         if (move.status != MoveStatus::OutOfIterations) break;
     }
-    const Vec3 out = body_.pose().position - toolInTooth.position;
+    const Vec3 out = proxy_.pose().position - toolInTooth.position;
     const double depth = out.norm();
     if (move.contactCount == 0 || !(depth > 0) || (best.depth > 0 && depth >= best.depth)) return;
     const auto strongest =
@@ -216,23 +224,25 @@ void ContactQuery::keepShallowerExit(const Pose& toolInTooth, const Pose& start,
                          [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
     best.depth = depth;
     best.normal = out / depth;
+    TACTOOTH_ASSERT(isUnit(best.normal));
     best.point = strongest->point - out;
     best.part = strongest->part;
     best.tooth = strongest->tooth;
-    freePose_ = body_.pose();
+    freePose_ = proxy_.pose();
     normalSum_.setZero();
     for (int i = 0; i < move.contactCount; ++i) normalSum_ += move.contacts[i].normal;
 }
 
-/// Whether the tool is free at this distance, and still is a little further on.
+/// Whether the tool is free at this distance, and also a little further.
 bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double distance) {
     const double further = distance + kClearance * tool_->radius();
     return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation}) &&
            isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
 }
 
-/// Where the tool, free at distance `clear`, first touches on its way back along `direction`.
+/// The distance at which the tool, free at distance `clear`, first touches on its way back along `direction`, mm.
 double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
+    TACTOOTH_ASSERT(isUnit(direction) && clear > 0);
     const double little = kClearance * tool_->radius();
     const auto freeAt = [&](double distance) {
         return isFree({toolInTooth.position + distance * direction, toolInTooth.rotation});
@@ -247,8 +257,10 @@ double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, 
     return clear;
 }
 
-/// Whether the tool, on its way along `out`, gets free for good; then that way, as short as it is, is the answer.
+/// Whether the tool gets free along `out` and stays free a little further. Then the shortest translation along it
+/// becomes the best exit.
 bool ContactQuery::tryExit(const Pose& toolInTooth, const Vec3& out, Contact& best) {
+    TACTOOTH_ASSERT(out.norm() > 0);
     const Vec3 direction = out.normalized();
     double distance = out.norm();
     if (!leaves(toolInTooth, direction, distance)) return false;
@@ -256,14 +268,14 @@ bool ContactQuery::tryExit(const Pose& toolInTooth, const Vec3& out, Contact& be
     if (!leaves(toolInTooth, direction, distance)) return false;
     best.depth = distance;
     best.normal = direction;
-    // A hair's breadth further out than the depth, so that the pose given is free with a gap to spare.
+    // A little further out than the depth, so that the free pose has a gap to spare.
     freePose_.position = toolInTooth.position + (distance + kClearance * tool_->radius()) * direction;
     return true;
 }
 
-/// In a narrow fissure the nearest free pose may lie against a wall that the way out runs into: the tool is free there,
-/// but not a hair's breadth beyond. Then the way out is bent as little as frees it for good: away from what holds it,
-/// or else to whichever side that is.
+/// Corrects an exit that runs into a wall. In a narrow fissure the nearest free pose may lie against a wall: the tool
+/// is free there, but not a little further. Then the exit is bent by the least amount that frees the tool: away from
+/// the contacts that hold it, or else to any side.
 void ContactQuery::refineDirection(const Pose& toolInTooth, Contact& best) {
     const Vec3 out = best.depth * best.normal;
     if (tryExit(toolInTooth, out, best)) return;
@@ -275,10 +287,10 @@ void ContactQuery::refineDirection(const Pose& toolInTooth, Contact& best) {
     }
 }
 
-/// Looks around for a way out shorter than the one found, in all directions: between two cusps the normals that are
-/// touched need not show it.
+/// Searches all directions for a shorter exit: between two cusps, the normals of the touched triangles need not show
+/// it.
 void ContactQuery::searchAround(const Pose& toolInTooth, Contact& best) {
-    constexpr double kWorthwhile = 0.97;  // of the depth: a smaller gain is left to the descent
+    constexpr double kWorthwhile = 0.97;  // of the depth: the descent finds smaller gains
     for (const Vec3& direction : kAroundACube) {
         const Vec3 out = kWorthwhile * best.depth * (toolInTooth.rotation * direction);
         const Pose start{toolInTooth.position + out, toolInTooth.rotation};
@@ -286,26 +298,26 @@ void ContactQuery::searchAround(const Pose& toolInTooth, Contact& best) {
     }
 }
 
-/// Looks for a shorter way out close beside the one found: facet by facet of a rounded tool, a ridge or a corner has a
-/// way out of its own, and they differ by little.
+/// Searches for a shorter exit close beside the one found. Each facet of a rounded tool on a ridge or a corner has an
+/// exit of its own, and these differ by little.
 void ContactQuery::searchBeside(const Pose& toolInTooth, Contact& best) {
     constexpr double kOutside = 1.01;  // of the depth: where the tool is likely to be free
     constexpr double kSamePlace = 1e-3;
     constexpr double kNoGain = 1e-6;
     constexpr int kSides = 8;
-    for (int round = 0; round < 3; ++round) {
+    for (int iteration = 0; iteration < 3; ++iteration) {
         const Contact found = best;
         const Vec3 aside = found.normal.unitOrthogonal();
         for (int side = 0; side < kSides; ++side) {
-            // rad: from the facet after next to within the facet itself; from what lies nearer than a way that leads
-            // back here, the way leads back here too
+            // rad: from the second facet beside to within the facet itself. If one tilt leads back to the same exit, so
+            // do all smaller ones.
             for (const double tilt : {0.5, 0.3, 0.15, 0.05}) {
                 const Eigen::AngleAxisd around(2 * std::numbers::pi * (side + tilt) / kSides, found.normal);
                 const Vec3 out = kOutside * found.depth * (found.normal + tilt * (around * aside)).normalized();
                 const Pose start{toolInTooth.position + out, toolInTooth.rotation};
                 if (!isFree(start)) continue;
                 keepShallowerExit(toolInTooth, start, best);
-                if ((body_.pose().position - freePose_.position).norm() < kSamePlace * best.depth) break;
+                if ((proxy_.pose().position - freePose_.position).norm() < kSamePlace * best.depth) break;
             }
         }
         if (best.depth >= (1 - kNoGain) * found.depth) return;
@@ -319,7 +331,7 @@ Contact ContactQuery::at(const Pose& toolInTooth) {
     if (!overlap_.any()) return result;
     result.touching = true;
     result.contacts = static_cast<int>(overlap_.pairs.size());
-    body_.forget();  // the answer is to depend on this pose alone
+    proxy_.forget();  // the result shall depend on this pose alone
     tryExitDirections(toolInTooth, result);
     if (result.depth > 0) {
         searchAround(toolInTooth, result);

@@ -13,35 +13,34 @@ namespace tactooth {
 /// How deep a tool stands in a tooth.
 struct Contact {
     bool touching = false;
-    double depth = 0;            ///< mm; moving the tool by this along `normal` just frees it
-    Vec3 normal = Vec3::Zero();  ///< unit, the shortest way out that was found; zero when not touching
+    double depth = 0;            ///< mm; the tool is just free when moved by this along `normal`
+    Vec3 normal = Vec3::Zero();  ///< unit, direction of the shortest exit that was found; zero when not touching
     Vec3 point = Vec3::Zero();   ///< the tool's deepest point, in the tooth's frame, mm
     int contacts = 0;            ///< pairs of triangles that intersect
-    std::uint32_t part = 0;      ///< where the tooth holds the tool (see BodyContact)
-    std::uint32_t tooth = 0;
+    std::uint32_t part = 0;      ///< of the contact that holds the tool (see BodyContact)
+    std::uint32_t tooth = 0;     ///< triangle of that part
 };
 
-/// Contact of a tool with a tooth at single poses, without any history. On an open surface only its triangles count:
-/// what is behind them is not "inside".
+/// Contact of a tool with a tooth at single poses, without history. For an open surface only the triangles count: it
+/// has no inside.
 ///
-/// Keeps buffers from query to query; one thread at a time.
+/// Keeps buffers between queries; one thread at a time.
 class ContactQuery {
 public:
     ContactQuery(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface);
 
-    /// Asks about another surface from now on. Returns the one before, so that the caller decides where it is freed.
+    /// Replaces the surface. Returns the one before, so that the caller decides where it is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
 
     /// Depth at one pose.
     [[nodiscard]] Contact at(const Pose& toolInTooth);
 
-    /// The published penalty answer: the deepest pair of intersecting triangles, taken for itself. Kept for comparison:
-    /// on a fine mesh it is neither deep enough nor in the right direction to free the tool (`normal` and `depth` free
-    /// that one pair only).
+    /// The published penalty method: the deepest pair of intersecting triangles, on its own. For comparison only: on a
+    /// fine mesh it is neither deep enough nor in the right direction to free the tool (`normal` and `depth` free only
+    /// that pair).
     [[nodiscard]] Contact deepestPairAt(const Pose& toolInTooth);
 
-    /// Whether nothing of the tool is in the tooth. Allocates nothing as long as no more than a few thousand pairs are
-    /// near.
+    /// Whether no part of the tool is in the tooth. Allocates nothing as long as at most a few thousand pairs are near.
     [[nodiscard]] bool isFree(const Pose& toolInTooth);
 
     /// The free pose that `at` found for the last touching pose.
@@ -71,12 +70,12 @@ private:
 
     std::shared_ptr<const ToolShape> tool_;
     std::shared_ptr<const Surface> surface_;
-    ProxySolver body_;
+    ProxySolver proxy_;
     NeighbourList list_;
     Overlap overlap_;
-    RecentPairs blocking_;  // intersected lately; each is asked anew
+    RecentPairs blocking_;  // intersected recently; tested first
     Pose freePose_;
-    Vec3 normalSum_ = Vec3::Zero();  // sum of the normals that hold the free pose
+    Vec3 normalSum_ = Vec3::Zero();  // of the contacts at the free pose
 };
 
 }  // namespace tactooth

@@ -7,12 +7,15 @@
 #include <limits>
 #include <optional>
 
+#include "collision/narrow/unit_normal.h"
+#include "geometry/util/assert.h"
+
 // Incremental solution of an LP-type problem: R. Seidel, "Small-Dimensional Linear Programming and Convex Hulls Made
 // Easy", Discrete & Computational Geometry 6, 1991; J. Matousek, M. Sharir, E. Welzl, "A Subexponential Bound for
 // Linear Programming", Algorithmica 16, 1996 (which shows that the nearest point of a polyhedron is such a problem).
-// Half-spaces are added one by one; one that cuts the answer off must be active in the new answer, so the search goes
-// on in its plane, then in a line. Differs from the papers: no random order, since the caller adds the worst offender
-// last.
+// Half-spaces are added one by one. One that excludes the present solution must be active in the new solution, so the
+// search continues in its plane, then in a line. Differs from the papers: the order is not random, since the caller
+// adds the most violated half-space last.
 
 namespace tactooth {
 namespace {
@@ -47,6 +50,7 @@ private:
     /// Nearest point on plane `i` subject to the half-spaces before it.
     [[nodiscard]] std::optional<Vec3> inPlane(int i) {
         const HalfSpace& plane = halfSpaces_[i];
+        TACTOOTH_ASSERT(isUnit(plane.normal));
         Vec3 point = target_ + (plane.offset - plane.normal.dot(target_)) * plane.normal;
         setActive({i});
         for (int j = 0; j < i; ++j) {
@@ -64,7 +68,7 @@ private:
         const HalfSpace& second = halfSpaces_[j];
         const Vec3 direction = first.normal.cross(second.normal);
         const double sine = direction.squaredNorm();
-        if (sine < kParallel * kParallel) return std::nullopt;  // a slab without inside
+        if (sine < kParallel * kParallel) return std::nullopt;  // opposed planes: an empty slab
         const Vec3 along = direction / std::sqrt(sine);
         const Vec3 base =
             (first.offset * second.normal.cross(direction) + second.offset * direction.cross(first.normal)) / sine;
@@ -89,6 +93,7 @@ private:
         const double wanted = (target_ - base).dot(along);
         const double chosen = std::max(low, std::min(wanted, high));
         setActive({i, j});
+        TACTOOTH_ASSERT(chosen == wanted || (chosen == low ? lowIndex : highIndex) >= 0);
         if (chosen != wanted) active_[activeCount_++] = chosen == low ? lowIndex : highIndex;
         return base + chosen * along;
     }
@@ -118,6 +123,8 @@ void solveMultipliers(Qp3Result& result, std::span<const HalfSpace> halfSpaces, 
 }  // namespace
 
 Qp3Result solveQp3(std::span<const HalfSpace> halfSpaces, const Vec3& target, double tolerance) {
+    TACTOOTH_ASSERT(target.allFinite());
+    TACTOOTH_ASSERT(tolerance >= 0);
     Search search(halfSpaces, target, tolerance);
     Qp3Result result;
     const std::optional<Vec3> point = search.inSpace();
@@ -125,6 +132,7 @@ Qp3Result solveQp3(std::span<const HalfSpace> halfSpaces, const Vec3& target, do
     result.feasible = true;
     result.point = *point;
     result.activeCount = static_cast<int>(search.active().size());
+    TACTOOTH_ASSERT(result.activeCount <= 3);
     std::copy(search.active().begin(), search.active().end(), result.active.begin());
     if (result.activeCount > 0) solveMultipliers(result, halfSpaces, result.point - target);
     return result;

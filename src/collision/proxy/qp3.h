@@ -15,16 +15,17 @@ struct HalfSpace {
     double offset;
 };
 
+/// Solution of solveQp3.
 struct Qp3Result {
     bool feasible = false;               ///< false: the half-spaces have no common point
     Vec3 point = Vec3::Zero();           ///< the common point nearest to the target
-    int activeCount = 0;                 ///< half-spaces that hold the point away from the target, 0..3
+    int activeCount = 0;                 ///< half-spaces in the active set, 0..3
     std::array<int, 3> active{};         ///< their numbers
     std::array<double, 3> multiplier{};  ///< point - target = sum of multiplier * normal over the active ones, >= 0
 };
 
-/// The point of the intersection of `halfSpaces` (a few dozen at most) nearest to `target`. `tolerance` is the length
-/// by which a half-space may be missed before it counts as violated.
+/// The point of the intersection of `halfSpaces` (a few dozen at most) nearest to `target`. A half-space counts as
+/// violated only by more than `tolerance` (a length).
 [[nodiscard]] Qp3Result solveQp3(std::span<const HalfSpace> halfSpaces, const Vec3& target, double tolerance);
 
 }  // namespace tactooth

@@ -5,16 +5,18 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/util/assert.h"
+
 // D. Goldfarb, A. Idnani, "A Numerically Stable Dual Method for Solving Strictly Convex Quadratic Programs",
-// Mathematical Programming 27, 1983, section 3, for a Hessian that is the identity: the point starts at the target and
-// takes in the most violated half-space, dropping those that no longer hold it. Differs from the paper: with six
-// planes at most, the projections are solved for anew instead of being updated.
+// Mathematical Programming 27, 1983, section 3, for a Hessian that is the identity: the point starts at the target.
+// Each step adds the most violated half-space to the active set, and drops half-spaces whose multiplier becomes zero.
+// Differs from the paper: with six planes at most, the projections are computed afresh instead of being updated.
 
 namespace tactooth {
 namespace {
 
-constexpr int kMaxSteps = 200;      // a step takes a half-space in or drops one: 2-10 are usual
-constexpr double kParallel = 1e-9;  // what a normal must have outside the span of the active ones, of its length
+constexpr int kMaxSteps = 200;      // a step adds a half-space or drops one: 2-10 are usual
+constexpr double kParallel = 1e-9;  // share of a normal's length that must be outside the span of the active normals
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 
@@ -26,7 +28,7 @@ public:
         while (steps_ < kMaxSteps) {
             const int worst = mostViolated(tolerance);
             if (worst < 0) return true;
-            if (!takeIn(worst)) return false;
+            if (!activate(worst)) return false;
         }
         return false;
     }
@@ -42,6 +44,7 @@ public:
     }
 
 private:
+    /// By how much the point violates half-space `i`; negative: not at all.
     [[nodiscard]] double missing(int i) const { return halfSpaces_[i].offset - halfSpaces_[i].normal.dot(point_); }
 
     [[nodiscard]] int mostViolated(double tolerance) const {
@@ -54,7 +57,7 @@ private:
         return worst;
     }
 
-    /// How a normal is made up of the active ones, and what of it none of them has.
+    /// A normal as a combination of the active ones, and the rest.
     struct Parts {
         Small ofActive;
         Vec6 rest;
@@ -67,7 +70,7 @@ private:
         return {ofActive, normal - normals * ofActive};
     }
 
-    /// The active half-space that the push of a new one would first turn into a pull, and after how much.
+    /// The active half-space whose multiplier a new one would first make zero, and the multiplier of the new one then.
     struct Block {
         int place = -1;
         double push = std::numeric_limits<double>::infinity();
@@ -82,7 +85,8 @@ private:
     }
 
     /// Moves the point into half-space `entering`. False if it has no common point with the active ones.
-    bool takeIn(int entering) {
+    bool activate(int entering) {
+        TACTOOTH_ASSERT(entering >= 0 && entering < static_cast<int>(halfSpaces_.size()));
         const Vec6& normal = halfSpaces_[entering].normal;
         double push = 0;
         while (++steps_ <= kMaxSteps) {
@@ -96,11 +100,14 @@ private:
             if (isNew) point_ += step * parts.rest;
             for (int i = 0; i < count_; ++i) multiplier_[i] = std::max(0.0, multiplier_[i] - step * parts.ofActive[i]);
             push += step;
+            TACTOOTH_ASSERT(step >= 0);
             if (full <= block.push) {
+                TACTOOTH_ASSERT(count_ < 6);
                 active_[count_] = entering;
                 multiplier_[count_++] = push;
                 return true;
             }
+            TACTOOTH_ASSERT(block.place >= 0 && block.place < count_);
             std::copy(active_.begin() + block.place + 1, active_.begin() + count_, active_.begin() + block.place);
             std::copy(multiplier_.begin() + block.place + 1, multiplier_.begin() + count_,
                       multiplier_.begin() + block.place);
@@ -120,6 +127,8 @@ private:
 }  // namespace
 
 Qp6Result solveQp6(std::span<const HalfSpace6> halfSpaces, const Vec6& target, double tolerance) {
+    TACTOOTH_ASSERT(target.allFinite());
+    TACTOOTH_ASSERT(tolerance >= 0);
     Search search(halfSpaces, target);
     return search.run(tolerance) ? search.answer() : Qp6Result{};
 }

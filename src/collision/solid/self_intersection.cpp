@@ -12,7 +12,12 @@
 
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/triangle_intersection.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
+
+// Self-intersection of a mesh by its own bounding-volume hierarchy: C. Ericson, "Real-Time Collision Detection", 2005,
+// section 6.3. Differs from the book: each leaf searches the whole tree for leaves of the same or a higher index, so
+// leaves are independent tasks, and eight boxes are tested at a time.
 
 namespace tactooth {
 namespace {
@@ -26,7 +31,7 @@ Box8 boxesOf(const AabbTree::Leaf& leaf) {
     return {min(min(a, b), c), max(max(a, b), c)};
 }
 
-/// One box in single precision, wide enough for what comes near.
+/// One box in single precision, wide enough for triangles that only come near.
 struct NearBox {
     std::array<float, 3> low, high;
 
@@ -44,7 +49,7 @@ struct NearBox {
             high[axis] += reach;
         }
     }
-    /// One bit for each of eight boxes that meets this one.
+    /// One bit for each of eight boxes that overlaps this one.
     [[nodiscard]] std::uint32_t meets(const Box8& other) const {
         const Vec3x8 here = Vec3x8::all(low[0], low[1], low[2]), there = Vec3x8::all(high[0], high[1], high[2]);
         return lessEqual(other.low.x, there.x) & lessEqual(other.low.y, there.y) & lessEqual(other.low.z, there.z) &
@@ -64,11 +69,12 @@ NearBox boxOf(const AabbTree::Leaf& leaf, std::uint32_t lane) {
     return box;
 }
 
-/// Looks for what crosses the triangles of one leaf, in that leaf and those with higher numbers.
+/// Finds the triangles that cross those of one leaf, in that leaf and in leaves of higher index.
 class LeafSearch {
 public:
     LeafSearch(const SurfacePart& part, std::uint32_t leaf)
         : mesh_(part.mesh()), tree_(part.tree()), number_(leaf), leaf_(tree_.leaves()[leaf]) {
+        TACTOOTH_ASSERT(leaf_.count >= 1 && leaf_.count <= AabbTree::kWidth);
         NearBox all = emptyBox();
         for (std::uint32_t lane = 0; lane < leaf_.count; ++lane) {
             boxes_[lane] = boxOf(leaf_, lane);
@@ -79,8 +85,8 @@ public:
         all_ = all;
     }
 
-    /// Adds the triangles that cross; false if `most` looks were not enough.
-    bool run(std::vector<std::uint32_t>& crossing, std::atomic<std::uint64_t>& looks, std::uint64_t most) {
+    /// Appends the triangles that cross. False if all leaves together needed more than `most` tests.
+    bool run(std::vector<std::uint32_t>& crossing, std::atomic<std::uint64_t>& tests, std::uint64_t most) {
         std::array<AabbTree::Link, AabbTree::kStackSize> stack;
         int size = 0;
         stack[size++] = tree_.rootLink();
@@ -88,14 +94,15 @@ public:
             const AabbTree::Link link = stack[--size];
             if (link.isLeaf()) {
                 if (link.index() >= number_) meet(link, crossing);
-                if (tests_ > 4096 && looks.fetch_add(std::exchange(tests_, 0)) > most) return false;
+                if (tests_ > 4096 && tests.fetch_add(std::exchange(tests_, 0)) > most) return false;
                 continue;
             }
             const AabbTree::Node& node = tree_.node(link);
             std::uint32_t hits = all_.meets({Vec3x8::load(node.low), Vec3x8::load(node.high)});
+            TACTOOTH_ASSERT(size + std::popcount(hits) <= AabbTree::kStackSize);
             for (; hits != 0; hits &= hits - 1) stack[size++] = node.child[std::countr_zero(hits)];
         }
-        return looks.fetch_add(tests_) <= most;
+        return tests.fetch_add(tests_) <= most;
     }
 
 private:
@@ -128,8 +135,8 @@ private:
 };
 
 std::uint64_t enoughTests(std::size_t triangles) {
-    // A triangle of a sound surface shares corners with twelve others and has some more within its box. Of a fan each
-    // meets each other one.
+    // A triangle of a sound surface shares corners with twelve others, and some more overlap its box. In a fan, each
+    // triangle touches all others.
     constexpr std::uint64_t kATriangle = 100, kAtLeast = 20'000'000;
     return std::max<std::uint64_t>(kAtLeast, kATriangle * triangles);
 }
@@ -139,19 +146,21 @@ std::uint64_t enoughTests(std::size_t triangles) {
 std::optional<std::vector<std::uint32_t>> selfIntersectingTriangles(const SurfacePart& part, std::uint64_t most) {
     const std::size_t leaves = part.tree().leaves().size();
     std::vector<std::vector<std::uint32_t>> found(leaves);
-    std::atomic<std::uint64_t> looks{0};
+    std::atomic<std::uint64_t> tests{0};
     parallelFor(
         leaves,
         [&](std::size_t leaf) {
-            if (looks.load(std::memory_order_relaxed) > most) return;
-            LeafSearch(part, static_cast<std::uint32_t>(leaf)).run(found[leaf], looks, most);
+            if (tests.load(std::memory_order_relaxed) > most) return;
+            LeafSearch(part, static_cast<std::uint32_t>(leaf)).run(found[leaf], tests, most);
         },
         64);
-    if (looks.load() > most) return std::nullopt;
+    if (tests.load() > most) return std::nullopt;
     std::vector<std::uint32_t> all;
     for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
     std::ranges::sort(all);
     all.erase(std::unique(all.begin(), all.end()), all.end());
+    TACTOOTH_ASSERT(all.empty() || all.back() < part.mesh().triangles.size());
+    TACTOOTH_ASSERT(all.size() != 1);  // it takes two to cross
     return all;
 }
 

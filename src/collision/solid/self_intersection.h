@@ -10,13 +10,13 @@
 
 namespace tactooth {
 
-/// The triangles that meet another one elsewhere than in the corners or the edge that both have, in ascending order;
-/// for meshes with triangles of any sizes. Triangles with two equal corners are left out. Nothing if that takes more
-/// than `most` looks at pairs of triangles: where they lie across each other everywhere, they bound no body.
+/// The triangles that intersect another one elsewhere than in their common corners or edge, in ascending order; for
+/// meshes with triangles of any size. Triangles with two equal corners are left out. None if that takes more than
+/// `most` tests of pairs: if triangles cross each other everywhere, they bound no body.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> selfIntersectingTriangles(const SurfacePart& part,
                                                                                   std::uint64_t most);
 
-/// The same with as many looks as any surface needs that bounds a body: some seconds at most.
+/// The same with enough tests for any surface that bounds a body: some seconds at most.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> selfIntersectingTriangles(const SurfacePart& part);
 
 }  // namespace tactooth

@@ -8,8 +8,9 @@
 
 namespace tactooth {
 
-/// Moves vertices of triangles that cross others back to their place in `restPositions`, at first few, then more around
-/// them, until none cross. False if some still do: those at home cross themselves.
+/// Moves the vertices of triangles that cross others back to their rest positions, first few vertices, then more around
+/// them, until no triangles cross. `restPositions` holds one position (mm) for each vertex. False if some still cross:
+/// then the rest positions cross themselves.
 [[nodiscard]] bool repairSelfIntersections(TriangleMesh& mesh, const std::vector<Vec3f>& restPositions);
 
 }  // namespace tactooth

@@ -8,31 +8,41 @@
 
 #include "collision/solid/winding.h"
 #include "geometry/mesh/mesh_edges.h"
+#include "geometry/util/assert.h"
+
+// Orientation by propagation over edges, and of each component by ray parity: K. Takayama, A. Jacobson, L. Kavan, O.
+// Sorkine-Hornung, "A Simple Method for Correcting Facet Orientations in Polygon Meshes Based on Ray Casting", J.
+// Computer Graphics Techniques 3(4), 2014. Differs from the paper: one ray from each of a few large triangles decides,
+// by the parity of its crossings; components that cross each other are decided by their volume.
 
 namespace tactooth {
 namespace {
 
-/// Looks that decide about a shell: more than one, for those that cross another one by a hair.
+/// Rays that decide about a shell: more than one, since a shell may barely cross another one.
 constexpr std::size_t kVotes = 9;
 
+/// A triangle that shares an edge.
 struct Neighbour {
     std::uint32_t other;
-    bool agrees;  // on which side is outside
+    bool agrees;  // both triangles have the same outside
 };
 
-/// Over edges of two triangles.
+/// The neighbours of each triangle over edges of exactly two triangles.
 class Neighbours {
 public:
     explicit Neighbours(const TriangleMesh& mesh) : of_(mesh.triangles.size()), count_(mesh.triangles.size(), 0) {
         MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
             if (uses.size() != 2) return;
             const std::uint32_t a = uses[0].corner / 3, b = uses[1].corner / 3;
+            TACTOOTH_ASSERT(a < of_.size() && b < of_.size());
+            TACTOOTH_ASSERT(count_[a] < 3 && count_[b] < 3);
             const bool agrees = uses[0].upward != uses[1].upward;
             of_[a][count_[a]++] = {b, agrees};
             of_[b][count_[b]++] = {a, agrees};
         });
     }
     [[nodiscard]] std::span<const Neighbour> of(std::uint32_t triangle) const {
+        TACTOOTH_ASSERT(triangle < of_.size());
         return {of_[triangle].data(), count_[triangle]};
     }
 
@@ -45,10 +55,10 @@ struct Shell {
     std::vector<std::uint32_t> triangles;
     bool isNonOrientable = false;
     bool crosses = false;
-    bool isInward = false;  // with those of its triangles turned that disagree with the first one
+    bool isInward = false;  // once the triangles that disagree with the first one are flipped
 };
 
-/// Marks in `turned` what disagrees with the first triangle of a shell.
+/// Collects the shell of a triangle. Marks in `turned` the triangles that disagree with the first one.
 Shell gather(std::uint32_t first, const Neighbours& neighbours, std::vector<std::uint8_t>& reached,
              std::vector<std::uint8_t>& turned) {
     Shell shell;
@@ -70,10 +80,11 @@ Shell gather(std::uint32_t first, const Neighbours& neighbours, std::vector<std:
     return shell;
 }
 
-/// Whether a shell looks inward, as its largest triangles say.
+/// Whether a shell faces inward, by a vote of its largest triangles.
 bool facesInward(const SurfacePart& part, const Shell& shell, const std::vector<std::uint8_t>& turned) {
     std::vector<std::pair<double, std::uint32_t>> largest;
     for (const std::uint32_t t : shell.triangles) largest.emplace_back(-part.mesh().areaVector(t).squaredNorm(), t);
+    TACTOOTH_ASSERT(!largest.empty());
     const std::size_t votes = std::min(kVotes, largest.size());
     std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(votes), largest.end());
     int inward = 0;
@@ -91,7 +102,7 @@ bool mostDisagree(const Shell& shell, const std::vector<std::uint8_t>& turned) {
     return 2 * static_cast<std::size_t>(count) > shell.triangles.size();
 }
 
-/// Of a shell, when all its triangles agree with the first one.
+/// The volume of a shell once all its triangles agree with the first one.
 double volumeOf(const TriangleMesh& mesh, const Shell& shell, const std::vector<std::uint8_t>& turned,
                 const Vec3& middle) {
     double sixfold = 0;
@@ -106,12 +117,16 @@ double volumeOf(const TriangleMesh& mesh, const Shell& shell, const std::vector<
 }  // namespace
 
 ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint32_t> crossing, TriangleMesh& mesh) {
+    TACTOOTH_ASSERT(part.mesh().triangles.size() == mesh.triangles.size());
     const Neighbours neighbours(part.mesh());
     std::vector<std::uint8_t> reached(mesh.triangles.size(), 0), turned(mesh.triangles.size(), 0);
     std::vector<Shell> shells;
     ShellOrientation result;
     std::vector<std::uint8_t> crosses(mesh.triangles.size(), 0);
-    for (const std::uint32_t t : crossing) crosses[t] = 1;
+    for (const std::uint32_t t : crossing) {
+        TACTOOTH_ASSERT(t < crosses.size());
+        crosses[t] = 1;
+    }
     for (std::uint32_t t = 0; t < reached.size(); ++t) {
         if (reached[t] != 0 || isDegenerate(mesh.triangles[t])) continue;
         Shell& shell = shells.emplace_back(gather(t, neighbours, reached, turned));
@@ -137,6 +152,8 @@ ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint
             ++result.flippedTriangles;
         }
     }
+    TACTOOTH_ASSERT(result.hollows <= result.shells);
+    TACTOOTH_ASSERT(result.flippedTriangles <= mesh.triangles.size());
     return result;
 }
 

@@ -10,19 +10,19 @@
 
 namespace tactooth {
 
-/// What turning the shells of a closed surface has done.
+/// What orienting the shells of a closed surface has done.
 struct ShellOrientation {
-    bool isNonOrientable = false;      ///< a shell has but one side; nothing was turned
-    std::size_t flippedTriangles = 0;  ///< those that looked the wrong way
+    bool isNonOrientable = false;      ///< a shell has only one side; no triangle was flipped
+    std::size_t flippedTriangles = 0;  ///< that faced the wrong side
     std::size_t shells = 0;
-    std::size_t hollows = 0;  ///< shells that are now the wall of a hollow
-    double volume = 0;        ///< of what is inside
+    std::size_t hollows = 0;  ///< shells that are the wall of a hollow
+    double volume = 0;        ///< of the inside, in the cube of the mesh's unit
 };
 
-/// Turns the triangles of `mesh` so that each looks at the side from which the surface is crossed an even number of
-/// times. A shell, what hangs together over edges of two triangles, is turned as a whole. `part` has the same
-/// triangles. Shells with one of the triangles `crossing`, which cross others, are not nested: they keep the way in
-/// which most of their triangles look, and are turned all together if they look inward.
+/// Flips triangles of `mesh` so that each faces the outside: the side from which a ray crosses the surface an even
+/// number of times. A shell, a set of triangles connected over edges of two triangles, is flipped as a whole. `part`
+/// has the same triangles. Shells with a triangle of `crossing` (triangles that cross others) are not nested: they keep
+/// the side that most of their triangles face, and are flipped all together if they face inward.
 ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint32_t> crossing, TriangleMesh& mesh);
 
 }  // namespace tactooth

@@ -10,23 +10,23 @@
 #include "collision/solid/winding.h"
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/mesh_specks.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
 namespace {
 
-/// mm: what a CT of a tooth resolves, and layers that lie as near are welded. Surfaces of fewer triangles fold by as
-/// much.
+/// mm: the resolution of a CT of a tooth. Layers as near as this are welded. Coarse surfaces fold by as much.
 constexpr double kTolerableOverlap = 0.05;
 
-/// How thick the room is that two parts claim, or none, beside a place of a triangle that is no border of inside and
-/// outside; else 0.
+/// Beside a point of a triangle that is no border between inside and outside: the thickness of the region that two
+/// parts share, or that lies outside of all. At a border: 0.
 double overlapAt(const SurfacePart& part, std::uint32_t triangle, const Barycentric& place) {
     const int winding = windingInFront(part, triangle, place);
     return winding == 0 ? 0 : clearanceFrom(part, triangle, winding < 0, place);
 }
 
-/// Places all over a triangle, from nearly its corners on.
+/// Points all over a triangle, up to near its corners.
 std::vector<Barycentric> placesOfTriangle() {
     constexpr int kSteps = 8;
     constexpr double kInward = 1e-3;  // a corner itself belongs to other triangles, too
@@ -40,14 +40,15 @@ std::vector<Barycentric> placesOfTriangle() {
     return places;
 }
 
-/// The thickest such room: looked for at the middle of each triangle, and all over those that cross others, which may
-/// be much larger than the room.
+/// The thickest such region. It is searched at the centroid of each triangle, and all over the triangles that cross
+/// others: these may be much larger than the region.
 double overlapOf(const SurfacePart& part, std::span<const std::uint32_t> crossing) {
+    TACTOOTH_ASSERT(!part.mesh().empty());
     std::vector<double> thickness(part.mesh().triangles.size(), 0);
     parallelFor(
         thickness.size(),
         [&](std::size_t t) { thickness[t] = overlapAt(part, static_cast<std::uint32_t>(t), kCentroid); }, 256);
-    constexpr std::size_t kMost = 1024;  // of those that cross: enough, and bounded in time
+    constexpr std::size_t kMost = 1024;  // crossing triangles that are sampled: enough, and bounded in time
     const std::vector<Barycentric> places = placesOfTriangle();
     const std::size_t stride = std::max<std::size_t>(1, crossing.size() / kMost);
     parallelFor(
@@ -82,7 +83,7 @@ private:
         if (!hasArea()) return SolidFlaw::Empty;
         report().openEdges = edgeBalance(mesh()).odd;
         if (report().openEdges > 0) return SolidFlaw::Open;
-        // The tree of a surface knows only where its triangles are, not how they are turned.
+        // Flipping triangles does not change the tree of a surface.
         const SurfacePart part(mesh());
         const auto crossing = selfIntersectingTriangles(part);
         if (!crossing) return SolidFlaw::SelfIntersecting;
@@ -92,8 +93,11 @@ private:
         report().flippedTriangles = turn.flippedTriangles;
         report().shells = turn.shells;
         report().hollows = turn.hollows;
+        TACTOOTH_ASSERT(report().flippedTriangles <= mesh().triangles.size());
+        TACTOOTH_ASSERT(report().hollows <= report().shells);
         if (!crossing->empty()) {
             report().overlap = overlapOf(turn.flippedTriangles > 0 ? SurfacePart(mesh()) : part, *crossing);
+            TACTOOTH_ASSERT(report().overlap >= 0);
             if (report().overlap > kTolerableOverlap) return SolidFlaw::Overlapping;
         }
         return turn.volume > 0 ? SolidFlaw::None : SolidFlaw::Empty;
@@ -131,7 +135,7 @@ std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& wh
     add(report.flippedTriangles, "%1: %2 triangles were turned, so that all look at the outside.");
     add(report.flippedTriangles > 0 ? report.hollows : 0,
         "%1: %2 shells lie within another one and are taken as the walls of hollows.");
-    constexpr double kMinReportedOverlap = 0.0005;  // mm: what only touches is no news
+    constexpr double kMinReportedOverlap = 0.0005;  // mm: mere touching is not reported
     if (report.isSolid() && report.overlap > kMinReportedOverlap) {
         add(report.selfIntersectingTriangles,
             "%1: %2 triangles cross others by %3 mm at most; they are left as they are.", {rounded(report.overlap, 3)});

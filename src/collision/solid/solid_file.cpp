@@ -7,6 +7,7 @@
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 
@@ -26,7 +27,8 @@ Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::s
     auto solid = solidFrom(std::move(*mesh), displayName(file), what, options, &done);
     if (importNotes == nullptr) return solid;
     for (ImportNote& importNote : done) {
-        importNote.values.front() = displayName(file.filename());  // remarks are saved with a tooth: no paths
+        TACTOOTH_ASSERT(!importNote.values.empty());
+        importNote.values.front() = displayName(file.filename());  // notes are saved with a tooth: no paths
         importNotes->push_back(std::move(importNote));
     }
     return solid;

@@ -11,13 +11,13 @@
 
 namespace tactooth {
 
-/// `mesh`, which came from `name`, as a solid. Fails with one sentence, in which `what` ("the surface of the tooth") is
-/// its subject. `importNotes`, if given, gets what was done.
+/// Makes a solid of `mesh`, which was read from `name`. Fails with one sentence, whose subject is `what` ("the surface
+/// of the tooth"). `importNotes`, if given, gets the repairs.
 [[nodiscard]] Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const std::string& what,
                                                const SolidOptions& options = {},
                                                std::vector<ImportNote>* importNotes = nullptr);
 
-/// The same of a mesh file. Fails also if it cannot be read.
+/// The same for a mesh file. Also fails if the file cannot be read.
 [[nodiscard]] Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
                                                const SolidOptions& options = {},
                                                std::vector<ImportNote>* importNotes = nullptr);

@@ -4,6 +4,10 @@
 
 #include "collision/bvh/ray_crossing.h"
 
+// Point in polyhedron by the crossings of a ray, with another ray where one is degenerate: J. O'Rourke, "Computational
+// Geometry in C", 2nd edition, 1998, section 7.5. Differs from the book: the crossings are counted with their sign,
+// which gives the winding number instead of the parity.
+
 namespace tactooth {
 namespace {
 
@@ -15,6 +19,8 @@ Vec3 pointAt(const TriangleMesh& mesh, std::uint32_t t, const Barycentric& place
 
 int windingInFront(const SurfacePart& part, std::uint32_t triangle, const Barycentric& place) {
     const TriangleMesh& mesh = part.mesh();
+    TACTOOTH_ASSERT(triangle < mesh.triangles.size());
+    TACTOOTH_ASSERT(std::abs(place.sum() - 1) < 1e-9 && place.minCoeff() >= 0);
     const Vec3 normal = mesh.areaVector(triangle);
     if (normal.squaredNorm() == 0) return 0;
     const Vec3 from = pointAt(mesh, triangle, place);
@@ -35,6 +41,8 @@ int windingInFront(const SurfacePart& part, std::uint32_t triangle, const Baryce
 
 double clearanceFrom(const SurfacePart& part, std::uint32_t triangle, bool inFront, const Barycentric& place) {
     const TriangleMesh& mesh = part.mesh();
+    TACTOOTH_ASSERT(triangle < mesh.triangles.size());
+    TACTOOTH_ASSERT(std::abs(place.sum() - 1) < 1e-9 && place.minCoeff() >= 0);
     const Vec3 normal = mesh.areaVector(triangle).normalized();
     const Vec3 direction = inFront ? normal : Vec3(-normal);
     const Vec3 from = pointAt(mesh, triangle, place);
@@ -46,6 +54,7 @@ double clearanceFrom(const SurfacePart& part, std::uint32_t triangle, bool inFro
         nearest = std::min(nearest, std::max(0.0, face.dot(mesh.corner(other, 0) - from) / along));
         return true;
     });
+    TACTOOTH_ASSERT(nearest >= 0);
     return nearest;
 }
 

@@ -10,12 +10,13 @@
 #include <random>
 #include <set>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-/// Walks the whole tree: checks that every box holds what is below it and collects the triangles met.
+/// Visits the whole tree: checks that every box encloses its sub-tree, and collects the triangles.
 void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec3f& high, int depth,
           std::multiset<std::uint32_t>& triangles) {
     ASSERT_LE(depth, AabbTree::kMaxDepth);
@@ -42,7 +43,7 @@ void walk(const AabbTree& tree, AabbTree::Link link, const Vec3f& low, const Vec
     }
 }
 
-/// Whether the disc of child `i` of a node holds all corners below it.
+/// Whether the disc of child `i` of a node encloses all corners below it.
 void expectDiscHolds(const AabbTree& tree, const AabbTree::Node& node, int i, AabbTree::Link link) {
     if (!link.isLeaf()) {
         for (int k = 0; k < AabbTree::kWidth; ++k) {
@@ -74,7 +75,7 @@ void expectHoldsEachTriangleOnce(const TriangleMesh& mesh) {
     for (const TreeBuild build : {TreeBuild::Best, TreeBuild::Quick}) expectHoldsEachTriangleOnce(mesh, build);
 }
 
-/// Every box and every triangle of a tree, in the order of a walk.
+/// Every box and every triangle of a tree, in depth-first order.
 void describe(const AabbTree& tree, AabbTree::Link link, std::vector<std::vector<float>>& boxes,
               std::vector<std::uint32_t>& triangles) {
     if (link.isLeaf()) {
@@ -127,7 +128,7 @@ TEST(AabbTree, StaysShallowWhenSizesGrowExponentially) {
 
 TEST(AabbTree, IsTheSameFromOneThread) {
     TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 5, 300, 150);
-    ASSERT_GT(mesh.triangles.size(), 80000U);  // enough for every parallel way through the build
+    ASSERT_GT(mesh.triangles.size(), 80000U);  // enough for every parallel branch of the build
     std::ranges::shuffle(mesh.triangles, std::mt19937(7));
     const AabbTree tree(mesh);
     const tbb::global_control single(tbb::global_control::max_allowed_parallelism, 1);
@@ -148,7 +149,7 @@ TEST(AabbTree, BuiltQuicklyHasFullLeavesAndNodes) {
 
 TEST(AabbTree, OfAnEmptyMeshIsEmpty) { EXPECT_TRUE(AabbTree(TriangleMesh{}).empty()); }
 
-TEST(AabbTree, DiscsHoldWhatHangsOnEachChild) {
+TEST(AabbTree, DiscsEncloseTheTrianglesOfEachChild) {
     TriangleMesh flat;  // a bumpy plate
     std::mt19937 random(9);
     std::uniform_real_distribution<float> height(0, 0.02F);
@@ -171,6 +172,27 @@ TEST(AabbTree, DiscsHoldWhatHangsOnEachChild) {
         }
         EXPECT_LT(thinnest, 0.1F);
     }
+}
+
+TEST(AabbTree, KeepsItsInvariantsOnRandomMeshes) {
+    std::mt19937 random(12);
+    std::normal_distribution<float> normal;
+    for (const int count : {1, 7, 8, 9, 64, 65, 1000}) {
+        TriangleMesh mesh;
+        for (int i = 0; i < 3 * count; ++i) mesh.vertices.emplace_back(normal(random), normal(random), normal(random));
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
+            mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        for (const TreeBuild build : {TreeBuild::Best, TreeBuild::Quick}) AabbTree(mesh, build).validate();
+    }
+    AabbTree().validate();
+}
+
+TEST(AabbTree, AssertsThatLinksAreOfTheRightKindAndInRange) {
+    const AabbTree tree(test::sphere(Vec3(1, 2, 3), 5, 20, 10));
+    EXPECT_ASSERT((void)tree.node(AabbTree::Link::toLeaf(0)));
+    EXPECT_ASSERT((void)tree.leaf(AabbTree::Link::toNode(0)));
+    EXPECT_ASSERT((void)tree.leaf(AabbTree::Link::toLeaf(static_cast<std::uint32_t>(tree.leaves().size()))));
+    EXPECT_ASSERT((void)AabbTree().root());
 }
 
 }  // namespace tactooth

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/bvh/binned_sah.h"
+#include "support/expect_assert.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ struct Items {
     TreeRange range() { return {items, bins}; }
 };
 
-/// Small boxes all over a long one along z.
+/// Small boxes spread over a long one along z.
 Items scattered(std::size_t count) {
     std::mt19937 random(20261121);
     const auto share = [&] { return static_cast<float>(random()) / 4294967296.0F; };
@@ -65,24 +66,30 @@ TEST(BinnedSplit, SeparatesByTheCentreAlongTheLongestAxisAndLosesNothing) {
     }
 }
 
-TEST(BinnedSplit, TakesTheBorderBetweenTwoHeaps) {
+TEST(BinnedSplit, TakesTheBorderBetweenTwoClusters) {
     Items items;
     for (int i = 0; i < 24; ++i) items.add({0.01F * static_cast<float>(i), 0, 0}, {0.1F, 0.1F, 0.1F});
     for (int i = 0; i < 8; ++i) items.add({9 + 0.01F * static_cast<float>(i), 0, 0}, {0.1F, 0.1F, 0.1F});
     EXPECT_EQ(splitRange(items.range(), false).leftCount, 24U);
 }
 
-TEST(BinnedSplit, BalancedCutsAtTheMiddlePacket) {
+TEST(BinnedSplit, BalancedSplitsAtTheMiddlePacket) {
     Items items = scattered(80);
     EXPECT_EQ(splitRange(items.range(), true).leftCount, 40U);
 }
 
-TEST(BinnedSplit, CutsWhatLiesInOnePlaceByNumber) {
+TEST(BinnedSplit, SplitsItemsInOnePlaceByNumber) {
     Items items;
     for (int i = 0; i < 20; ++i) items.add({1, 2, 3}, {1, 1, 1});
     const TreeSplit split = splitRange(items.range(), false);
     EXPECT_EQ(split.leftCount, 8U);
     for (std::uint32_t i = 0; i < 20; ++i) EXPECT_EQ(items.items[i].triangle(), i);
+}
+
+TEST(BinnedSplit, AssertsThatTheRangeIsLargerThanALeaf) {
+    Items items = scattered(8);
+    EXPECT_ASSERT((void)splitRange(items.range(), false));
+    EXPECT_ASSERT((void)items.range().first(9));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "collision/narrow/triangle_point.h"
+#include "support/expect_assert.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 
@@ -31,7 +32,7 @@ double bruteForceDistance(const TriangleMesh& mesh, const Vec3& query) {
 
 }  // namespace
 
-TEST(ClosestPoint, AgreesWithAllTrianglesTried) {
+TEST(ClosestPoint, AgreesWithBruteForce) {
     const SurfacePart part(test::sphere(Vec3(0.5, -0.25, 1), 2, 60, 40));
     std::mt19937 random(7);
     for (int i = 0; i < test::cases(2000, 200); ++i) {
@@ -43,7 +44,7 @@ TEST(ClosestPoint, AgreesWithAllTrianglesTried) {
     }
 }
 
-TEST(ClosestPoint, FindsNothingBeyondItsReach) {
+TEST(ClosestPoint, FindsNothingBeyondItsLimit) {
     const SurfacePart part(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
     EXPECT_FALSE(closestPoint(part, Vec3(3, 0.5, 0.5), 1.9).has_value());
     EXPECT_DOUBLE_EQ(closestPoint(part, Vec3(3, 0.5, 0.5), 2.1)->distance, 2.0);
@@ -88,6 +89,13 @@ TEST(SignedDistance, IsNegativeInside) {
     const SurfacePart part(test::box(Vec3(0, 0, 0), Vec3(2, 2, 2)));
     EXPECT_DOUBLE_EQ(signedDistance(part, Vec3(1, 1, 0.25)), -0.25);
     EXPECT_DOUBLE_EQ(signedDistance(part, Vec3(1, 1, -0.25)), 0.25);
+}
+
+TEST(ClosestPoint, AssertsThatThePointIsFiniteAndTheReachNotNegative) {
+    const SurfacePart part(test::box(Vec3(0, 0, 0), Vec3(2, 2, 2)));
+    EXPECT_ASSERT((void)closestPoint(part, Vec3(0, 0, std::numeric_limits<double>::quiet_NaN())));
+    EXPECT_ASSERT((void)closestPoint(part, Vec3(0, 0, 0), -1));
+    EXPECT_ASSERT((void)signedDistance(SurfacePart(TriangleMesh{}), Vec3(0, 0, 0)));
 }
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-/// Small triangles around points, numbered in the points' order, and scratch memory for them.
+/// Small triangles around points, numbered in the order of the points, with scratch memory.
 struct Items {
     explicit Items(const std::vector<Vec3f>& points) : bins(points.size()) {
         for (const Vec3f& p : points) {
@@ -29,7 +29,7 @@ struct Items {
     std::vector<std::uint8_t> bins;
 };
 
-TEST(HilbertOrder, GoesThroughAGridStepByStepWithoutALeap) {
+TEST(HilbertOrder, VisitsTheNeighbouringCellsOfAGridInTurn) {
     std::vector<Vec3f> points;
     for (int cell = 0; cell < 512; ++cell)
         points.emplace_back(static_cast<float>(cell % 8), static_cast<float>(cell / 8 % 8),
@@ -46,7 +46,7 @@ TEST(HilbertOrder, GoesThroughAGridStepByStepWithoutALeap) {
     }
 }
 
-TEST(HilbertOrder, KeepsTheOrderOfWhatIsInOnePlace) {
+TEST(HilbertOrder, KeepsTheOrderOfItemsInOneCell) {
     EXPECT_EQ(Items(std::vector<Vec3f>(5, Vec3f(1, 2, 3))).sorted(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
     EXPECT_TRUE(Items({}).sorted().empty());
     const Vec3f near(0, 0, 0), far(8, 0, 0);

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -16,7 +17,7 @@ namespace {
 
 using Box3f = Eigen::AlignedBox3f;
 
-/// Collects the triangles below `link`, and checks that every box there is as tight as can be.
+/// Collects the triangles below `link`, and checks that every box there is tight.
 Box3f collect(const AabbTree& tree, AabbTree::Link link, std::vector<std::uint32_t>& triangles) {
     Box3f whole;
     if (link.isLeaf()) {
@@ -39,7 +40,7 @@ Box3f collect(const AabbTree& tree, AabbTree::Link link, std::vector<std::uint32
             ended = true;
             continue;
         }
-        EXPECT_FALSE(ended) << "a child behind an absent one is not seen by a walk";
+        EXPECT_FALSE(ended) << "a traversal does not see a child behind an absent one";
         const Box3f below = collect(tree, node.child[i], triangles);
         EXPECT_EQ(below.min(), low);
         EXPECT_EQ(below.max(), high);
@@ -58,10 +59,10 @@ std::vector<std::uint32_t> trianglesOf(const AabbTree& tree) {
     return triangles;
 }
 
-TEST(MaskedBvh, HidesAndShowsWhatItIsTold) {
+TEST(MaskedBvh, HidesAndShowsTriangles) {
     const AabbTree whole(test::sphere(Vec3(1, 2, 3), 5, 80, 60));
     std::vector<bool> hidden(trianglesOf(whole).size());
-    MaskedBvh thinner(whole);
+    MaskedBvh masked(whole);
     std::mt19937 random(20261121);
     for (int round = 0; round < 30; ++round) {
         const bool hide = round % 3 != 2;
@@ -70,58 +71,68 @@ TEST(MaskedBvh, HidesAndShowsWhatItIsTold) {
         for (std::uint32_t t = first; t < last; ++t) {
             if (random() % 8 == 0) continue;
             hidden[t] = hide;
-            thinner.setHidden(t, hide);
-            thinner.setHidden(t, hide);  // twice is as once
+            masked.setHidden(t, hide);
+            masked.setHidden(t, hide);  // twice has the same effect as once
         }
         std::vector<std::uint32_t> expected;
         for (std::uint32_t t = 0; t < hidden.size(); ++t)
             if (!hidden[t]) expected.push_back(t);
-        ASSERT_EQ(trianglesOf(thinner.maskedTree()), expected);
+        ASSERT_EQ(trianglesOf(masked.maskedTree()), expected);
+        masked.validate();
+        masked.maskedTree().validate();
     }
 }
 
-TEST(MaskedBvh, ReplacesNoMoreThanTheWayToWhatIsHidden) {
+TEST(MaskedBvh, ReplacesNoMoreThanThePathToTheHiddenTriangle) {
     const AabbTree whole(test::sphere(Vec3(1, 2, 3), 5, 300, 150));
-    MaskedBvh thinner(whole);
-    EXPECT_EQ(thinner.maskedTree().bytes(), whole.bytes());
-    thinner.setHidden(4711, true);
+    MaskedBvh masked(whole);
+    EXPECT_EQ(masked.maskedTree().bytes(), whole.bytes());
+    masked.setHidden(4711, true);
     const std::size_t most = AabbTree::kMaxDepth * sizeof(AabbTree::Node) + sizeof(AabbTree::Leaf);
-    EXPECT_GT(thinner.maskedTree().bytes(), whole.bytes());
-    EXPECT_LE(thinner.maskedTree().bytes(), whole.bytes() + most);
-    thinner.setHidden(4711, false);
-    EXPECT_EQ(thinner.maskedTree().bytes(), whole.bytes());
+    EXPECT_GT(masked.maskedTree().bytes(), whole.bytes());
+    EXPECT_LE(masked.maskedTree().bytes(), whole.bytes() + most);
+    masked.setHidden(4711, false);
+    EXPECT_EQ(masked.maskedTree().bytes(), whole.bytes());
 }
 
 TEST(MaskedBvh, OfAllTrianglesLeavesAnEmptyTree) {
     const TriangleMesh box = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
-    MaskedBvh thinner{AabbTree(box)};
+    MaskedBvh masked{AabbTree(box)};
     for (std::uint32_t t = 0; t < box.triangles.size(); ++t) {
-        EXPECT_FALSE(thinner.maskedTree().empty());
-        thinner.setHidden(t, true);
+        EXPECT_FALSE(masked.maskedTree().empty());
+        masked.setHidden(t, true);
     }
-    EXPECT_TRUE(thinner.maskedTree().empty());
-    thinner.setHidden(3, false);
-    EXPECT_EQ(trianglesOf(thinner.maskedTree()), std::vector<std::uint32_t>{3});
+    EXPECT_TRUE(masked.maskedTree().empty());
+    masked.setHidden(3, false);
+    EXPECT_EQ(trianglesOf(masked.maskedTree()), std::vector<std::uint32_t>{3});
 }
 
 TEST(MaskedBvh, ShowsAllAgain) {
     const AabbTree whole(test::sphere(Vec3(1, 2, 3), 5, 20, 10));
-    MaskedBvh thinner(whole);
-    for (const std::uint32_t t : {3U, 4U, 100U}) thinner.setHidden(t, true);
-    thinner.showAll();
-    EXPECT_EQ(thinner.maskedTree().bytes(), whole.bytes());
-    thinner.setHidden(3, true);
-    EXPECT_EQ(trianglesOf(thinner.maskedTree()).size(), trianglesOf(whole).size() - 1);
+    MaskedBvh masked(whole);
+    for (const std::uint32_t t : {3U, 4U, 100U}) masked.setHidden(t, true);
+    masked.showAll();
+    EXPECT_EQ(masked.maskedTree().bytes(), whole.bytes());
+    masked.setHidden(3, true);
+    EXPECT_EQ(trianglesOf(masked.maskedTree()).size(), trianglesOf(whole).size() - 1);
 }
 
-TEST(MaskedBvh, OutlivesTheTreeThatItWasMadeFrom) {
+TEST(MaskedBvh, OutlivesTheTreeItWasBuiltFrom) {
     std::optional<AabbTree> whole(test::sphere(Vec3(1, 2, 3), 5, 20, 10));
-    MaskedBvh thinner(*whole);
-    thinner.setHidden(7, true);
-    const AabbTree maskedTree = thinner.maskedTree();
+    MaskedBvh masked(*whole);
+    masked.setHidden(7, true);
+    const AabbTree maskedTree = masked.maskedTree();
     const std::size_t before = trianglesOf(*whole).size();
     whole.reset();
     EXPECT_EQ(trianglesOf(maskedTree).size(), before - 1);
+}
+
+TEST(MaskedBvh, AssertsThatTheTriangleExistsAndTheTreeIsWhole) {
+    const AabbTree whole(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+    MaskedBvh masked(whole);
+    EXPECT_ASSERT(masked.setHidden(12, true));
+    masked.setHidden(0, true);
+    EXPECT_ASSERT(MaskedBvh(masked.maskedTree()));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "collision/narrow/triangle3.h"
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -34,7 +36,7 @@ TEST(Surface, WithNothingHiddenIsTheBaseBitForBit) {
     }
 }
 
-TEST(SurfacePart, HasAnIdOfItsOwn) {
+TEST(SurfacePart, HasAUniqueId) {
     const TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     EXPECT_NE(SurfacePart(mesh).id(), SurfacePart(mesh).id());
 }
@@ -42,13 +44,31 @@ TEST(SurfacePart, HasAnIdOfItsOwn) {
 TEST(VisibleMesh, LeavesOutTrianglesOfPatchesThatRoundingHasCollapsed) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     const auto whole = mesh.triangles.size();
-    mesh.vertices.push_back(mesh.vertices[0]);  // the same place under another number
+    mesh.vertices.push_back(mesh.vertices[0]);  // the same position under another number
     mesh.triangles.push_back({0, static_cast<std::uint32_t>(mesh.vertices.size() - 1), 1});
     const auto part = std::make_shared<const SurfacePart>(mesh);
-    EXPECT_EQ(visibleMesh({part, nullptr, {}, 0}).mesh.triangles.size(), whole + 1) << "the file's own stay";
+    EXPECT_EQ(visibleMesh({part, nullptr, {}, 0}).mesh.triangles.size(), whole + 1) << "triangles of the file stay";
     const TaggedMesh visible = visibleMesh({part, nullptr, {part}, 0});
     EXPECT_EQ(visible.mesh.triangles.size(), 2 * whole + 1);
     EXPECT_EQ(visible.tags.size(), 2 * whole + 1);
+}
+
+TEST(Surface, KeepsItsInvariants) {
+    const auto base = std::make_shared<SurfacePart>(test::sphere(Vec3(0, 0, 0), 1, 9, 7));
+    const auto patch = std::make_shared<SurfacePart>(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+    const std::size_t words = (base->mesh().triangles.size() + 63) / 64;
+    Surface{base, std::make_shared<TriangleMask>(words), {patch}, 1}.validate();
+    EXPECT_ASSERT((Surface{base, std::make_shared<TriangleMask>(words + 1), {patch}, 1}.validate()));
+    EXPECT_ASSERT((Surface{base, nullptr, {nullptr}, 1}.validate()));
+    EXPECT_ASSERT((Surface{nullptr, nullptr, {}, 1}.validate()));
+}
+
+TEST(Surface, AssertsThatPartsAndTrianglesExist) {
+    const auto base = std::make_shared<SurfacePart>(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+    EXPECT_ASSERT((void)partOf(Surface{base, nullptr, {}, 0}, 1));
+    EXPECT_ASSERT((void)base->tag(12));
+    EXPECT_ASSERT((void)isHidden(TriangleMask(1), 64));
+    EXPECT_ASSERT((void)cornersOf(base->mesh(), 12));
 }
 
 }  // namespace tactooth

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "support/expect_assert.h"
 #include "triangle_oracle.h"
 
 namespace tactooth {
@@ -30,14 +31,14 @@ void expectAgreement(const Triangle3& a, const Triangle3& b, double scale) {
     if (!result.separated) return;
     ASSERT_NEAR(result.normal.norm(), 1, 1e-12);
     ASSERT_NEAR((result.onB - result.onA).norm(), expected, 1e-11 * scale);
-    // The certificate: the slab is really empty, and as wide as the distance.
+    // The proof: the slab is really empty, and as wide as the distance.
     ASSERT_LE(result.gap, lowestAlong(b, result.normal) - highestAlong(a, result.normal));
     ASSERT_NEAR(result.gap, expected, 1e-9 * scale);
 }
 
 }  // namespace
 
-TEST(Gjk, AgreesWithEveryFeatureTriedAtThreeScales) {
+TEST(Gjk, AgreesWithBruteForceOverFeaturesAtThreeScales) {
     std::mt19937 random(1);
     int apart = 0;
     constexpr int kPairs = 10000;
@@ -49,11 +50,11 @@ TEST(Gjk, AgreesWithEveryFeatureTriedAtThreeScales) {
         expectAgreement(a, b, scale);
         apart += test::triangleDistance(a, b) > 0 ? 1 : 0;
     }
-    EXPECT_GT(apart, kPairs * 3 / 10);  // the sample means something: neither all apart nor all crossing
+    EXPECT_GT(apart, kPairs * 3 / 10);  // the sample contains both disjoint and crossing pairs
     EXPECT_LT(apart, kPairs * 9 / 10);
 }
 
-TEST(Gjk, PartsWithAPlaneThatIsNearlyAsWideAsTheDistance) {
+TEST(Gjk, SeparatesByASlabNearlyAsWideAsTheDistance) {
     std::mt19937 random(11);
     constexpr double kLeast = 0.01;
     int sooner = 0;
@@ -75,10 +76,10 @@ TEST(Gjk, PartsWithAPlaneThatIsNearlyAsWideAsTheDistance) {
         ++wide;
     }
     EXPECT_GT(wide, 3000);
-    EXPECT_GT(sooner, wide / 3) << "or it saves little";
+    EXPECT_GT(sooner, wide / 3) << "else it saves little";
 }
 
-// A nanometre over the long edge that two triangles share, in which a corner has no features to name a normal.
+// A corner a nanometre over the long edge that two triangles share: the features there define no normal.
 TEST(Gjk, SeesThatACornerOverALongEdgeIsApart) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> along(0.05, 0.95), tilt(-0.5, 0.5);
@@ -125,7 +126,7 @@ TEST(Gjk, HandlesNeedlesPointsAndCoincidence) {
     EXPECT_FALSE(distanceBetween(needle, flat, Vec3::UnitZ()).separated);
 }
 
-TEST(Gjk, NeedsFewRoundsFromAGoodGuess) {
+TEST(Gjk, NeedsFewIterationsFromAGoodGuess) {
     std::mt19937 random(5);
     int iterations = 0;
     constexpr int kPairs = 1000;
@@ -137,6 +138,15 @@ TEST(Gjk, NeedsFewRoundsFromAGoodGuess) {
         iterations += distanceBetween(a, b, cold.normal).iterations;
     }
     EXPECT_LT(iterations, 5 * kPairs);
+}
+
+TEST(Gjk, AssertsThatThereAreTrianglesAndTheGuessIsFinite) {
+    const Triangle3 triangle{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    const Vec3 guess = Vec3::UnitZ();
+    EXPECT_ASSERT((void)distanceBetween(triangle, std::span(triangle).first(2), guess));
+    EXPECT_ASSERT((void)distanceBetween(triangle, triangle, guess / 0.0));
+    EXPECT_ASSERT((void)separateConvex(triangle, triangle, guess, -1));
+    EXPECT_ASSERT((void)lowestAlong({}, guess));
 }
 
 }  // namespace tactooth

@@ -14,6 +14,7 @@
 #include "collision/contact_oracle.h"
 #include "collision/narrow/gjk.h"
 #include "geometry/util/pose.h"
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -33,7 +34,7 @@ Box3 boxOf(const Triangle3& triangle) {
     return box;
 }
 
-/// Every pair that lies within `distance`, of all that there are.
+/// Every pair within `distance`, by brute force.
 std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, const Pose& pose, double distance) {
     std::set<PairKey> pairs;
     std::vector<Box3> boxes;
@@ -50,11 +51,11 @@ std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, 
     return pairs;
 }
 
-/// All that the list has doubts about, for a step between two poses.
+/// All uncertain pairs of the list, for a step between two poses.
 std::set<PairKey> uncertainCount(NeighbourList& list, const Pose& start, const Pose& end,
                                  std::span<const Vec3> known = {}) {
     const ToolMotion motion = list.motion(start, end, kMargin, known);
-    std::ignore = list.within(motion);  // looks into what is in doubt
+    std::ignore = list.within(motion);  // opens uncertain nodes
     EXPECT_FALSE(list.isFull());
     std::set<PairKey> pairs;
     for (std::size_t first = 0; first < list.clusters(); first += 8) {
@@ -92,7 +93,7 @@ struct Scene {
 
 }  // namespace
 
-TEST(NeighbourList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
+TEST(NeighbourList, EveryPairThatAMotionWithinTheMarginBringsTogetherIsUncertain) {
     const Scene scene;
     NeighbourList list(*scene.tool, kCapacity);
     std::mt19937 random(5);
@@ -101,7 +102,7 @@ TEST(NeighbourList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
     for (int i = 0; i < 60; ++i) {
         const Pose at = scene.poseAbove(random, 0.05 * unit(random));
         list.make(*scene.surface, at, {randomVector(random, 0.15 * unit(random)), 0.05, 0.1 * unit(random)});
-        const ContactMargin& contactMargin = list.contactMargin();  // shortened where much is near
+        const ContactMargin& contactMargin = list.contactMargin();  // shortened if the list is long
         ASSERT_GT(contactMargin.around, 0.01);
         const double share = unit(random);
         const Vec3 shift = share * contactMargin.along + randomVector(random, 0.99 * contactMargin.around);
@@ -117,7 +118,7 @@ TEST(NeighbourList, DoubtsEveryPairThatAMoveWithinItsSkinBringsTogether) {
     EXPECT_GT(met, 200);
 }
 
-TEST(NeighbourList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
+TEST(NeighbourList, TheLocalCandidatesContainEveryUncertainCluster) {
     const Scene scene;
     NeighbourList list(*scene.tool, kCapacity);
     std::mt19937 random(7);
@@ -129,7 +130,7 @@ TEST(NeighbourList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
         Pose pose = scene.poseAbove(random, 0.02 * unit(random));
         const Vec3 along = randomVector(random, 0.1);
         list.buildAll(*scene.surface, pose, {along, 0.05, 0.02});
-        for (int step = 0; step < 12; ++step) {  // on along the way, with some straying and turning
+        for (int step = 0; step < 12; ++step) {  // further along the path, with some deviation and rotation
             const Vec3 shift = 0.008 * along.normalized() + randomVector(random, 0.004 * unit(random));
             const Pose end{pose.position + shift, turned(pose.rotation, random, 0.001 * unit(random))};
             const ToolMotion motion = list.motion(pose, end, kMargin, {});
@@ -146,11 +147,11 @@ TEST(NeighbourList, TheShortListLeavesOutNothingThatAStepBringsInDoubt) {
         }
     }
     EXPECT_GT(uncertainSet, 1000U);
-    EXPECT_LT(looked, all - all / 4) << "or it saves little";
+    EXPECT_LT(looked, all - all / 4) << "else it saves little";
 }
 
-TEST(NeighbourList, WhatAStepDoesNotLookIntoItDoesNotMeet) {
-    TriangleMesh plate;  // rough, and a tool that is far from filling its hull: a ball, a thin neck, another ball
+TEST(NeighbourList, AStepDoesNotMeetNodesThatStayClosed) {
+    TriangleMesh plate;  // rough, and a tool much smaller than its hull: a ball, a thin neck, another ball
     std::mt19937 random(13);
     std::uniform_real_distribution<double> unit(0, 1);
     for (std::uint32_t i = 0; i < 41 * 41; ++i) {
@@ -174,7 +175,7 @@ TEST(NeighbourList, WhatAStepDoesNotLookIntoItDoesNotMeet) {
         const Quat lying = turned(Quat(Eigen::AngleAxisd(-unit(random), Vec3::UnitX())), random, 0.3);
         const Pose at{Vec3(unit(random) - 0.5, 0.5, 0.05 + 0.1 * unit(random)), lying};
         list.make(*surface, at, {randomVector(random, 0.1), 0.05, 0.02});
-        for (int step = 0; step < 6; ++step) {  // what one step looks into the next ones find listed
+        for (int step = 0; step < 6; ++step) {  // later steps find the nodes that one step has opened
             const auto within = [&](double share) {
                 const Vec3 shift =
                     share * list.contactMargin().along + randomVector(random, 0.99 * list.contactMargin().around);
@@ -195,7 +196,7 @@ TEST(NeighbourList, WhatAStepDoesNotLookIntoItDoesNotMeet) {
     EXPECT_GT(met, 1000);
 }
 
-TEST(NeighbourList, LooksIntoNoMoreThanAStepNeeds) {
+TEST(NeighbourList, OpensNoMoreNodesThanAStepNeeds) {
     const Scene scene;
     NeighbourList some(*scene.tool, kCapacity), all(*scene.tool, kCapacity);
     const Pose at{Vec3(0, 0, 3.05), Quat::Identity()};
@@ -204,13 +205,13 @@ TEST(NeighbourList, LooksIntoNoMoreThanAStepNeeds) {
     some.make(*scene.surface, at, contactMargin);
     EXPECT_EQ(some.clusters(), 0U);
     std::ignore = some.within(some.motion(at, {at.position + Vec3(0.01, 0, 0), at.rotation}, kMargin, {}));
-    EXPECT_EQ(some.clusters(), 0U) << "nothing is as near as 10 um";
+    EXPECT_EQ(some.clusters(), 0U) << "no triangle is as near as 10 um";
     std::ignore = some.within(some.motion(at, {at.position - Vec3(0, 0, 0.06), at.rotation}, kMargin, {}));
     EXPECT_GT(some.clusters(), 0U);
     EXPECT_LT(some.clusters(), all.clusters() / 2);
 }
 
-TEST(NeighbourList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
+TEST(NeighbourList, AListWithTooLittleRoomCoversLessAndIsComplete) {
     const Scene scene;
     const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};
     const ContactMargin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
@@ -229,7 +230,7 @@ TEST(NeighbourList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
     same.buildAll(*scene.surface, at, some.contactMargin());
     EXPECT_EQ(some.clusters(), same.clusters());
 
-    for (const std::size_t capacity : {kCapacity, room}) {  // room enough, or nothing less will do
+    for (const std::size_t capacity : {kCapacity, room}) {  // enough room, or just enough
         NeighbourList whole(*scene.tool, capacity);
         whole.buildWithinCapacity(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1, kNoLimit);
         EXPECT_EQ(whole.clusters(), all.clusters());
@@ -237,7 +238,7 @@ TEST(NeighbourList, AListWithoutRoomForAllReachesLessFarAndIsWhole) {
     }
 }
 
-TEST(NeighbourList, AListIsNoLongerThanItShallBe) {
+TEST(NeighbourList, AListIsNoLongerThanRequested) {
     const Scene scene;
     const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};
     const ContactMargin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
@@ -253,7 +254,7 @@ TEST(NeighbourList, AListIsNoLongerThanItShallBe) {
     }
 }
 
-TEST(NeighbourList, APlaneThatHoldsTheToolClearsAllThatItParts) {
+TEST(NeighbourList, AKnownPlaneClearsAllPairsThatItSeparates) {
     const auto plate = test::surfaceOf(test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0)));
     const auto tool = test::toolOf(test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10));
     NeighbourList list(*tool, kCapacity);
@@ -266,7 +267,7 @@ TEST(NeighbourList, APlaneThatHoldsTheToolClearsAllThatItParts) {
     EXPECT_TRUE(uncertainCount(list, at, end, {&up, 1}).empty());
 }
 
-TEST(NeighbourList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
+TEST(NeighbourList, ACertifiedPairIsNotUncertainWhileItsPlaneSeparatesIt) {
     const auto plate = test::surfaceOf(test::box(Vec3(-5, -5, -1), Vec3(5, 5, 0)));
     const auto tool = test::toolOf(test::box(Vec3(0, -0.5, 0), Vec3(1, 0.5, 1)));
     NeighbourList list(*tool, kCapacity);
@@ -288,7 +289,7 @@ TEST(NeighbourList, ACertifiedPairIsDoubtedNoMoreWhereItsPlaneHolds) {
     EXPECT_GT(certified, 0);
 }
 
-TEST(NeighbourList, LooksAheadForWhatPartsEachPairOnAWay) {
+TEST(NeighbourList, FindsSeparatingPlanesAhead) {
     const Scene scene;
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -318,7 +319,7 @@ TEST(NeighbourList, LooksAheadForWhatPartsEachPairOnAWay) {
                 for (const Vec3& corner : scene.tool->cornersAt(pose, std::get<2>(pair))) swept.push_back(corner);
             }
             const GjkResult gjk = distanceBetween(tooth, swept, swept[0] - tooth[0]);
-            EXPECT_LT(gjk.separated ? gjk.distance : 0, 1e-4) << "what is clearly apart is parted";
+            EXPECT_LT(gjk.separated ? gjk.distance : 0, 1e-4) << "pairs that are clearly apart are separated";
         }
     }
     EXPECT_GT(met, 100);
@@ -336,7 +337,7 @@ TEST(NeighbourList, HiddenTrianglesAreNotListed) {
     EXPECT_EQ(list.clusters(), 0U);
 }
 
-TEST(NeighbourList, ShortensItsSkinWhereTooMuchIsNear) {
+TEST(NeighbourList, ShortensItsMarginIfTooManyPairsAreNear) {
     const TriangleMesh fine = test::sphere(Vec3::Zero(), 1, 400, 200);
     const auto tool = test::toolOf(test::sphere(Vec3::Zero(), 0.9, 100, 50));
     const auto inside = test::surfaceOf(fine);
@@ -359,7 +360,7 @@ TEST(NeighbourList, ShortensItsSkinWhereTooMuchIsNear) {
     EXPECT_LT(list.contactMargin().along.norm(), 0.3);
 }
 
-TEST(NeighbourList, ListsAllThatIsAskedForHoweverMuch) {
+TEST(NeighbourList, ListsAllThatIsRequestedHoweverMuch) {
     const Scene scene;
     NeighbourList list(*scene.tool, 64);
     const Pose inside{Vec3(0, 0, 2.4), Quat::Identity()};
@@ -368,6 +369,56 @@ TEST(NeighbourList, ListsAllThatIsAskedForHoweverMuch) {
     const std::set<PairKey> touching = pairsWithin(scene.tooth, *scene.tool, inside, 0);
     EXPECT_GT(touching.size(), 64U);
     for (const PairKey& pair : touching) EXPECT_TRUE(uncertainSet.contains(pair));
+}
+
+TEST(NeighbourList, KeepsItsInvariantsOverRandomSteps) {
+    const Scene scene;
+    NeighbourList list(*scene.tool, kCapacity);
+    std::mt19937 random(15);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int i = 0; i < 12; ++i) {
+        Pose pose = scene.poseAbove(random, 0.02 * unit(random));
+        if (i % 3 == 0) list.buildAll(*scene.surface, pose, {randomVector(random, 0.1), 0.05, 0.02});
+        if (i % 3 == 1) list.make(*scene.surface, pose, {randomVector(random, 0.1), 0.05, 0.02});
+        if (i % 3 == 2) std::ignore = list.buildUpTo(*scene.surface, pose, 100);
+        list.validate(*scene.surface);
+        for (int step = 0; step < 4; ++step) {
+            const Pose end{pose.position + randomVector(random, 0.01), turned(pose.rotation, random, 0.001)};
+            const Vec3 known[] = {randomVector(random, 1), Vec3::UnitZ()};
+            const ToolMotion motion = list.motion(pose, end, kMargin, known);
+            for (const std::uint32_t first : list.within(motion)) {
+                for (std::uint32_t near = list.uncertainClusters(first, motion); near != 0; near &= near - 1) {
+                    const std::size_t cluster = first + static_cast<std::size_t>(std::countr_zero(near));
+                    const std::uint32_t uncertain = list.uncertainPairs(cluster, motion);
+                    if (uncertain == 0) continue;
+                    list.certify(NeighbourList::placeOf(cluster, std::countr_zero(uncertain)), Vec3::UnitZ(), 0);
+                    std::ignore = list.separateBy(Vec3::UnitX(), cluster, uncertain, motion);
+                }
+            }
+            list.validate(*scene.surface);
+            pose = end;
+        }
+    }
+}
+
+TEST(NeighbourList, AssertsThatItExistsAndThatItsArgumentsMakeSense) {
+    const Scene scene;
+    NeighbourList list(*scene.tool, kCapacity);
+    const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};
+    EXPECT_ASSERT((void)list.motion(at, at, kMargin, {}));
+    EXPECT_ASSERT((void)list.shorten());
+    EXPECT_ASSERT(list.make(*scene.surface, at, {Vec3::Zero(), -1, 0}));
+    EXPECT_ASSERT(list.make(*scene.surface, {at.position / 0.0, at.rotation}, {}));
+    EXPECT_ASSERT(list.make(*scene.surface, {at.position, Quat(2, 0, 0, 0)}, {}));
+    list.buildAll(*scene.surface, at, {Vec3::Zero(), 0.05, 0.01});
+    ASSERT_GT(list.clusters(), 8U);
+    const ToolMotion motion = list.motion(at, at, kMargin, {});
+    EXPECT_ASSERT((void)list.uncertainClusters(1, motion));
+    EXPECT_ASSERT((void)list.uncertainPairs(list.clusters(), motion));
+    EXPECT_ASSERT(list.certify(0, Vec3(0, 0, 2), 0));
+    EXPECT_ASSERT((void)list.separateBy(Vec3::Zero(), 0, 1, motion));
+    EXPECT_ASSERT((void)NeighbourList::placeOf(0, 8));
+    EXPECT_ASSERT((void)list.motion(at, at, -1, {}));
 }
 
 }  // namespace tactooth

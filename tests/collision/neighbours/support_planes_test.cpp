@@ -8,12 +8,13 @@
 #include <random>
 
 #include "geometry/util/pose.h"
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-/// What single precision may hide of lengths of a few millimetres.
+/// Rounding error of single precision for lengths of a few millimetres.
 constexpr float kRounding = 1e-5F;
 
 float lowestAlong(const TriangleMesh& mesh, const Vec3f& direction) {
@@ -35,7 +36,7 @@ TriangleMesh turned(TriangleMesh mesh, const Vec3& axis, double chord) {
     return mesh;
 }
 
-/// A ball on its pole, two boxes, and a mesh with more faces than there can be sides.
+/// A ball on its pole, two boxes, and a mesh with more faces than there can be planes.
 std::vector<TriangleMesh> tools() {
     return {test::sphere(Vec3(0, 0, 0.6), 0.6, 16, 10), test::box(Vec3(-0.1, -0.4, 0), Vec3(0.2, 0.4, 3)),
             test::box(Vec3(1, 1, 1), Vec3(2, 3, 4)), test::sphere(Vec3(0.3, 0, 2), 1.5, 100, 50)};
@@ -43,7 +44,7 @@ std::vector<TriangleMesh> tools() {
 
 }  // namespace
 
-TEST(SupportPlanes, EachTellsHowFarTheToolReaches) {
+TEST(SupportPlanes, EachGivesHowFarTheToolReaches) {
     for (const TriangleMesh& mesh : tools()) {
         const SupportPlanes sides(mesh);
         ASSERT_GT(sides.size(), 100U);
@@ -69,7 +70,7 @@ TEST(SupportPlanes, ThereIsOneInEveryDirection) {
     }
 }
 
-TEST(SupportPlanes, ATurnBringsTheToolNoFurtherThanTheLoss) {
+TEST(SupportPlanes, ARotationMovesTheToolNoFurtherThanTheLoss) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0, 1);
     for (const TriangleMesh& mesh : tools()) {
@@ -93,7 +94,7 @@ TEST(SupportPlanes, ATurnBringsTheToolNoFurtherThanTheLoss) {
     }
 }
 
-TEST(SupportPlanes, ThoseBesideASideLookTheSameWay) {
+TEST(SupportPlanes, TheNeighboursOfAPlaneHaveSimilarDirections) {
     const SupportPlanes sides(test::sphere(Vec3::Zero(), 1, 16, 10));
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const auto number = static_cast<SupportPlanes::Number>(i);
@@ -103,11 +104,19 @@ TEST(SupportPlanes, ThoseBesideASideLookTheSameWay) {
     }
 }
 
-TEST(SupportPlanes, TheOneThatFacesAPointIsTheOneItLiesFurthestBeyond) {
+TEST(SupportPlanes, ThePlaneThatFacesAPointIsTheOneItIsFurthestBeyond) {
     const TriangleMesh mesh = test::box(Vec3(-1, -1, 0), Vec3(1, 1, 3));
     const SupportPlanes sides(mesh);
     EXPECT_GT(sides[sides.facing(Vec3f(0, 0, -1))].inward.z(), 0.99F);
     EXPECT_LT(sides[sides.facing(Vec3f(2, 0, 1))].inward.x(), -0.99F);
+}
+
+TEST(SupportPlanes, AssertThatDirectionsAreUnitAndChordsInRange) {
+    const SupportPlanes planes(tools()[0]);
+    EXPECT_ASSERT((void)planes.across(Vec3f(0, 0, 2), 0.1F));
+    EXPECT_ASSERT((void)planes.losses(2.1));
+    EXPECT_ASSERT((void)planes[static_cast<SupportPlanes::Number>(planes.size())]);
+    EXPECT_ASSERT((void)SupportPlanes(TriangleMesh{}).facing(Vec3f::Zero()));
 }
 
 }  // namespace tactooth

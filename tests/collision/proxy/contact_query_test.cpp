@@ -31,7 +31,7 @@ TriangleMesh ball() { return test::sphere(Vec3(0, 0, 1), 1, 48, 24); }
 
 }  // namespace
 
-TEST(ContactQuery, AgreesWithTheJudgeOnRandomPosesOfEveryTooth) {
+TEST(ContactQuery, AgreesWithTheOracleOnRandomPosesOfEveryTooth) {
     for (std::size_t tooth = 0; tooth < test::cases<std::size_t>(3, 1); ++tooth) {
         for (std::size_t tool = 0; tool < 2; ++tool) {
             SCOPED_TRACE(test::oracleTeeth()[tooth].name + " " + test::oracleTools()[tool].name);
@@ -78,15 +78,15 @@ TEST(ContactQuery, ABallOnAnEdgeAndOnACornerLeavesAlongTheShortestWay) {
 }
 
 TEST(ContactQuery, ABallInAVGrooveLeavesUpward) {
-    // A ball of 1 mm rests in the groove with its centre sqrt(2) above the bottom; 0.2 mm lower its way out is up, or
-    // along one wall's normal while it stays clear of the other: both planes must be left.
+    // A ball of 1 mm rests in the groove with its centre sqrt(2) above the bottom. 0.2 mm lower, the exit must
+    // leave both planes: it is upward, or along the normal of one wall if that keeps clear of the other.
     ContactQuery query(test::toolOf(test::sphere(Vec3(0, 0, 0), 1, 192, 96)), test::surfaceOf(groove(), false));
     const Contact contact = query.at(at(Vec3(0, 0, std::sqrt(2.0) - 0.2)));
     EXPECT_NEAR(contact.depth, 0.2, 2e-3);
     EXPECT_NEAR(contact.normal.z(), 1, 1e-2);
 }
 
-TEST(ContactQuery, AnswersTheSameAMetreAway) {
+TEST(ContactQuery, GivesTheSameResultAMetreAway) {
     const TriangleMesh& tooth = test::oracleTeeth()[2].mesh;
     const TriangleMesh& tool = test::oracleTools()[0].mesh;
     // Whole multiples of 2^-10 mm stay exact in single precision a metre away.
@@ -102,7 +102,7 @@ TEST(ContactQuery, AnswersTheSameAMetreAway) {
         const Contact here = near.at(pose);
         const Contact there = far.at({pose.position + Vec3(1024, -1024, 1024), pose.rotation});
         ASSERT_EQ(here.touching, there.touching);
-        EXPECT_NEAR(here.depth, there.depth, 0.01 * here.depth);  // of two dents side by side either may be found
+        EXPECT_NEAR(here.depth, there.depth, 0.01 * here.depth);  // either of two neighbouring dents may be found
     }
 }
 
@@ -118,7 +118,7 @@ TEST(ContactQuery, DetectsMovementsDownToANanometreInOrder) {
     }
 }
 
-TEST(ContactQuery, AnAnswerDoesNotDependOnTheOnesBefore) {
+TEST(ContactQuery, AResultDoesNotDependOnEarlierQueries) {
     const auto tool = test::toolOf(test::oracleTools()[1].mesh);
     const auto tooth = test::surfaceOf(test::oracleTeeth()[2].mesh);
     std::mt19937 random(5);
@@ -155,7 +155,8 @@ TEST(ContactQuery, PenaltyFreesTheDeepestPairAlone) {
     ASSERT_TRUE(contact.touching);
     EXPECT_GT(contact.contacts, 0);
     EXPECT_GT(contact.depth, 0);
-    EXPECT_LT(contact.depth, 0.01);  // of a facet that slopes through the surface, less than the whole tool's
+    EXPECT_LT(contact.depth,
+              0.01);  // that of a facet which slopes through the surface: less than that of the whole tool
     EXPECT_NEAR(contact.normal.norm(), 1, 1e-12);
 }
 

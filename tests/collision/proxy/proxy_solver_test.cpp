@@ -8,6 +8,7 @@
 #include <random>
 
 #include "support/exact_intersection.h"
+#include "support/expect_assert.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 
@@ -20,7 +21,7 @@ std::shared_ptr<const Surface> surfaceOf(TriangleMesh mesh) {
 
 std::shared_ptr<const ToolShape> toolOf(TriangleMesh mesh) { return std::make_shared<ToolShape>(std::move(mesh)); }
 
-/// Moves as often as a patient caller would; expects it to settle.
+/// Moves until the proxy has settled, at most 200 times.
 MoveResult settle(ProxySolver& body, const Pose& goal) {
     MoveResult result;
     for (int i = 0; i < 200; ++i) {
@@ -35,7 +36,7 @@ Pose at(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}
 
 TriangleMesh smallBox() { return test::box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)); }
 
-/// A flat half at z = 0 and one that falls from x = 0 on by an eighth (seen from `side`), 8 mm long and wide.
+/// A flat half at z = 0, and one that slopes down from x = 0 by an eighth (seen from `side`); 8 mm long and wide.
 TriangleMesh edgeBetweenFlatAndSlope(float side) {
     TriangleMesh mesh;
     const float down = -side * 4.0F / 8;
@@ -54,7 +55,7 @@ TEST(ProxySolver, ReachesAFreeGoal) {
     EXPECT_EQ(body.pose().position, Vec3(3, -2, 1));
 }
 
-TEST(ProxySolver, ThatMayDoLittleInAMoveGoesOnInTheNext) {
+TEST(ProxySolver, WithASmallBudgetContinuesInTheNextMove) {
     const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 40, 20));
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 200, 120));
     const test::ExactIntersection oracle(bed->base->mesh(), tool->mesh());
@@ -82,7 +83,7 @@ TEST(ProxySolver, ThatMayDoLittleInAMoveGoesOnInTheNext) {
     }
 }
 
-TEST(ProxySolver, WithABudgetWaitsAFewMovesAtTheEndOfAListThatItWasGiven) {
+TEST(ProxySolver, WithABudgetWaitsAFewMovesAtTheEndOfAGivenList) {
     const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
     const Pose start = at(0, 0, 0.02), far = at(0.3, 0, -0.1);
@@ -91,7 +92,7 @@ TEST(ProxySolver, WithABudgetWaitsAFewMovesAtTheEndOfAListThatItWasGiven) {
         ProxySolver body(tool);
         NeighbourList near(*tool);
         near.buildAll(*bed, start, ContactMargin{Vec3::Zero(), kReach, 0.01});
-        EXPECT_GT(near.clusters(), 600U) << "or it is made anew without a word";
+        EXPECT_GT(near.clusters(), 600U) << "else the proxy builds a list at once";
         body.setSurface(bed);
         body.placeAt(start);
         body.setSurface(bed, near);
@@ -107,7 +108,7 @@ TEST(ProxySolver, WithABudgetWaitsAFewMovesAtTheEndOfAListThatItWasGiven) {
     EXPECT_NEAR((bounded.pose().position - start.position).norm(), kReach, 0.2 * kReach);
     for (std::uint32_t lists = 1; lists <= 3; ++lists) {
         (void)bounded.moveToward(far);
-        EXPECT_EQ(bounded.ownListRebuilds(), lists) << "none has come; one of its own in each move";
+        EXPECT_EQ(bounded.ownListRebuilds(), lists) << "no list was given: it builds one in each move";
     }
     EXPECT_GT((bounded.pose().position - start.position).norm(), 1.1 * kReach);
 
@@ -116,12 +117,12 @@ TEST(ProxySolver, WithABudgetWaitsAFewMovesAtTheEndOfAListThatItWasGiven) {
     EXPECT_GT(unbounded.ownListRebuilds(), 0U);
 }
 
-TEST(ProxySolver, TurnsToTheEndOfAGivenListAndWaitsThere) {
+TEST(ProxySolver, RotatesToTheEndOfAGivenListAndWaitsThere) {
     const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
     const Pose start = at(0, 0, 0.02);
     constexpr double kTurn = 0.01;
-    for (const double angle : {0.05, 0.5, 2.5}) {  // a share of a large turn is more than that share of its chord
+    for (const double angle : {0.05, 0.5, 2.5}) {  // a share of a large rotation is more than that share of its chord
         ProxySolver body(tool);
         NeighbourList near(*tool);
         near.buildAll(*bed, start, ContactMargin{Vec3::Zero(), 0.03, kTurn});
@@ -140,7 +141,7 @@ TEST(ProxySolver, TurnsToTheEndOfAGivenListAndWaitsThere) {
     }
 }
 
-TEST(ProxySolver, ThatHasGoneOnWhileItsListWasMadeWaitsForOneThatReachesIt) {
+TEST(ProxySolver, OutsideOfALateListWaitsForTheNextOne) {
     const auto tool = toolOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60));
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 300, 200));
     const Pose listed = at(0, 0, 0.02), start = at(0.06, 0, 0.02), far = at(0.3, 0, -0.1);
@@ -175,11 +176,11 @@ TEST(ProxySolver, ThatHasGoneOnWhileItsListWasMadeWaitsForOneThatReachesIt) {
     for (int move = 1; move <= 8; ++move) (void)lonely.moveToward(far);
     EXPECT_EQ(lonely.ownListRebuilds(), 0U);
     (void)lonely.moveToward(far);
-    EXPECT_EQ(lonely.ownListRebuilds(), 1U) << "none has come: it goes on by itself";
+    EXPECT_EQ(lonely.ownListRebuilds(), 1U) << "no list was given: it builds one";
 }
 
-// A bur as long as its slot cannot turn in it with the hand: no list would let it.
-TEST(ProxySolver, ThatItsCavityKeepsFromTurningMakesNoListForIt) {
+// A bur as long as its slot cannot rotate in it: no list would allow that.
+TEST(ProxySolver, HeldByItsCavityBuildsNoListForARotation) {
     TriangleMesh long1 = test::sphere(Vec3::Zero(), 0.5, 80, 60);
     TriangleMesh long2 = test::sphere(Vec3::Zero(), 0.502, 240, 120);
     for (TriangleMesh* mesh : {&long1, &long2}) {
@@ -201,8 +202,8 @@ TEST(ProxySolver, ThatItsCavityKeepsFromTurningMakesNoListForIt) {
     EXPECT_LT(chordBetween(body.pose().rotation, Quat::Identity()), 0.01);
 }
 
-// In a cavity of its own shape so much is near that a list of its own is too long at first.
-TEST(ProxySolver, ThatIsGivenListsWaitsForOneWhereItsOwnComesOutTooLong) {
+// In a cavity of the bur's own shape, the proxy's own list is too long at first.
+TEST(ProxySolver, WaitsForAGivenListIfItsOwnIsTooLong) {
     const auto tool = toolOf(test::sphere(Vec3::Zero(), 0.5, 60, 30));
     const auto cavity = surfaceOf(test::sphere(Vec3::Zero(), 0.502, 240, 120));
     const Pose start = at(0, 0, 0), below = at(0.05, 0.03, -0.1);
@@ -230,7 +231,7 @@ TEST(ProxySolver, ThatIsGivenListsWaitsForOneWhereItsOwnComesOutTooLong) {
         EXPECT_EQ(body.moveToward(below).status, MoveStatus::OutOfBudget);
         EXPECT_EQ(body.pose().position, place);
     }
-    EXPECT_EQ(body.ownListRebuilds(), lists) << "the last was too long, and made no shorter at once";
+    EXPECT_EQ(body.ownListRebuilds(), lists) << "the last list was too long, and no shorter one is built at once";
     NeighbourList longList = listOf(0.002);
     body.setSurface(cavity, longList);
     (void)body.moveToward(below);
@@ -238,7 +239,7 @@ TEST(ProxySolver, ThatIsGivenListsWaitsForOneWhereItsOwnComesOutTooLong) {
     EXPECT_EQ(body.ownListRebuilds(), lists);
 }
 
-TEST(ProxySolver, GivesBackTheListOfTheSurfaceThatItLeaves) {
+TEST(ProxySolver, ReturnsTheListOfTheOldSurface) {
     const auto tool = toolOf(smallBox());
     const auto low = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0)));
     const auto lower = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, -0.1)));
@@ -287,8 +288,7 @@ TEST(ProxySolver, SettlesInTheCornerOfThreeWalls) {
 }
 
 TEST(ProxySolver, IsHeldInAVGrooveAtTheClosedFormHeight) {
-    // Two planes at 45 degrees: a square edge of the tool, turned by 45 degrees about y, fits exactly; an upright box
-    // 1 mm wide rests on two edges half a millimetre above the bottom.
+    // Two planes at 45 degrees. An upright box 1 mm wide rests on two edges half a millimetre above the bottom.
     TriangleMesh groove;
     groove.vertices = {Vec3f(0, -10, 0), Vec3f(0, 10, 0),  Vec3f(5, 10, 5),
                        Vec3f(5, -10, 5), Vec3f(-5, 10, 5), Vec3f(-5, -10, 5)};
@@ -300,9 +300,9 @@ TEST(ProxySolver, IsHeldInAVGrooveAtTheClosedFormHeight) {
     EXPECT_NEAR((body.pose().position - Vec3(0, 0.5, 0.5)).norm(), 0, 2 * body.margin());
 }
 
-// Beside a convex edge the flat has a nearest point to the hand of its own, and the slope has a nearer one. Between
-// them the distance grows by less than the margin: that is no minimum to stop at.
-TEST(ProxySolver, DoesNotStopAMarginBesideAnEdgeThatLeadsOn) {
+// Beside a convex edge, the flat half has its own point nearest to the goal, and the slope has a nearer one. Between
+// them the distance grows by less than the margin: the proxy must not stop there.
+TEST(ProxySolver, DoesNotStopBesideAnEdgeThatLeadsOn) {
     constexpr double kDepth = 0.3;
     const TriangleMesh ball = test::sphere(Vec3(0, 0, 0.5), 0.5, 16, 8);
     const TriangleMesh spike = test::sphere(Vec3(0, 0, -0.5), 0.5, 16, 8);
@@ -333,7 +333,7 @@ TEST(ProxySolver, DoesNotPassAThinWallInOneLongMove) {
     }
 }
 
-TEST(ProxySolver, ThatHasSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
+TEST(ProxySolver, OnceSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
     ProxySolver body(toolOf(smallBox()));
     const auto walls = surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0)));
     body.setSurface(walls);
@@ -355,9 +355,9 @@ TEST(ProxySolver, ThatHasSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
     EXPECT_NEAR(body.pose().position.z(), -0.1, 1e-6);
 }
 
-// The end of a bur on the floor that it has milled: thousands of triangles touch, and one plane parts them all, which
-// need not be the one of the pair that holds the tool.
-TEST(ProxySolver, OnAFlatFloorAsksForFewDistances) {
+// The end of a bur on the floor that it has milled: thousands of triangles touch, and one plane separates them all. It
+// need not be the plane of the pair that holds the tool.
+TEST(ProxySolver, OnAFlatFloorNeedsFewGjkRuns) {
     constexpr std::uint32_t kSide = 80;
     TriangleMesh floor;
     std::mt19937 random(5);
@@ -384,7 +384,7 @@ TEST(ProxySolver, OnAFlatFloorAsksForFewDistances) {
     EXPECT_LT(distances, 100 * 50);
 }
 
-TEST(ProxySolver, AnswersTheSameAtEveryScale) {
+TEST(ProxySolver, GivesTheSameResultAtEveryScale) {
     for (const double scale : {1e-3, 1.0, 1e3}) {
         TriangleMesh ball = test::sphere(Vec3(0, 0, 0), 0.5 * scale, 24, 12);
         TriangleMesh tooth = test::sphere(Vec3(0, 0, -5 * scale), 5 * scale, 200, 100);
@@ -398,7 +398,7 @@ TEST(ProxySolver, AnswersTheSameAtEveryScale) {
     }
 }
 
-TEST(ProxySolver, TurnsOnlyAsFarAsTheWallsLetIt) {
+TEST(ProxySolver, RotatesOnlyAsFarAsTheWallsAllow) {
     TriangleMesh walls = test::box(Vec3(-10, -10, -1), Vec3(10, -0.6, 10));
     append(walls, test::box(Vec3(-10, 0.6, -1), Vec3(10, 10, 10)));
     const TriangleMesh plank = test::box(Vec3(-4, -0.5, 0), Vec3(4, 0.5, 0.2));
@@ -416,7 +416,7 @@ TEST(ProxySolver, TurnsOnlyAsFarAsTheWallsLetIt) {
     EXPECT_LT(angle, 0.03);  // 8 mm long and 1 mm wide between walls 1.2 mm apart: 0.0252 rad
 }
 
-TEST(ProxySolver, TellsWhereAroundItItIsClear) {
+TEST(ProxySolver, KnowsWhichPosesAroundItAreClear) {
     const TriangleMesh tooth = test::sphere(Vec3(0, 0, 0), 3, 120, 80);
     const TriangleMesh bur = test::cylinder(Vec3(0, 0, 0), 0.6, 4, 12);
     const test::ExactIntersection oracle(tooth, bur);
@@ -441,10 +441,10 @@ TEST(ProxySolver, TellsWhereAroundItItIsClear) {
     EXPECT_GT(clear, 50);
     EXPECT_GT(blocked, 50);
     EXPECT_FALSE(body.isClearAt(at(0, 0, 9)).has_value()) << "too far away";
-    EXPECT_FALSE(body.isClearAt({body.pose().position, Quat(0, 1, 0, 0)}).has_value()) << "turned too far";
+    EXPECT_FALSE(body.isClearAt({body.pose().position, Quat(0, 1, 0, 0)}).has_value()) << "rotated too far";
 }
 
-TEST(ProxySolver, IsHeldAfterAShiftAsAfterItWasPlacedThere) {
+TEST(ProxySolver, SettlesAfterAShiftAsAfterAPlacement) {
     ProxySolver shifted(toolOf(smallBox()));
     ProxySolver placed(toolOf(smallBox()));
     for (ProxySolver* body : {&shifted, &placed}) {
@@ -495,6 +495,15 @@ TEST(ProxySolver, NeverIntersectsOnARandomWalkAndRepeatsItBitForBit) {
         EXPECT_GT(held, kTicks / 3);
         EXPECT_LT(held, kTicks / 60 * 59);
     }
+}
+
+TEST(ProxySolver, AssertsThatItHasASurfaceAndAFiniteGoal) {
+    ProxySolver body(toolOf(smallBox()));
+    EXPECT_ASSERT((void)body.moveToward(at(0, 0, 1)));
+    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));
+    EXPECT_ASSERT((void)body.moveToward(at(0, 0, std::nan(""))));
+    EXPECT_ASSERT(body.placeAt(at(0, 0, 1 / 0.0)));
+    EXPECT_ASSERT(body.setBudget(-1));
 }
 
 }  // namespace tactooth

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/proxy/qp3.h"
+#include "support/expect_assert.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ Vec3 randomDirection(std::mt19937& random) {
     return direction.normalized();
 }
 
-/// The conditions of Karush, Kuhn and Tucker, which a nearest point of a convex set fulfils and no other point does.
+/// Checks the Karush-Kuhn-Tucker conditions. Only the nearest point of a convex set meets them.
 void expectNearest(const Qp3Result& result, const std::vector<HalfSpace>& halfSpaces, const Vec3& target) {
     for (const HalfSpace& half : halfSpaces) ASSERT_GE(half.normal.dot(result.point), half.offset - 1e-9);
     Vec3 push = Vec3::Zero();
@@ -50,12 +51,12 @@ TEST(Qp3Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
     for (const int count : seen) EXPECT_GT(count, 300);  // free, plane, edge and corner all occur
 }
 
-TEST(Qp3Result, KnowsThatASlabWithoutInsideIsEmpty) {
+TEST(Qp3Result, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
     const std::vector<HalfSpace> halfSpaces = {{Vec3::UnitX(), 1}, {-Vec3::UnitX(), 0}};
     EXPECT_FALSE(solveQp3(halfSpaces, Vec3::Zero(), 1e-12).feasible);
 }
 
-TEST(Qp3Result, KnowsThatAPrismWithoutInsideIsEmpty) {
+TEST(Qp3Result, KnowsThatAnInvertedPrismIsEmpty) {
     std::vector<HalfSpace> halfSpaces;
     for (int i = 0; i < 3; ++i) {
         const double angle = 2 * 3.141592653589793 * i / 3;
@@ -77,6 +78,13 @@ TEST(Qp3Result, WithoutHalfSpacesIsTheTarget) {
     const Qp3Result result = solveQp3({}, Vec3(1, 2, 3), 1e-12);
     EXPECT_TRUE(result.feasible);
     EXPECT_EQ(result.point, Vec3(1, 2, 3));
+}
+
+TEST(Qp3Result, AssertsThatNormalsAreUnitAndTheTargetIsFinite) {
+    const std::vector<HalfSpace> tooLong = {{2 * Vec3::UnitX(), 1}};
+    EXPECT_ASSERT((void)solveQp3(tooLong, Vec3::Zero(), 1e-12));
+    EXPECT_ASSERT((void)solveQp3({}, Vec3::Zero(), -1));
+    EXPECT_ASSERT((void)solveQp3({}, Vec3::UnitX() / 0.0, 1e-12));
 }
 
 }  // namespace tactooth

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 #include "collision/proxy/qp6.h"
+#include "support/expect_assert.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ Vec6 randomDirection(std::mt19937& random) {
     return direction.normalized();
 }
 
-/// The conditions of Karush, Kuhn and Tucker, which a nearest point of a convex set fulfils and no other point does.
+/// Checks the Karush-Kuhn-Tucker conditions. Only the nearest point of a convex set meets them.
 void expectNearest(const Qp6Result& result, const std::vector<HalfSpace6>& halfSpaces, const Vec6& target) {
     for (const HalfSpace6& half : halfSpaces) ASSERT_GE(half.normal.dot(result.point), half.offset - 1e-9);
     Vec6 push = Vec6::Zero();
@@ -50,7 +51,7 @@ TEST(Qp6Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
     EXPECT_GT(seen[6], 20);
 }
 
-TEST(Qp6Result, StandsRepeatedAndDependentPlanes) {
+TEST(Qp6Result, HandlesRepeatedAndDependentPlanes) {
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
         std::vector<HalfSpace6> halfSpaces;
@@ -65,7 +66,7 @@ TEST(Qp6Result, StandsRepeatedAndDependentPlanes) {
     }
 }
 
-TEST(Qp6Result, KnowsThatASlabWithoutInsideIsEmpty) {
+TEST(Qp6Result, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
     const Vec6 x = Vec6::Unit(4);
     EXPECT_FALSE(solveQp6(std::vector<HalfSpace6>{{x, 1}, {-x, 0}}, Vec6::Zero(), 1e-12).feasible);
 }
@@ -75,6 +76,11 @@ TEST(Qp6Result, WithoutHalfSpacesIsTheTarget) {
     const Qp6Result result = solveQp6({}, target, 1e-12);
     EXPECT_TRUE(result.feasible);
     EXPECT_EQ(result.point, target);
+}
+
+TEST(Qp6Result, AssertsThatTheTargetIsFiniteAndTheToleranceNotNegative) {
+    EXPECT_ASSERT((void)solveQp6({}, Vec6::Zero(), -1));
+    EXPECT_ASSERT((void)solveQp6({}, Vec6::Ones() / 0.0, 1e-12));
 }
 
 }  // namespace tactooth

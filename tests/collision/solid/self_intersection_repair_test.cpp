@@ -9,6 +9,7 @@
 
 #include "collision/solid/self_intersection.h"
 #include "geometry/field/isosurface.h"
+#include "support/expect_assert.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -19,7 +20,7 @@ std::vector<std::uint32_t> selfIntersections(const TriangleMesh& mesh) {
     return selfIntersectingTriangles(SurfacePart(mesh)).value();
 }
 
-/// Oracle: where the line through `from` and `to` meets the triangle's plane, in shares of the segment and of the
+/// Oracle: where the line through `from` and `to` meets the triangle's plane, as shares of the segment and of the
 /// triangle's sides.
 bool segmentMeets(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b, const Vec3& c) {
     Mat3 system;
@@ -28,8 +29,8 @@ bool segmentMeets(const Vec3& from, const Vec3& to, const Vec3& a, const Vec3& b
     return share.x() >= 0 && share.x() <= 1 && share.y() >= 0 && share.z() >= 0 && share.y() + share.z() <= 1;
 }
 
-/// Whether an edge of one of the two triangles of `mesh` goes through the other one; edges that end in a common corner
-/// are left out.
+/// Whether an edge of one of the two triangles of `mesh` passes through the other one. Edges that end in a common
+/// corner are left out.
 bool anEdgeGoesThrough(const TriangleMesh& mesh) {
     const auto goes = [&](std::size_t one, std::size_t other) {
         const Triangle &edges = mesh.triangles[one], &face = mesh.triangles[other];
@@ -47,7 +48,7 @@ bool anEdgeGoesThrough(const TriangleMesh& mesh) {
     return goes(0, 1) || goes(1, 0);
 }
 
-/// Ten thousand pairs of triangles with `common` corners in common, judged by the oracle; the share that cross.
+/// Compares ten thousand pairs of triangles with `common` common corners with the oracle. Returns the share that cross.
 double shareOfIntersectingPairs(std::uint32_t common) {
     std::mt19937 random(7 + common);
     std::uniform_real_distribution<float> place(-1, 1);
@@ -67,7 +68,7 @@ double shareOfIntersectingPairs(std::uint32_t common) {
     return crossing / double{kPairs};
 }
 
-TEST(SelfIntersections, AreThePairsThatAnEdgeOfOneGoesThroughTheOther) {
+TEST(SelfIntersections, ArePairsInWhichAnEdgePassesThroughTheOtherTriangle) {
     const double share = shareOfIntersectingPairs(0);
     EXPECT_GT(share, 0.1);
     EXPECT_LT(share, 0.7);
@@ -98,7 +99,7 @@ TEST(SelfIntersections, OfTwoBodiesAreThoseAlongTheirSeam) {
     for (const std::uint32_t t : crossing) EXPECT_NEAR(both.corner(t, 0).x(), 0.5, kTriangle);
 }
 
-TEST(SelfIntersections, TellAFoldedPairFromAFlatOne) {
+TEST(SelfIntersections, DistinguishAFoldedPairFromAFlatOne) {
     TriangleMesh pair;
     pair.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5F, -1, 0}, {0.5F, 0.5F, 0}};
     pair.triangles = {{0, 1, 2}, {1, 0, 3}};
@@ -107,13 +108,13 @@ TEST(SelfIntersections, TellAFoldedPairFromAFlatOne) {
     EXPECT_EQ(selfIntersections(pair).size(), 2u);
 }
 
-/// A wall that is thinner than a cell, round a tube, and wavy.
+/// A wavy wall around a tube, thinner than a cell.
 double thinWall(const Vec3& p) {
     const double radius = std::hypot(p.x(), p.y()) - 1.2 - 0.1 * std::sin(5 * p.z());
     return std::max(std::abs(radius) - 0.07, std::abs(p.z()) - 1.5);
 }
 
-TEST(SelfIntersectionRepair, TakesACrossingSurfaceBackToWhereItDoesNotCross) {
+TEST(SelfIntersectionRepair, MovesACrossingSurfaceBackUntilNothingCrosses) {
     const Box3 box(Vec3(-2, -2, -2), Vec3(2, 2, 2));
     RelaxedSurface surface = relaxedIsosurface(thinWall, box, {.cellSize = 0.21});
     ASSERT_EQ(surface.restPositions.size(), surface.mesh.vertices.size());
@@ -134,12 +135,17 @@ TEST(SelfIntersectionRepair, LeavesASurfaceThatDoesNotCrossAsItIs) {
     EXPECT_TRUE(test::areBitEqual(same, ball));
 }
 
-TEST(SelfIntersectionRepair, SaysWhenEvenTheWayBackCrosses) {
+TEST(SelfIntersectionRepair, ReportsRestPositionsThatCross) {
     TriangleMesh pair;
     pair.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2F, 0.2F, -1}, {0.2F, 0.2F, 1}, {2, 2, 0}};
     pair.triangles = {{0, 1, 2}, {3, 4, 5}};
     const std::vector<Vec3f> home = pair.vertices;
     EXPECT_FALSE(repairSelfIntersections(pair, home));
+}
+
+TEST(SelfIntersectionRepair, AssertsThatEachVertexHasARestPosition) {
+    TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    EXPECT_ASSERT((void)repairSelfIntersections(mesh, {}));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-/// Oracle: each triangle with each.
+/// Oracle: tests all pairs of triangles.
 std::vector<std::uint32_t> intersectionsByPairs(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> found;
     for (std::uint32_t a = 0; a < mesh.triangles.size(); ++a) {
@@ -26,7 +26,7 @@ std::vector<std::uint32_t> intersectionsByPairs(const TriangleMesh& mesh) {
     return found;
 }
 
-TEST(SelfIntersection, FindsWhatEachTriangleWithEachFinds) {
+TEST(SelfIntersection, AgreesWithBruteForce) {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> place(-3, 3), radius(0.1, 2);
     std::size_t crossing = 0, sound = 0;
@@ -47,7 +47,7 @@ TEST(SelfIntersection, FindsWhatEachTriangleWithEachFinds) {
     EXPECT_GT(sound, 0u);
 }
 
-TEST(SelfIntersection, TrianglesOfVeryDifferentSizesAreNoTrouble) {
+TEST(SelfIntersection, HandlesTrianglesOfVeryDifferentSizes) {
     TriangleMesh mesh = test::box(Vec3(-50, -50, -1), Vec3(50, 50, 0));
     append(mesh, test::sphere(Vec3(0, 0, 1), 0.9, 200, 150));
     EXPECT_TRUE(selfIntersectingTriangles(SurfacePart(mesh)).value().empty());

@@ -13,6 +13,7 @@
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/mesh_report.h"
 #include "geometry/mesh/vertex_welder.h"
+#include "support/expect_assert.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -33,7 +34,7 @@ std::string wordsOf(const SolidReport& report) {
     return words;
 }
 
-TEST(Solid, ASoundSurfaceKeepsEveryBitAndSaysNothing) {
+TEST(Solid, ASoundSurfaceKeepsEveryBitAndHasNoNotes) {
     for (const TriangleMesh& mesh :
          {cube(1), test::sphere(Vec3(1, 2, 3), 5, 40, 30), test::cylinder(Vec3(0, 0, 0), 1, 5, 30)}) {
         const ExaminedSolid examined = examineSolid(mesh);
@@ -44,10 +45,10 @@ TEST(Solid, ASoundSurfaceKeepsEveryBitAndSaysNothing) {
     }
 }
 
-/// Shells within each other, of which any may look the wrong way; what is inside alternates from shell to shell.
+/// Nested shells, any of which may face the wrong side. Inside and outside alternate from shell to shell.
 class NestedShells : public ::testing::TestWithParam<int> {};
 
-TEST_P(NestedShells, AreTurnedByHowTheyAreNested) {
+TEST_P(NestedShells, AreOrientedByTheirNesting) {
     constexpr std::array<double, 4> kHalf = {10, 7, 4, 2};
     double volume = 0;
     TriangleMesh mesh;
@@ -55,7 +56,7 @@ TEST_P(NestedShells, AreTurnedByHowTheyAreNested) {
         volume += (i % 2 == 0 ? 1 : -1) * std::pow(2 * kHalf[i], 3);
         append(mesh, (GetParam() >> i & 1) != 0 ? turned(cube(kHalf[i])) : cube(kHalf[i]));
     }
-    // Beside them a body of its own with a hollow.
+    // Beside them another body with a hollow.
     append(mesh, test::box(Vec3(20, 0, 0), Vec3(30, 10, 10)));
     append(mesh, (GetParam() & 1) != 0 ? test::sphere(Vec3(25, 5, 5), 3, 24, 16)
                                        : turned(test::sphere(Vec3(25, 5, 5), 3, 24, 16)));
@@ -74,7 +75,7 @@ TEST_P(NestedShells, AreTurnedByHowTheyAreNested) {
 
 INSTANTIATE_TEST_SUITE_P(EveryMixOfTurnedOnes, NestedShells, ::testing::Range(0, 16));
 
-TEST(Solid, TheNearestTriangleAndARaySayTheSame) {
+TEST(Solid, TheNearestTriangleAndARayAgree) {
     TriangleMesh mesh = turned(cube(5));
     append(mesh, test::sphere(Vec3(1, 1, 1), 3, 24, 16));
     append(mesh, turned(cube(0.5)));
@@ -122,12 +123,12 @@ TriangleMesh voxelSurface(const std::vector<std::array<int, 3>>& voxels) {
     return weld(corners);
 }
 
-TEST(Solid, VoxelsThatTouchAlongEdgesAreSolidWhicheverWayTheirPartsLook) {
+TEST(Solid, VoxelsThatTouchAlongEdgesAreSolidInAnyOrientation) {
     const std::vector<std::vector<std::array<int, 3>>> shapes = {
         {{0, 0, 0}, {1, 1, 0}},
         {{0, 0, 0}, {1, 1, 0}, {2, 0, 0}},
         {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}},  // a ring that touches itself
-        {{0, 0, 0}, {1, 1, 1}},                                   // in a corner alone
+        {{0, 0, 0}, {1, 1, 1}},                                   // only in a corner
         {{0, 0, 0}, {0, 1, 1}, {1, 1, 0}},
     };
     for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -144,14 +145,14 @@ TEST(Solid, VoxelsThatTouchAlongEdgesAreSolidWhicheverWayTheirPartsLook) {
     }
 }
 
-/// Bodies that reach into each other in one way or another.
+/// Bodies that overlap in several ways.
 TriangleMesh overlapping(int kind) {
     TriangleMesh mesh = cube(3);
     switch (kind) {
         case 0:
             append(mesh, test::sphere(Vec3(3, 0, 0), 1, 24, 16));
             break;
-        case 1:  // one of them inside out
+        case 1:  // one of them is inverted
             append(mesh, turned(test::box(Vec3(2, 2, 2), Vec3(5, 5, 5))));
             break;
         case 2:  // a rod through the body
@@ -166,7 +167,7 @@ TriangleMesh overlapping(int kind) {
                 if (v.z() > 2) v.z() -= 6.5F;
             }
             break;
-        case 5:  // many that stand in each other
+        case 5:  // many that overlap
             for (int i = 1; i < 8; ++i) append(mesh, test::sphere(Vec3(0.7 * i, 0.3 * i, 0), 2, 24, 16));
             break;
         default:
@@ -187,7 +188,7 @@ TEST_P(OverlappingBodies, AreNoSolid) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, OverlappingBodies, ::testing::Range(0, 6));
 
-TEST(Solid, AFoldOfLessThanTheCtResolvesIsLeftAsItIs) {
+TEST(Solid, AFoldBelowTheResolutionOfTheCtIsLeftAsItIs) {
     TriangleMesh mesh = test::sphere(Vec3(0, 0, 0), 3, 96, 64);
     append(mesh, test::sphere(Vec3(5.995, 0, 0), 3, 96, 64));
     const ExaminedSolid examined = examineSolid(mesh);
@@ -196,7 +197,7 @@ TEST(Solid, AFoldOfLessThanTheCtResolvesIsLeftAsItIs) {
     EXPECT_THAT(wordsOf(examined.report), HasSubstr("they are left as they are"));
 }
 
-TEST(Solid, WhatIsNoBodySaysWhy) {
+TEST(Solid, AFlawIsExplained) {
     TriangleMesh open = cube(1);
     open.triangles.pop_back();
     EXPECT_EQ(examineSolid(open).report.flaw, SolidFlaw::Open);
@@ -212,7 +213,7 @@ TEST(Solid, WhatIsNoBodySaysWhy) {
 }
 
 TEST(Solid, ASurfaceWithOneSideIsTwisted) {
-    // The projective plane with six vertices: closed, and one cannot tell its two sides apart.
+    // The projective plane with six vertices: closed, with only one side.
     TriangleMesh mesh;
     for (int i = 0; i < 6; ++i) mesh.vertices.emplace_back(std::cos(float(i)), std::sin(2 * float(i)), float(i % 3));
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
@@ -222,7 +223,7 @@ TEST(Solid, ASurfaceWithOneSideIsTwisted) {
     EXPECT_TRUE(flaw == SolidFlaw::NonOrientable || flaw == SolidFlaw::SelfIntersecting);
 }
 
-TEST(Solid, OneTriangleThatLooksTheWrongWayIsTurned) {
+TEST(Solid, OneTriangleThatFacesTheWrongSideIsFlipped) {
     for (std::size_t t = 0; t < 12; ++t) {
         TriangleMesh mesh = cube(2);
         std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
@@ -241,11 +242,18 @@ TEST(Winding, CountsTheBodiesInFrontOfATriangle) {
     for (std::uint32_t t = 0; t < 12; ++t) {
         EXPECT_EQ(windingInFront(part, t), 0);
         EXPECT_EQ(windingInFront(part, 12 + t), 1);
-        EXPECT_EQ(windingInFront(part, 24 + t), 1);  // looks into itself: two bodies around it, less itself
+        EXPECT_EQ(windingInFront(part, 24 + t), 1);  // faces inward: two bodies around it, minus itself
         EXPECT_NEAR(clearanceFrom(part, t, false), 2, 1e-9);
         EXPECT_NEAR(clearanceFrom(part, 12 + t, true), 2, 1e-9);
         EXPECT_TRUE(std::isinf(clearanceFrom(part, t, true)));
     }
+}
+
+TEST(Winding, AssertsThatTheTriangleAndThePlaceExist) {
+    const SurfacePart part(cube(5));
+    EXPECT_ASSERT((void)windingInFront(part, 12));
+    EXPECT_ASSERT((void)windingInFront(part, 0, Barycentric(1, 1, 0)));
+    EXPECT_ASSERT((void)clearanceFrom(part, 0, true, Barycentric(2, -1, 0)));
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "collision/proxy/neighbour_horizon.h"
+#include "collision/proxy/plane_finder.h"
+#include "collision/proxy/proxy_state.h"
+#include "collision/proxy/work_budget.h"
+
+namespace tactooth {
+
+/// What the parts of a proxy solver share.
+struct ProxyContext {
+    ProxyContext(std::shared_ptr<const ToolShape> tool, Freedom freedom)
+        : state{std::move(tool), freedom, nullptr, {}}, horizon(*state.tool) {}
+
+    ProxyState state;
+    NeighbourHorizon horizon;
+    PlaneFinder planes;
+    WorkBudget budget;
+    ActiveContacts contacts;
+
+    [[nodiscard]] bool ensurePlane(WatchedPair& watched) { return planes.ensurePlane(state, watched, budget); }
+};
+
+}  // namespace tactooth

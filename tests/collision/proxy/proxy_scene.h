@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <random>
+
+#include "collision/contact_oracle.h"
+#include "collision/proxy/candidate_step.h"
+#include "collision/proxy/proxy_context.h"
+#include "support/shapes.h"
+
+namespace tactooth::test {
+
+inline constexpr double kMargin = 1e-6;  // mm
+
+[[nodiscard]] inline Pose poseAt(double x, double y, double z) { return {Vec3(x, y, z), Quat::Identity()}; }
+
+/// A cube of 1 mm with its origin in the middle of its lower side.
+[[nodiscard]] inline TriangleMesh smallBox() { return box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 1)); }
+/// A block whose upper side is the plane z = 0.
+[[nodiscard]] inline TriangleMesh floorBlock() { return box(Vec3(-10, -10, -1), Vec3(10, 10, 0)); }
+/// One triangle.
+[[nodiscard]] inline TriangleMesh oneTriangle(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    TriangleMesh mesh;
+    mesh.vertices = {a, b, c};
+    mesh.triangles = {{0, 1, 2}};
+    return mesh;
+}
+
+/// A solver's parts with a tool among the triangles of a tooth, and no list yet.
+[[nodiscard]] inline ProxyContext sceneOf(const TriangleMesh& tool, const TriangleMesh& tooth, const Pose& pose,
+                                          Freedom freedom = Freedom::Translation) {
+    ProxyContext context(toolOf(tool), freedom);
+    context.state.surface = surfaceOf(tooth);
+    context.state.pose = pose;
+    context.state.margin = kMargin;
+    return context;
+}
+
+/// Gives a scene a list of all that is within a margin around its pose.
+inline void listAround(ProxyContext& context, double around, double turn = 0.01) {
+    NeighbourList near(*context.state.tool);
+    near.buildAll(*context.state.surface, context.state.pose, ContactMargin{Vec3::Zero(), around, turn});
+    context.horizon.take(near);
+}
+
+/// A step that shifts the tool, without rotation.
+[[nodiscard]] inline CandidateStep stepBy(const ProxyContext& context, const Vec3& shift) {
+    CandidateStep step;
+    step.goal = {context.state.pose.position + shift, context.state.pose.rotation};
+    step.rotateBy(context.state.pose.rotation, 0);
+    step.shift = shift;
+    step.limits = {100, 2, 100};
+    return step;
+}
+
+[[nodiscard]] inline Vec3 randomVector(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    const double x = normal(random), y = normal(random), z = normal(random);
+    return {x, y, z};
+}
+
+}  // namespace tactooth::test
