@@ -19,8 +19,8 @@
 
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/scene/tooth_view.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/gui/window/main_window.h"
-#include "app/gui/window/window_setup.h"
 #include "sound/output/openal_output.h"
 
 namespace tactooth {

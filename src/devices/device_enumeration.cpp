@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/device_enumeration.h"
 
-#include "devices/device_backend.h"
+#include "devices/probe/device_backend.h"
 #include "devices/sdl/joystick_probe.h"
 
 namespace tactooth {

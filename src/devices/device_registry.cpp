@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "devices/device_backend.h"
 #include "devices/haply/haply_backend.h"
-#include "devices/mouse_backend.h"
+#include "devices/mouse/mouse_backend.h"
 #include "devices/openhaptics/openhaptics_backend.h"
+#include "devices/probe/device_backend.h"
 #include "devices/sdl/gamepad_backend.h"
 #include "devices/spacemouse/space_mouse_backend.h"
 

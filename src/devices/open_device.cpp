@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
-#include "devices/device_backend.h"
+#include "devices/probe/device_backend.h"
 
 namespace tactooth {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 
 namespace tactooth {
 
@@ -19,8 +19,8 @@ inline constexpr std::string_view kReplay = "replay:";
     return name.starts_with(kReplay) && name.size() > kReplay.size();
 }
 
-/// The names that checkDeviceName accepts, for help and messages, without replays: "mouse, pen, ..., pen:NAME or ... for
-/// one of several". `isSecond`: see there.
+/// The names that checkDeviceName accepts, for help and messages, without replays: "mouse, pen, ..., pen:NAME or ...
+/// for one of several". `isSecond`: see there.
 [[nodiscard]] std::string deviceNames(bool isSecond = false);
 
 /// Whether openDevice knows `name`, or it is the mouse or a replay; nothing is opened. Fails with one sentence that

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "devices/simulated_device.h"
+#include "devices/simulated/simulated_device.h"
 #include "experiments/stability_specimens.h"
 #include "experiments/standard_teeth.h"
 #include "haptics/cutting_force.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/device_presets.h"
+#include "devices/base/device_presets.h"
 #include "tooth/model/material_registry.h"
 
 namespace tactooth {

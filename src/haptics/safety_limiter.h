@@ -21,7 +21,7 @@ struct ForceLimits {
     double continuousForce = std::numeric_limits<double>::infinity();  ///< N that the motors can render without end
     double friction = 0;  ///< N, dry friction of the device's own mechanics
     /// N*mm/s (1e-3 W): the largest product of force and speed of the hand. The default is that of a Touch. `limitsOf`
-    /// in devices/device_presets.h explains it.
+    /// in devices/base/device_presets.h explains it.
     double power = 2296;
 };
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "app/device_session.h"
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "devices/standin/standin_haply.h"
 
 namespace tactooth {

@@ -14,7 +14,7 @@
 #include <fstream>
 
 #include "app/gui/dialogs/import_dialog.h"
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
 #include "instruments/builtin_tooth.h"

@@ -17,7 +17,7 @@
 #include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/panels/elided_label.h"
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "devices/virtual_pad.h"
 

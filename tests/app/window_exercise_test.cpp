@@ -13,8 +13,8 @@
 #include <QToolButton>
 #include <fstream>
 
+#include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
-#include "app/gui/window/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
 #include "support/shapes.h"

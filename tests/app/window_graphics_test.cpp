@@ -10,7 +10,7 @@
 #include <QTabBar>
 #include <ctime>
 
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 
 namespace tactooth {

@@ -15,7 +15,7 @@
 #include <set>
 
 #include "app/gui/dialogs/text_dialog.h"
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "support/materials.h"
 

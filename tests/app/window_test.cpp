@@ -19,7 +19,7 @@
 #include "app/gui/dialogs/open_tooth_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/panels/elided_label.h"
-#include "app/gui/window/window_setup.h"
+#include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/io/stl_writer.h"

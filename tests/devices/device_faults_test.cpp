@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-#include "devices/device_presets.h"
+#include "devices/base/device_presets.h"
 #include "haptics/haptic_simulation.h"
 #include "session/control/device_set.h"
 #include "support/materials.h"

@@ -8,7 +8,7 @@
 
 #include <filesystem>
 
-#include "devices/device_backend.h"
+#include "devices/probe/device_backend.h"
 #include "standin/standin_hd.h"
 #include "virtual_pad.h"
 

@@ -8,7 +8,7 @@
 #include <bit>
 #include <string>
 
-#include "devices/scripted_device.h"
+#include "devices/simulated/scripted_device.h"
 #include "geometry/util/fnv1a.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/common/display_server.h"
-#include "devices/child_probe.h"
+#include "devices/probe/child_probe.h"
 
 namespace tactooth {
 namespace {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/haply/haply_backend.h"
 
-#include "devices/device_probe.h"
 #include "devices/haply/haply_connection.h"
 #include "devices/haply/haply_device.h"
 #include "devices/haply/haply_enumeration.h"
+#include "devices/probe/device_probe.h"
 
 namespace tactooth {
 namespace {

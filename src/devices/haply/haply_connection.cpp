@@ -8,7 +8,7 @@
 #include <boost/beast/websocket.hpp>
 #include <optional>
 
-#include "devices/monotonic_clock.h"
+#include "devices/base/monotonic_clock.h"
 
 namespace tactooth {
 namespace {

@@ -11,9 +11,9 @@
 #include <mutex>
 #include <set>
 
-#include "devices/device_presets.h"
-#include "devices/monotonic_clock.h"
-#include "devices/timed_wait.h"
+#include "devices/base/device_presets.h"
+#include "devices/base/monotonic_clock.h"
+#include "devices/base/timed_wait.h"
 #include "haptics/real_time.h"
 
 namespace tactooth {

@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
+#include "devices/base/haptic_device.h"
 #include "devices/haply/haply_connection.h"
 #include "devices/haply/haply_message.h"
-#include "devices/haptic_device.h"
 #include "geometry/util/triple_buffer.h"
 
 namespace tactooth {

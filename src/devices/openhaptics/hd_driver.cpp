@@ -7,8 +7,8 @@
 #include <cmath>
 #include <condition_variable>
 
-#include "devices/device_presets.h"
-#include "devices/monotonic_clock.h"
+#include "devices/base/device_presets.h"
+#include "devices/base/monotonic_clock.h"
 #include "devices/openhaptics/pen_names.h"
 
 namespace tactooth {

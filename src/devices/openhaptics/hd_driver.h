@@ -9,7 +9,7 @@
 #include <mutex>
 #include <thread>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 #include "devices/openhaptics/hd_library.h"
 #include "geometry/util/triple_buffer.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "devices/shared_library.h"
+#include "devices/base/shared_library.h"
 
 namespace tactooth {
 namespace {

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <set>
 
-#include "devices/child_probe.h"
 #include "devices/openhaptics/hd_library.h"
+#include "devices/probe/child_probe.h"
 
 namespace tactooth {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <dlfcn.h>
 
-#include "devices/device_probe.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "devices/openhaptics/pen_names.h"
+#include "devices/probe/device_probe.h"
 
 namespace tactooth {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "devices/device_backend.h"
+#include "devices/probe/device_backend.h"
 
 namespace tactooth {
 

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "devices/monotonic_clock.h"
+#include "devices/base/monotonic_clock.h"
+#include "devices/base/timed_wait.h"
 #include "devices/openhaptics/hd_driver.h"
-#include "devices/timed_wait.h"
 
 namespace tactooth {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 
 namespace tactooth {
 

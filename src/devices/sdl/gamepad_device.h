@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "devices/haptic_device.h"
-#include "devices/rate_controller.h"
-#include "devices/rumble_filter.h"
+#include "devices/base/haptic_device.h"
+#include "devices/base/rate_controller.h"
+#include "devices/base/rumble_filter.h"
 #include "devices/sdl/joysticks.h"
 
 namespace tactooth {

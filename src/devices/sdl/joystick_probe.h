@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/device_probe.h"
+#include "devices/probe/device_probe.h"
 
 namespace tactooth {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "devices/pad_mapping.h"
+#include "devices/base/pad_mapping.h"
 #include "geometry/util/expected.h"
 #include "geometry/util/triple_buffer.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/spacemouse/space_mouse_backend.h"
 
-#include "devices/device_probe.h"
+#include "devices/probe/device_probe.h"
 #include "devices/spacemouse/space_mouse_device.h"
 
 namespace tactooth {

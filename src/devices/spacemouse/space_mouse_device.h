@@ -6,8 +6,8 @@
 #include <atomic>
 #include <thread>
 
-#include "devices/haptic_device.h"
-#include "devices/rate_controller.h"
+#include "devices/base/haptic_device.h"
+#include "devices/base/rate_controller.h"
 #include "geometry/util/triple_buffer.h"
 
 namespace tactooth {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "devices/workspace_fit.h"
+#include "devices/base/workspace_fit.h"
 
 namespace tactooth {
 namespace {

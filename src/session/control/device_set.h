@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
 #include "session/control/device_mapping.h"

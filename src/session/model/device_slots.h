@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "devices/mouse_device.h"
-#include "devices/workspace_fit.h"
+#include "devices/base/workspace_fit.h"
+#include "devices/mouse/mouse_device.h"
 #include "session/control/device_mapping.h"
 
 namespace tactooth {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "devices/open_device.h"
-#include "devices/scripted_device.h"
+#include "devices/simulated/scripted_device.h"
 #include "session/scripts/trajectory.h"
 
 namespace tactooth {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 
 namespace tactooth {
 

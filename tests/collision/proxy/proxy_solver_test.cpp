@@ -8,7 +8,6 @@
 #include <random>
 
 #include "support/exact_intersection.h"
-#include "support/expect_assert.h"
 #include "support/sanitizer.h"
 #include "support/shapes.h"
 
@@ -495,15 +494,6 @@ TEST(ProxySolver, NeverIntersectsOnARandomWalkAndRepeatsItBitForBit) {
         EXPECT_GT(held, kTicks / 3);
         EXPECT_LT(held, kTicks / 60 * 59);
     }
-}
-
-TEST(ProxySolver, AssertsThatItHasASurfaceAndAFiniteGoal) {
-    ProxySolver body(toolOf(smallBox()));
-    EXPECT_ASSERT((void)body.moveToward(at(0, 0, 1)));
-    body.setSurface(surfaceOf(test::box(Vec3(-10, -10, -1), Vec3(10, 10, 0))));
-    EXPECT_ASSERT((void)body.moveToward(at(0, 0, std::nan(""))));
-    EXPECT_ASSERT(body.placeAt(at(0, 0, 1 / 0.0)));
-    EXPECT_ASSERT(body.setBudget(-1));
 }
 
 }  // namespace tactooth

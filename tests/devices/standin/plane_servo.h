@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "devices/haptic_device.h"
+#include "devices/base/haptic_device.h"
 #include "haptics/force_pipeline.h"
 #include "haptics/servo_loop.h"
 

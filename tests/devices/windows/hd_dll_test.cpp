@@ -8,10 +8,10 @@
 #include <functional>
 #include <string>
 
-#include "devices/monotonic_clock.h"
+#include "devices/base/monotonic_clock.h"
+#include "devices/base/shared_library.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
-#include "devices/shared_library.h"
 #include "haptics/force_pipeline.h"
 #include "standin/standin_hd.h"
 

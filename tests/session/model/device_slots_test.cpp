@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "devices/scripted_device.h"
+#include "devices/simulated/scripted_device.h"
 #include "model/model_scene.h"
 #include "session/model/instrument_poses.h"
 

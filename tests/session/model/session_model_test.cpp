@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "devices/scripted_device.h"
+#include "devices/simulated/scripted_device.h"
 #include "model/model_scene.h"
 #include "model/slow_device.h"
 #include "support/materials.h"

@@ -10,8 +10,8 @@
 
 #include "bench_scene.h"
 #include "collision/bvh/closest_point.h"
-#include "devices/null_device.h"
-#include "devices/scripted_device.h"
+#include "devices/simulated/null_device.h"
+#include "devices/simulated/scripted_device.h"
 #include "support/materials.h"
 #include "support/sanitizer.h"
 

@@ -11,7 +11,7 @@
 #include "app/cli/runs/realtime_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
-#include "devices/device_presets.h"
+#include "devices/base/device_presets.h"
 #include "experiments/stability.h"
 
 namespace tactooth {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "devices/child_probe.h"
+#include "devices/probe/child_probe.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/offline_render.h"
 #include "sound/output/openal_output.h"

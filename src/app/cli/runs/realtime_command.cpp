@@ -11,7 +11,7 @@
 #include "app/cli/terminal/output.h"
 #include "app/cli/terminal/timing_bars.h"
 #include "app/common/exit_code.h"
-#include "devices/simulated_device.h"
+#include "devices/simulated/simulated_device.h"
 #include "geometry/mesh/triangle_mesh.h"
 #include "haptics/overload_check.h"
 #include "haptics/real_time.h"

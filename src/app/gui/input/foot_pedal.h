@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/pedal.h"
+#include "devices/sdl/pedal.h"
 
 namespace tactooth {
 

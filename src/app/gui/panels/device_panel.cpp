@@ -7,9 +7,9 @@
 
 #include "app/gui/text/error_translation.h"
 #include "app/gui/text/term_translation.h"
-#include "devices/device_backend.h"
 #include "devices/open_device.h"
 #include "devices/openhaptics/pen_names.h"
+#include "devices/probe/device_backend.h"
 
 namespace tactooth {
 namespace {

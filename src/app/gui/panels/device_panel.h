@@ -14,7 +14,7 @@
 
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
-#include "devices/workspace_fit.h"
+#include "devices/base/workspace_fit.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
 

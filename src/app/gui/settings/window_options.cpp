@@ -5,7 +5,7 @@
 
 #include "app/gui/input/mouse_manipulator.h"
 #include "app/gui/settings/window_settings.h"
-#include "devices/workspace_fit.h"
+#include "devices/base/workspace_fit.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {

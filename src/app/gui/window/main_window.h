@@ -5,19 +5,19 @@
 #include <QMainWindow>
 #include <optional>
 
+#include "app/gui/controllers/device_controller.h"
+#include "app/gui/controllers/dock_layout.h"
+#include "app/gui/controllers/exercise_controller.h"
+#include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/panel_updater.h"
+#include "app/gui/controllers/record_exports.h"
+#include "app/gui/controllers/sound_controller.h"
+#include "app/gui/controllers/step_loop.h"
+#include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/controllers/window_hints.h"
+#include "app/gui/controllers/window_messages.h"
+#include "app/gui/menus/window_menus.h"
 #include "app/gui/panels/inspection_panel.h"
-#include "app/gui/window/device_controller.h"
-#include "app/gui/window/dock_layout.h"
-#include "app/gui/window/exercise_controller.h"
-#include "app/gui/window/file_dialogs.h"
-#include "app/gui/window/panel_updater.h"
-#include "app/gui/window/record_exports.h"
-#include "app/gui/window/sound_controller.h"
-#include "app/gui/window/step_loop.h"
-#include "app/gui/window/tooth_controller.h"
-#include "app/gui/window/window_hints.h"
-#include "app/gui/window/window_menus.h"
-#include "app/gui/window/window_messages.h"
 
 namespace tactooth {
 

@@ -4,8 +4,8 @@
 
 #include <QApplication>
 
+#include "app/gui/settings/window_setup.h"
 #include "app/gui/window/main_window.h"
-#include "app/gui/window/window_setup.h"
 
 namespace tactooth {
 

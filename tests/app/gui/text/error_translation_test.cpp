@@ -8,9 +8,9 @@
 #include <QTranslator>
 #include <cmath>
 
+#include "devices/base/pose_monitor.h"
 #include "devices/haply/haply_message.h"
 #include "devices/openhaptics/hd_library.h"
-#include "devices/pose_monitor.h"
 #include "geometry/files/file_bytes.h"
 #include "session/io/material_file.h"
 #include "support/shapes.h"

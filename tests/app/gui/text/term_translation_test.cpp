@@ -6,7 +6,7 @@
 
 #include <QTranslator>
 
-#include "devices/device_backend.h"
+#include "devices/probe/device_backend.h"
 
 namespace tactooth {
 namespace {

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/exercise_controller.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/controllers/window_messages.h"
+#include "app/gui/model/exercise_tooth.h"
+#include "app/gui/panels/exercise_panel.h"
+#include "app/gui/panels/inspection_panel.h"
+#include "app/gui/scene/tooth_view.h"
+#include "app/gui/text/term_translation.h"
+#include "assessment/exercise_file.h"
+#include "assessment/ideal_shape.h"
+#include "assessment/practice_report.h"
+#include "geometry/files/atomic_file.h"
+
+namespace tactooth {
+
+ExerciseController::ExerciseController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
+                                       FileDialogs& files, ToothController& teeth)
+    : model_(model), panels_(panels), messages_(messages), files_(files), teeth_(teeth) {
+    connect(panels_.inspection, &InspectionPanel::targetRequested, this, &ExerciseController::askForTarget);
+    connect(panels_.exercise, &ExercisePanel::chosen, this, &ExerciseController::start);
+    connect(panels_.exercise, &ExercisePanel::openRequested, this, &ExerciseController::askForExercise);
+    connect(panels_.exercise, &ExercisePanel::restartRequested, this, [this] { model_.resetTooth(); });
+    connect(panels_.exercise, &ExercisePanel::exportRequested, this, &ExerciseController::askForReportFile);
+    connect(&teeth_, &ToothController::exerciseFileChosen, this, &ExerciseController::open);
+    connect(&teeth_, &ToothController::loadingFailed, this, &ExerciseController::showActive);
+}
+
+void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) {
+    panels_.exercise->show(exercise);
+    if (exercise == nullptr) return clearTarget();
+    teeth_.load([exercise] { return makeSessionTooth(exercise); },
+                tr("Preparing the exercise: %1…").arg(translated(exercise->name)));
+}
+
+void ExerciseController::open(const QString& file) {
+    files_.enterFolderOf(file);
+    Expected<Exercise> read = readExercise(file.toStdString());
+    if (!read) return messages_.showError(read.error());
+    emit fileOpened(file);
+    start(std::make_shared<const Exercise>(std::move(*read)));
+}
+
+void ExerciseController::takeTooth() {
+    clearTarget();
+    active_ = model_.tooth()->exercise;
+    showActive();
+}
+
+void ExerciseController::beginExercise() {
+    if (active_ == nullptr) return;
+    showCavity();
+    loadIdealShape();
+}
+
+void ExerciseController::restore(TargetState state) {
+    if (state.target.metrics != nullptr) {
+        if (active_ != nullptr) state.target.name = translated(active_->name);  // in the language of this window
+        setTarget(std::move(state.target));
+        targetFile_ = state.file;
+    } else if (active_ != nullptr) {
+        loadIdealShape();
+    } else if (!state.file.isEmpty()) {
+        openTarget(state.file);
+    }
+}
+
+void ExerciseController::showActive() { panels_.exercise->show(active_); }
+
+/// Turns the picture to the side of the cavity.
+void ExerciseController::showCavity() {
+    const auto* plan = std::get_if<PreparationPlan>(&active_->ideal);
+    if (plan == nullptr) return;
+    const Vec3& outward = plan->outward;
+    const double mesial = model_.mesialX() * outward.x();
+    if (std::abs(outward.y()) > std::max(outward.z(), std::abs(mesial))) {
+        panels_.view->setView(outward.y() > 0 ? StandardView::Buccal : StandardView::Lingual);
+    } else if (std::abs(mesial) > outward.z()) {
+        panels_.view->setView(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
+    }
+}
+
+void ExerciseController::loadIdealShape() {
+    pendingTarget_.start([exercise = active_, name = translated(active_->name),
+                          tooth = model_.tooth()->piece->volume().tooth(),
+                          box = model_.tooth()->box()]() -> Expected<Target> {
+        Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
+        if (!ideal) return Unexpected{ideal.error()};
+        return makeTarget(name, std::move(*ideal), *tooth->ownOuter(), box);
+    });
+}
+
+void ExerciseController::openTarget(const QString& file) {
+    if (!model_.tooth()) return;
+    files_.enterFolderOf(file);
+    messages_.setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
+    active_ = nullptr;
+    showActive();
+    targetFile_ = file;
+    pendingTarget_.start(
+        [file, outer = model_.tooth()->piece->tooth().ownOuter(), box = model_.tooth()->box()]() -> Expected<Target> {
+            Expected<TriangleMesh> ideal = tactooth::loadIdealShape(file.toStdString());
+            if (!ideal) return Unexpected{ideal.error()};
+            return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
+        });
+}
+
+void ExerciseController::clearTarget() {
+    pendingTarget_.cancel();
+    active_ = nullptr;
+    targetFile_.clear();
+    setTarget({});
+}
+
+void ExerciseController::setTarget(Target target) {
+    target_ = std::move(target);
+    progress_.restart(target_.metrics);
+    panels_.inspection->setTarget(target_);
+}
+
+void ExerciseController::collectTarget() {
+    auto target = pendingTarget_.poll();
+    if (!target) return;
+    if (!*target) {
+        if (target_.metrics == nullptr) targetFile_.clear();
+        return messages_.showError(target->error());
+    }
+    setTarget(std::move(**target));
+    if (active_ == nullptr) {
+        messages_.setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+        return;
+    }
+    panels_.inspection->ghostAction()->setChecked(true);
+    messages_.setHint(translated(active_->task));
+}
+
+void ExerciseController::poll() {
+    collectTarget();
+    const Simulator* simulator = model_.simulator();
+    if (simulator == nullptr) return progress_.update(nullptr, 0);
+    progress_.update(simulator->surface(), total(simulator->removed()));
+}
+
+void ExerciseController::showProgress() {
+    if (model_.simulator() == nullptr) return;
+    panels_.exercise->show(model_.log().workSeconds(), model_.simulator()->removed(), model_.simulator()->materials(),
+                           progress_.progress());
+}
+
+void ExerciseController::askForTarget() {
+    files_.open(tr("Target: the ideal shape, in the frame of the tooth"),
+                tr("Surfaces and saved teeth (*.stl *.STL *.obj *.ply *.tactooth);;All files (*)"),
+                [this](const QString& file) { openTarget(file); });
+}
+
+void ExerciseController::askForExercise() {
+    files_.open(tr("Open exercise"), tr("Exercises (*.toml);;All files (*)"),
+                [this](const QString& file) { open(file); });
+}
+
+void ExerciseController::askForReportFile() {
+    files_.save(tr("Report of what was done"), tr("Table (*.csv)"), "report.csv",
+                [this](const QString& file) { exportReport(file); });
+}
+
+void ExerciseController::exportReport(const QString& file) {
+    if (model_.simulator() == nullptr) return;
+    files_.enterFolderOf(file);
+    const std::string report = practiceReportCsv({.tooth = model_.tooth()->name,
+                                                  .task = target_.name.toStdString(),
+                                                  .seconds = model_.log().workSeconds(),
+                                                  .cavity = progress_.progress(),
+                                                  .removed = model_.simulator()->removed(),
+                                                  .materials = &model_.simulator()->materials(),
+                                                  .beside = model_.simulator()->loss().beside,
+                                                  .events = model_.log().events().all()});
+    const Expected<void> written = writeFile(file.toStdString(), report);
+    if (!written) return messages_.showError(written.error());
+    messages_.setHint(tr("The report was written to %1").arg(file));
+}
+
+}  // namespace tactooth

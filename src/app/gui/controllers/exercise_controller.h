@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/gui/controllers/window_panels.h"
+#include "app/gui/model/progress_meter.h"
+#include "app/gui/model/target.h"
+#include "assessment/exercise.h"
+
+namespace tactooth {
+
+class FileDialogs;
+class ToothController;
+class WindowMessages;
+
+/// What the student is to cut and how well it was cut: the exercise, the target shape, and the progress toward it.
+class ExerciseController final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive the controller.
+    ExerciseController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages, FileDialogs& files,
+                       ToothController& teeth);
+
+    /// Loads tooth, bur and target of an exercise; null: free practice, on the tooth as it is.
+    void start(const std::shared_ptr<const Exercise>& exercise);
+    /// Starts the exercise that a file describes; shows a message if that fails.
+    void open(const QString& file);
+    /// Compares the tooth with the closed surface in `file`: colours it by the distance, and makes its ghost.
+    void openTarget(const QString& file);
+    /// Writes the report of the work; shows a message if that fails.
+    void exportReport(const QString& file);
+    void askForExercise();
+
+    /// The target as another window takes it over.
+    struct TargetState {
+        Target target;  ///< empty: none, or not ready yet
+        QString file;   ///< of the user's own target
+    };
+    [[nodiscard]] TargetState targetState() const { return {target_, targetFile_}; }
+    /// Null: free practice.
+    [[nodiscard]] const std::shared_ptr<const Exercise>& active() const { return active_; }
+
+    /// Another tooth has come: the target before does not fit it.
+    void takeTooth();
+    /// Shows the cavity of the tooth's exercise and prepares its target.
+    void beginExercise();
+    /// Goes on with the target of another window.
+    void restore(TargetState state);
+    /// Shows which exercise is active: another one could not be loaded.
+    void showActive();
+    /// Takes over what is ready and measures the progress. Call it after each step of the model.
+    void poll();
+    void showProgress();
+
+signals:
+    void fileOpened(const QString& file);
+
+private:
+    void showCavity();
+    void loadIdealShape();
+    void setTarget(Target target);
+    void clearTarget();
+    void collectTarget();
+    void askForTarget();
+    void askForReportFile();
+
+    SessionModel& model_;
+    WindowPanels panels_;
+    WindowMessages& messages_;
+    FileDialogs& files_;
+    ToothController& teeth_;
+    Task<Target> pendingTarget_;
+    Target target_;                           // of the tooth in the session; empty: none
+    QString targetFile_;                      // of the user's own target, from the moment it is opened
+    std::shared_ptr<const Exercise> active_;  // null: free practice
+    ProgressMeter progress_;
+};
+
+}  // namespace tactooth

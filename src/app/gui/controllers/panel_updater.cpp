@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/panel_updater.h"
+
+#include <QProgressBar>
+
+#include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/drive_panel.h"
+#include "app/gui/panels/event_panel.h"
+#include "app/gui/panels/plot_panel.h"
+#include "app/gui/panels/status_line.h"
+#include "app/gui/panels/timing_panel.h"
+#include "app/gui/scene/tooth_view.h"
+#include "session/model/session_model.h"
+
+namespace tactooth {
+
+PanelUpdater::PanelUpdater(SessionModel& model, const WindowPanels& panels, const SoundOutput& sound)
+    : model_(model), panels_(panels), sound_(sound) {}
+
+void PanelUpdater::showStep(bool busy) {
+    trace_.add(model_.log().ticks());
+    panels_.busy->setVisible(busy);
+    panels_.view->refresh();
+}
+
+void PanelUpdater::restart() {
+    trace_.clear();
+    panels_.timing->reset();
+    panels_.drill->show(QString::fromStdString(model_.bur()->name),
+                        QString::fromStdString(model_.bur()->file.string()));
+}
+
+void PanelUpdater::showNumbers() {
+    panels_.drive->show(model_.log().newest());
+    panels_.plots->show(trace_);
+    panels_.events->show(model_.log().events().all());
+}
+
+void PanelUpdater::showStatus() {
+    if (model_.simulator() == nullptr) return;
+    panels_.status->show(*model_.simulator(), sound_.status());
+    if (!isInSight(*panels_.timing)) return;
+    const HapticDevice* device = model_.devices().first();
+    panels_.timing->show(*model_.simulator(),
+                         device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
+                         model_.hand().rate);
+}
+
+bool isInSight(const QWidget& panel) { return !panel.visibleRegion().isEmpty(); }
+
+}  // namespace tactooth

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/tooth_controller.h"
+
+#include <QFileInfo>
+#include <utility>
+
+#include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/window_messages.h"
+#include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/text/term_translation.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/io/stl_writer.h"
+#include "session/cases/case_store.h"
+
+namespace tactooth {
+
+ToothController::ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, QWidget& window)
+    : model_(model), messages_(messages), files_(files), window_(window), loader_(model) {
+    connect(&importer_, &ScanImporter::failed, this,
+            [this](const QString& sentence) { messages_.showError(sentence); });
+    connect(&importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth) {
+        messages_.setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
+        model_.install(tooth);
+    });
+}
+
+void ToothController::load(Task<SessionTooth>::Function tooth, const QString& importNote) {
+    messages_.setHint(importNote);
+    loader_.load(std::move(tooth));
+}
+
+void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
+    load([entry] { return makeSessionTooth(entry); }, tr("Making the tooth: %1…").arg(translated(entry.name)));
+}
+
+void ToothController::loadMouth(const MouthChoice& mouth) {
+    load([mouth] { return makeSessionTooth(mouth); }, tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
+}
+
+void ToothController::openTooth(const ToothSource& source, const std::string& workOn) {
+    const QString file = QString::fromStdString(source.outer.string());
+    files_.enterFolderOf(file);
+    emit fileOpened(file);
+    source_ = source;
+    load([source, workOn] { return loadSessionTooth(source, workOn); },
+         tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+}
+
+void ToothController::openFile(const QString& file) {
+    if (QFileInfo(file).suffix() == "toml") {
+        emit exerciseFileChosen(file);
+    } else {
+        openTooth({.outer = file.toStdString(), .layers = {}});
+    }
+}
+
+void ToothController::openDropped(const std::vector<std::filesystem::path>& files) {
+    if (isCase(files.front()) || isToothFile(files.front()) || files.front().extension() == ".toml") {
+        openFile(QString::fromStdString(files.front().string()));
+    } else {
+        importScan(files);
+    }
+}
+
+void ToothController::importScan(const std::vector<std::filesystem::path>& files) {
+    files_.enterFolderOf(QString::fromStdString(files.front().string()));
+    importer_.begin(files, &window_);
+}
+
+void ToothController::loadBur(const BurSpec& spec) {
+    loader_.load(Task<SessionBur>::Function([spec] { return makeSessionBur(spec); }));
+}
+
+void ToothController::openBur(const QString& file) {
+    files_.enterFolderOf(file);
+    loader_.load(Task<SessionBur>::Function([path = file.toStdString()] { return loadSessionBur(path); }));
+}
+
+void ToothController::exportTooth(const QString& file) {
+    if (model_.simulator() == nullptr) return;
+    files_.enterFolderOf(file);
+    const Expected<void> written = writeStl(model_.simulator()->exported().mesh, file.toStdString());
+    if (!written) return messages_.showError(written.error());
+    messages_.setHint(tr("The tooth was written to %1").arg(file));
+}
+
+void ToothController::saveTooth(const QString& file) {
+    if (model_.simulator() == nullptr) return;
+    files_.enterFolderOf(file);
+    const auto bytes = model_.simulator()->toothFile(savedNow(model_.tooth()->provenance));
+    const Expected<void> written = writeFile(file.toStdString(), bytes);
+    if (!written) return messages_.showError(written.error());
+    messages_.setHint(tr("The tooth was saved to %1").arg(file));
+}
+
+void ToothController::askForTooth() {
+    auto* dialog = new OpenToothDialog(files_.folder(), &window_);
+    connect(dialog, &OpenToothDialog::chosen, this, [this](const ToothSource& source) { openTooth(source); });
+    dialog->open();
+}
+
+void ToothController::askForScan() {
+    files_.openSeveral(tr("Import a scan: surfaces of one tooth"),
+                       tr("Surfaces (*.stl *.STL *.obj *.OBJ *.ply *.PLY);;All files (*)"),
+                       [this](const QStringList& names) {
+                           std::vector<std::filesystem::path> files;
+                           for (const QString& name : names) files.emplace_back(name.toStdString());
+                           if (!files.empty()) importScan(files);
+                       });
+}
+
+void ToothController::askForBur() {
+    files_.open(tr("Open bur: tip at the origin, shaft along +z, mm"),
+                tr("Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)"),
+                [this](const QString& file) { openBur(file); });
+}
+
+void ToothController::askForExport() {
+    files_.save(tr("Export cut tooth"), tr("STL surfaces (*.stl *.STL);;All files (*)"), "cut.stl",
+                [this](const QString& file) { exportTooth(file); });
+}
+
+void ToothController::askForSave() {
+    files_.save(tr("Save tooth"), tr("Saved teeth (*.tactooth);;All files (*)"), "tooth.tactooth",
+                [this](const QString& file) { saveTooth(file); });
+}
+
+void ToothController::poll() {
+    importer_.poll();
+    if (const auto failure = loader_.poll()) {
+        messages_.showError(Error{*failure});
+        emit loadingFailed();
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/window_hints.h"
+
+#include <QKeySequence>
+#include <utility>
+
+#include "app/gui/controllers/device_controller.h"
+#include "app/gui/controllers/window_messages.h"
+#include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/panels/device_panel.h"
+#include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/drive_panel.h"
+#include "app/gui/panels/inspection_panel.h"
+#include "app/gui/text/error_translation.h"
+
+namespace tactooth {
+
+WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const DeviceController& devices,
+                         WindowMessages& messages)
+    : model_(model), panels_(panels), devices_(devices), messages_(messages) {
+    connect(&devices_, &DeviceController::usualHintDue, this, &WindowHints::showUsual);
+    connect(panels_.drive, &DrivePanel::pedalChanged, this, &WindowHints::showPedal);
+    connect(panels_.inspection->ghostAction(), &QAction::toggled, this, &WindowHints::showGhost);
+    connect(panels_.tour, &GuidedTour::stepExplained, this,
+            [this](const QString& sentence) { messages_.setHint(sentence); });
+    connect(panels_.tour, &GuidedTour::ended, this, &WindowHints::showUsual);
+}
+
+void WindowHints::showUsual() {
+    if (model_.devices().first() == nullptr) {
+        messages_.setHint(
+            tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+    } else if (devices_.isGamepadInPanels()) {
+        messages_.setHint(tr("D-pad: control and value · shoulders: panel · A: press · B: back to the tooth"));
+    } else if (devices_.usesGamepad()) {
+        messages_.setHint(
+            tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
+               "pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels"));
+    } else {
+        messages_.setHint(tr("Move the device: the bur follows it · space: pedal · C: cut, T: touch"));
+    }
+}
+
+/// A hint, not a message: a message would take the keys and the pedal from the user at work.
+void WindowHints::showFault(const char* fault) {
+    if (fault != nullptr) {
+        messages_.setHint(translatedError(fault));
+    } else {
+        showUsual();
+    }
+    shown_ = Reason::None;
+}
+
+void WindowHints::showOverload(double microseconds) {
+    messages_.setHint(
+        tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
+           "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
+           "other programs.")
+            .arg(microseconds, 0, 'f', 0)
+            .arg(1e6 / model_.hand().rate, 0, 'f', 0));
+}
+
+void WindowHints::showPedal(double pedal) {
+    if (pedal == 0 || panels_.drill->isCutting()) return;
+    messages_.setHint(tr("In Touch the bur stands still: choose Cut (C), and the pedal turns it"));
+}
+
+void WindowHints::showGhost(bool on) {
+    if (!on) return showUsual();
+    messages_.setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
+}
+
+WindowHints::Reason WindowHints::reason() const {
+    const HapticDevice* device = model_.devices().first();
+    const Simulator* simulator = model_.simulator();
+    if (simulator == nullptr || panels_.tour->isRunning()) return Reason::None;
+    const Tick& tick = model_.log().newest();
+    if (device != nullptr) {
+        if (device->faultMessage() != nullptr) return Reason::None;  // showFault says it
+        if (simulator->forceState() == ForceState::AwaitsFreeSpace && tick.contacts > 0) return Reason::ForceWaits;
+        if (simulator->isDeviceAtWorkspaceLimit()) return Reason::WorkspaceEnd;
+    }
+    const bool presses = device != nullptr || model_.manipulator().isPressing();  // a bur may rest in its cavity
+    if (tick.contacts == 0 || !presses) return Reason::None;
+    if (tick.cutting) return tick.pedal == 0 ? Reason::BurStopped : Reason::None;
+    return tick.pedal > 0 ? Reason::OnlyTouches : Reason::None;
+}
+
+QString WindowHints::text(Reason reason) const {
+    switch (reason) {
+        case Reason::ForceWaits:
+            return forceStateText(ForceState::AwaitsFreeSpace);
+        case Reason::WorkspaceEnd:
+            return tr("The hand is at the end of the device's room: hold the bur (X), bring the hand back and let go");
+        case Reason::BurStopped:
+            return tr("The bur stands still: hold the pedal (%1), or tick Keep down")
+                .arg(QKeySequence(devices_.pedalKey()).toString(QKeySequence::NativeText));
+        case Reason::OnlyTouches:
+            return tr("The bur only touches: choose Cut (C) to remove something");
+        case Reason::None:
+            break;
+    }
+    return {};
+}
+
+void WindowHints::update() {
+    const Reason now = reason();
+    if (now == std::exchange(shown_, now)) return;
+    if (now == Reason::None) return showUsual();
+    messages_.setHint(text(now));
+}
+
+}  // namespace tactooth

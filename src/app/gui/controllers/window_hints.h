@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/controllers/window_panels.h"
+
+namespace tactooth {
+
+class DeviceController;
+class SessionModel;
+class WindowMessages;
+
+/// The hints of the status line about the work: how to use the device, and why the bur does not do what the user
+/// expects.
+class WindowHints final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive the hints.
+    WindowHints(SessionModel& model, const WindowPanels& panels, const DeviceController& devices,
+                WindowMessages& messages);
+
+    /// How to work with the device in use.
+    void showUsual();
+    /// A sentence of a device, in English; null: the fault has ended.
+    void showFault(const char* fault);
+    /// `microseconds`: the time of the slowest tick in a hundred.
+    void showOverload(double microseconds);
+    /// Shows why the bur does not do what the user expects, if the reason has changed.
+    void update();
+
+private:
+    enum class Reason { None, ForceWaits, WorkspaceEnd, BurStopped, OnlyTouches };
+    [[nodiscard]] Reason reason() const;
+    [[nodiscard]] QString text(Reason reason) const;
+    void showPedal(double pedal);
+    void showGhost(bool on);
+
+    SessionModel& model_;
+    WindowPanels panels_;
+    const DeviceController& devices_;
+    WindowMessages& messages_;
+    Reason shown_ = Reason::None;
+};
+
+}  // namespace tactooth

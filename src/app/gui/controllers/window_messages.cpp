@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/window_messages.h"
+
+#include "app/gui/panels/status_line.h"
+#include "app/gui/text/error_translation.h"
+
+namespace tactooth {
+
+void WindowMessages::setHint(const QString& hint) { status_.setHint(hint); }
+
+void WindowMessages::showError(const QString& sentence) {
+    setHint(sentence);
+    show(QMessageBox::Warning, tr("Tactooth"), sentence);
+}
+
+void WindowMessages::showError(const Error& error) { showError(translatedError(error.message)); }
+
+void WindowMessages::show(QMessageBox::Icon icon, const QString& title, const QString& text) {
+    auto* box = new QMessageBox(icon, title, text, QMessageBox::Ok, &window_);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    box->open();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/appearance_menu.h"
+
+#include <QActionGroup>
+#include <algorithm>
+#include <utility>
+
+#include "app/gui/menus/menu_switch.h"
+#include "app/gui/settings/window_setup.h"
+
+namespace tactooth {
+
+AppearanceMenu::AppearanceMenu(QMenu& menu) : dark_(addSwitch(menu, tr("&Dark colours"), "Ctrl+D")) {
+    connect(dark_, &QAction::toggled, this, [this](bool dark) {
+        applyColours(dark);
+        emit coloursChanged();
+    });
+    addTextSizes(menu);
+    addLanguages(menu);
+}
+
+void AppearanceMenu::addTextSizes(QMenu& menu) {
+    QMenu* sizes = menu.addMenu(tr("Te&xt size"));
+    sizes->setObjectName("textSize");
+    textSizes_ = new QActionGroup(sizes);
+    for (const int percent : {100, 125, 150, 200}) {
+        QAction* action = sizes->addAction(tr("%1 %").arg(percent));
+        action->setCheckable(true);
+        action->setData(percent / 100.0);
+        textSizes_->addAction(action);
+    }
+    textSizes_->actions().front()->setChecked(true);
+    connect(textSizes_, &QActionGroup::triggered, this,
+            [this](QAction* chosen) { setTextScale(chosen->data().toDouble()); });
+}
+
+void AppearanceMenu::setTextScale(double scale) {
+    textScale_ = std::clamp(scale, kMinTextScale, kMaxTextScale);
+    for (QAction* action : textSizes_->actions()) action->setChecked(action->data().toDouble() == textScale_);
+    applyTextScale(textScale_);
+    emit textScaleChanged();
+}
+
+/// Each language by its own name.
+void AppearanceMenu::addLanguages(QMenu& menu) {
+    QMenu* names = menu.addMenu(tr("&Language"));
+    names->setObjectName("language");
+    languages_ = new QActionGroup(names);
+    const std::pair<QString, const char*> languages[] = {
+        {tr("As the system"), ""}, {"English", "en"}, {QStringLiteral("\u65e5\u672c\u8a9e"), "ja"}};
+    for (const auto& [name, code] : languages) {
+        QAction* action = names->addAction(name);
+        action->setCheckable(true);
+        action->setData(code);
+        languages_->addAction(action);
+    }
+    setLanguage({});
+    connect(languages_, &QActionGroup::triggered, this, [this](QAction* chosen) {
+        const QString code = chosen->data().toString();
+        if (code != std::exchange(language_, code)) emit languageChosen();
+    });
+}
+
+void AppearanceMenu::setLanguage(const QString& code) {
+    language_ = code;
+    for (QAction* action : languages_->actions()) action->setChecked(action->data().toString() == code);
+}
+
+void AppearanceMenu::restore(const WindowSettings& settings) {
+    dark_->setChecked(settings.dark);
+    setLanguage(QString::fromStdString(settings.language));
+    setTextScale(settings.textScale);
+}
+
+void AppearanceMenu::store(WindowSettings& settings) const {
+    settings.dark = dark_->isChecked();
+    settings.language = language_.toStdString();
+    settings.textScale = textScale_;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/file_menu.h"
+
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStyle>
+#include <QToolBar>
+#include <array>
+
+#include "app/gui/controllers/exercise_controller.h"
+#include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/text/term_translation.h"
+
+namespace tactooth {
+
+FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
+                   ExerciseController& exercise)
+    : model_(model), teeth_(teeth), exercise_(exercise) {
+    build(window, bar);
+    connect(&teeth_, &ToothController::fileOpened, this, &FileMenu::remember);
+    connect(&exercise_, &ExerciseController::fileOpened, this, &FileMenu::remember);
+}
+
+void FileMenu::build(QMainWindow& window, QToolBar& bar) {
+    QMenu* menu = window.menuBar()->addMenu(tr("&File"));
+    const QStyle& style = *window.style();
+    QAction* open = menu->addAction(style.standardIcon(QStyle::SP_DialogOpenButton), tr("&Open tooth…"), &teeth_,
+                                    &ToothController::askForTooth);
+    open->setShortcut(QKeySequence::Open);
+    QMenu* builtin = menu->addMenu(tr("&Built-in teeth"));
+    addBuiltinTeeth(*builtin);
+    addMouth(*menu);
+    recentMenu_ = menu->addMenu(tr("Open &recent"));
+    recentMenu_->setObjectName("recent");
+    connect(recentMenu_, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
+    caseMenu_ = menu->addMenu(tr("Tooth of the &case"));
+    caseMenu_->setObjectName("teethOfCase");
+    connect(caseMenu_, &QMenu::aboutToShow, this, &FileMenu::fillCase);
+    menu->addAction(tr("&Import scan…"), &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
+    menu->addAction(tr("Open &bur…"), &teeth_, &ToothController::askForBur);
+    menu->addAction(tr("Open e&xercise…"), &exercise_, &ExerciseController::askForExercise);
+    menu->addAction(tr("&Save tooth…"), &teeth_, &ToothController::askForSave)->setShortcut(QKeySequence::Save);
+    QAction* save = menu->addAction(style.standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), &teeth_,
+                                    &ToothController::askForExport);
+    save->setShortcut(QKeySequence::SaveAs);
+    menu->addSeparator();
+    menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
+    bar.addAction(open);
+    bar.addAction(builtin->menuAction());
+    bar.addAction(save);
+}
+
+void FileMenu::addBuiltinTeeth(QMenu& menu) {
+    for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
+        menu.addAction(translated(entry.name), this, [this, &entry] { teeth_.loadBuiltinTooth(entry); });
+    }
+}
+
+/// Each tooth by its number, in quadrants as on a dentist's chart.
+void FileMenu::addMouth(QMenu& menu) {
+    QMenu* mouth = menu.addMenu(tr("&Whole mouth"));
+    mouth->setObjectName("mouth");
+    const std::array quadrants = {tr("Upper right"), tr("Upper left"), tr("Lower left"), tr("Lower right")};
+    for (int quadrant = 1; quadrant <= 4; ++quadrant) {
+        QMenu* side = mouth->addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
+        for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
+            side->addAction(QString::number(fdi), this, [this, fdi] { teeth_.loadMouth({.fdi = fdi}); });
+        }
+    }
+}
+
+void FileMenu::remember(const QString& file) {
+    constexpr qsizetype kMost = 8;  // the user takes in such a menu at one glance
+    recent_.removeAll(file);
+    recent_.prepend(file);
+    recent_ = recent_.mid(0, kMost);
+}
+
+void FileMenu::fillRecent() {
+    recentMenu_->clear();
+    for (const QString& file : recent_) {
+        QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
+        action->setStatusTip(file);
+        action->setToolTip(file);
+        connect(action, &QAction::triggered, this, [this, file] { teeth_.openFile(file); });
+    }
+    if (recent_.isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+/// The other teeth of the case that is open.
+void FileMenu::fillCase() {
+    caseMenu_->clear();
+    const std::vector<std::string> names = model_.tooth() ? model_.tooth()->teethOfCase : std::vector<std::string>();
+    for (const std::string& name : names) {
+        caseMenu_->addAction(QString::fromStdString(name), this, [this, name] { teeth_.openToothOfCase(name); });
+    }
+    if (names.empty()) caseMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void FileMenu::restore(const WindowSettings& settings) {
+    recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
+}
+
+void FileMenu::store(WindowSettings& settings) const { settings.recent = recent_.join('\n').toStdString(); }
+
+}  // namespace tactooth

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/instrument_menus.h"
+
+#include <QActionGroup>
+
+#include "app/gui/menus/menu_switch.h"
+#include "session/model/instrument_set.h"
+
+namespace tactooth {
+
+void InstrumentMenus::addSpraySwitches(QMenu& menu) {
+    water_ = addSwitch(menu, tr("&Water spray"), "W", "water");
+    suction_ = addSwitch(menu, tr("Su&ction"), "S", "suction");
+    connect(water_, &QAction::toggled, this, [this](bool on) { instruments_.setWater(on); });
+    connect(suction_, &QAction::toggled, this, [this](bool on) { instruments_.setSuction(on); });
+    water_->setChecked(true);
+    suction_->setChecked(false);
+}
+
+void InstrumentMenus::addMirrorMenu(QMenu& menu) {
+    QMenu* glass = menu.addMenu(tr("Mirror &glass"));
+    glass->setObjectName("mirrorGlass");
+    sizes_ = new QActionGroup(glass);
+    for (const MirrorSize& size : kMirrorSizes) {
+        QAction* action = glass->addAction(tr("No. %1, %2 mm").arg(QString(size.number)).arg(size.diameter));
+        action->setCheckable(true);
+        action->setData(size.number);
+        sizes_->addAction(action);
+    }
+    glass->addSeparator();
+    fog_ = addSwitch(*glass, tr("&Fogged"), "B", "fogged");
+    drops_ = addSwitch(*glass, tr("&Drops of spray"), "D", "drops");
+    setMirror({});
+    connect(sizes_, &QActionGroup::triggered, this, &InstrumentMenus::updateMirror);
+    for (QAction* action : {fog_, drops_}) connect(action, &QAction::toggled, this, &InstrumentMenus::updateMirror);
+}
+
+/// An unknown size keeps the one before.
+void InstrumentMenus::setMirror(const MirrorSettings& mirror) {
+    for (QAction* action : sizes_->actions()) {
+        if (action->data().toString().toStdString() == mirror.number) action->setChecked(true);
+    }
+    fog_->setChecked(mirror.fogged);
+    drops_->setChecked(mirror.wet);
+    updateMirror();
+}
+
+void InstrumentMenus::updateMirror() {
+    const auto size = static_cast<std::size_t>(sizes_->actions().indexOf(sizes_->checkedAction()));
+    instruments_.setMirror({kMirrorSizes[size].diameter, fog_->isChecked(), drops_->isChecked()});
+}
+
+void InstrumentMenus::restore(const WindowSettings& settings) {
+    setMirror(settings.mirror);
+    water_->setChecked(settings.water);
+    suction_->setChecked(settings.suction);
+}
+
+void InstrumentMenus::store(WindowSettings& settings) const {
+    settings.mirror = {sizes_->checkedAction()->data().toString().toStdString(), fog_->isChecked(),
+                       drops_->isChecked()};
+    settings.water = water_->isChecked();
+    settings.suction = suction_->isChecked();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/view_menu.h"
+
+#include <QActionGroup>
+#include <QToolBar>
+#include <algorithm>
+#include <array>
+
+#include "app/common/inspection.h"
+#include "app/gui/menus/menu_switch.h"
+#include "app/gui/scene/tooth_view.h"
+
+namespace tactooth {
+
+ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), bar_(bar), view_(view) {
+    addAction(tr("Dentist's view"), "0", &ToothView::resetView);
+    const QStringList titles = addStandardViews();
+    addAction(tr("Fit"), "F", &ToothView::fit);
+    addSecondViews(titles);
+    menu_.addSeparator();
+    bar_.addSeparator();
+    mirror_ = addVisibility(tr("Mirror"), "M", &ToothView::setShowsMirror);
+    turbine_ = addVisibility(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+}
+
+void ViewMenu::addAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
+    QAction* action = menu_.addAction(text, &view_, act);
+    action->setShortcut(QKeySequence(keys));
+    bar_.addAction(action);
+}
+
+/// Returns the titles of the standard views in their order.
+QStringList ViewMenu::addStandardViews() {
+    const std::array<std::pair<QString, StandardView>, 5> views = {{{tr("Occlusal"), StandardView::Occlusal},
+                                                                    {tr("Buccal"), StandardView::Buccal},
+                                                                    {tr("Lingual"), StandardView::Lingual},
+                                                                    {tr("Mesial"), StandardView::Mesial},
+                                                                    {tr("Distal"), StandardView::Distal}}};
+    int key = 1;
+    QStringList titles;
+    for (const auto& [name, view] : views) {
+        titles.append(name);
+        QAction* action = menu_.addAction(name, this, [this, view = view] { view_.setView(view); });
+        action->setShortcut(QKeySequence(QString::number(key++)));
+        bar_.addAction(action);
+    }
+    return titles;
+}
+
+void ViewMenu::addSecondViews(const QStringList& titles) {
+    QMenu* menu = menu_.addMenu(tr("&Second view"));
+    menu->setObjectName("secondView");
+    secondViews_ = new QActionGroup(menu);
+    const auto add = [&](const QString& title, int key, std::string_view name) {
+        QAction* action = addSwitch(*menu, title, QString("Ctrl+%1").arg(key));
+        action->setData(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+        secondViews_->addAction(action);
+        return action;
+    };
+    add(tr("None"), 0, "none")->setChecked(true);
+    for (int i = 0; i < titles.size(); ++i) add(titles[i], i + 1, kStandardViews[static_cast<std::size_t>(i)].first);
+    connect(secondViews_, &QActionGroup::triggered, this,
+            [this](QAction* chosen) { setSecondView(chosen->data().toString()); });
+}
+
+QAction* ViewMenu::addVisibility(const QString& text, const QString& keys, void (ToothView::*show)(bool)) {
+    QAction* action = addSwitch(menu_, text, keys);
+    action->setChecked(true);
+    connect(action, &QAction::toggled, &view_, show);
+    bar_.addAction(action);
+    return action;
+}
+
+/// An unknown name means no second view.
+void ViewMenu::setSecondView(const QString& name) {
+    const QList<QAction*> actions = secondViews_->actions();
+    const auto found = std::find_if(actions.begin() + 1, actions.end(), [&](QAction* a) { return a->data() == name; });
+    const auto place = found == actions.end() ? 0 : found - actions.begin();
+    actions[place]->setChecked(true);
+    if (place == 0) return view_.setSecondView({});
+    view_.setSecondView(kStandardViews[static_cast<std::size_t>(place - 1)].second, actions[place]->text());
+}
+
+void ViewMenu::restore(const WindowSettings& settings) {
+    mirror_->setChecked(settings.showsMirror);
+    turbine_->setChecked(settings.showsTurbine);
+    setSecondView(QString::fromStdString(settings.secondView));
+}
+
+void ViewMenu::store(WindowSettings& settings) const {
+    settings.showsMirror = mirror_->isChecked();
+    settings.showsTurbine = turbine_->isChecked();
+    settings.secondView = secondViews_->checkedAction()->data().toString().toStdString();
+}
+
+}  // namespace tactooth

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/window_menus.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+
+#include "app/gui/panels/device_panel.h"
+#include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/inspection_panel.h"
+#include "app/gui/panels/sound_panel.h"
+#include "session/model/session_model.h"
+
+namespace tactooth {
+
+WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
+                         ToothController& teeth, ExerciseController& exercise, WindowMessages& messages)
+    : model_(model), file_(window, docks.fileBar(), model, teeth, exercise), instruments_(model.instruments()) {
+    addViewMenu(window, docks.viewBar(), panels);
+    addDrillMenu(*window.menuBar(), panels);
+    addSoundMenu(*window.menuBar(), *panels.sound);
+    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages);
+}
+
+void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {
+    QMenu* menu = window.menuBar()->addMenu(tr("&View"));
+    view_ = std::make_unique<ViewMenu>(*menu, bar, *panels.view);
+    instruments_.addMirrorMenu(*menu);
+    menu->addAction(panels.inspection->ghostAction());
+    menu->addSeparator();
+    appearance_ = std::make_unique<AppearanceMenu>(*menu);
+    menu->addSeparator();
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+}
+
+void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
+    QMenu* menu = bar.addMenu(tr("&Drill"));
+    menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
+    menu->addSeparator();
+    menu->addAction(tr("Stand the bur &upright"), this, [this] { model_.manipulator().resetOrientation(); })
+        ->setShortcut(QKeySequence("U"));
+    constexpr double kTurn = 0.2;  // rad for one press of the key
+    menu->addAction(tr("Turn the handle &left"), this, [this] { model_.manipulator().rotateHandle(kTurn); })
+        ->setShortcut(QKeySequence("Q"));
+    menu->addAction(tr("Turn the handle &right"), this, [this] { model_.manipulator().rotateHandle(-kTurn); })
+        ->setShortcut(QKeySequence("E"));
+    menu->addSeparator();
+    instruments_.addSpraySwitches(*menu);
+    menu->addSeparator();
+    menu->addActions({panels.drill->undoAction(), panels.drill->resetAction()});
+}
+
+void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {
+    QAction* mute = bar.addMenu(tr("&Sound"))->addAction(tr("&Mute"));
+    mute->setCheckable(true);
+    mute->setShortcut(QKeySequence("Ctrl+M"));
+    connect(mute, &QAction::toggled, &panel, &SoundPanel::setMuted);
+    connect(&panel, &SoundPanel::mutedChanged, mute, &QAction::setChecked);
+}
+
+void WindowMenus::restore(const WindowSettings& settings) {
+    view_->restore(settings);
+    appearance_->restore(settings);
+    file_.restore(settings);
+    instruments_.restore(settings);
+}
+
+void WindowMenus::store(WindowSettings& settings) const {
+    view_->store(settings);
+    appearance_->store(settings);
+    file_.store(settings);
+    instruments_.store(settings);
+}
+
+}  // namespace tactooth

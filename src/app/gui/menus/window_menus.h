@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app/gui/controllers/dock_layout.h"
+#include "app/gui/menus/appearance_menu.h"
+#include "app/gui/menus/file_menu.h"
+#include "app/gui/menus/help_menu.h"
+#include "app/gui/menus/instrument_menus.h"
+#include "app/gui/menus/view_menu.h"
+
+namespace tactooth {
+
+/// The menu bar of the window: files, view, drill, sound and help.
+class WindowMenus final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive the menus.
+    WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
+                ToothController& teeth, ExerciseController& exercise, WindowMessages& messages);
+
+    [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
+    /// Shows three ways to begin.
+    void welcome() { help_->welcome(); }
+
+    void restore(const WindowSettings& settings);
+    void store(WindowSettings& settings) const;
+
+private:
+    void addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels);
+    void addDrillMenu(QMenuBar& bar, const WindowPanels& panels);
+    void addSoundMenu(QMenuBar& bar, SoundPanel& panel);
+
+    SessionModel& model_;
+    FileMenu file_;
+    InstrumentMenus instruments_;
+    std::unique_ptr<ViewMenu> view_;
+    std::unique_ptr<AppearanceMenu> appearance_;
+    std::unique_ptr<HelpMenu> help_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/base/pad_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr double kStickDeadZone = 0.15;    // of its way: worn sticks come back to within this
+constexpr double kTriggerDeadZone = 0.04;  // of its way
+constexpr double kMotionScaling = 1.6;     // power: half the way moves a third as fast, for small work
+constexpr double kFastest = 25;            // mm/s across: over a crown of 10 mm in half a second
+constexpr double kFastestDown = 25;        // mm/s: a trigger pulled through presses 3 N
+constexpr double kFastestLift = 30;        // mm/s
+constexpr double kFastestLean = 1.2;       // rad/s
+
+/// Part of the way beyond the slack, 0..1.
+double beyond(double way, double deadZone) { return std::clamp((way - deadZone) / (1 - deadZone), 0.0, 1.0); }
+
+}  // namespace
+
+std::array<double, 2> applyStickDeadZone(const std::array<double, 2>& stick) {
+    const double way = std::hypot(stick[0], stick[1]);
+    if (!(way > kStickDeadZone)) return {};
+    const double scale = std::pow(beyond(way, kStickDeadZone), kMotionScaling) / way;
+    return {scale * stick[0], scale * stick[1]};
+}
+
+double applyTriggerDeadZone(double trigger) { return trigger > 0 ? beyond(trigger, kTriggerDeadZone) : 0; }
+
+PadCommand padCommand(const PadState& pad, bool leftHanded) {
+    const auto across = applyStickDeadZone(leftHanded ? pad.rightStick : pad.leftStick);
+    const auto lean = applyStickDeadZone(leftHanded ? pad.leftStick : pad.rightStick);
+    const double press = applyTriggerDeadZone(leftHanded ? pad.rightTrigger : pad.leftTrigger);
+    const double lift = pad.lift ? kFastestLift : 0;
+    PadCommand wish;
+    wish.rate.speed = Vec3(kFastest * across[0], -kFastest * across[1], lift - kFastestDown * press);
+    // Pushing the stick to the right leans the shaft's upper end to the right: a turn about +y; away: about -x.
+    wish.rate.turn = kFastestLean * Vec3(lean[1], lean[0], 0);
+    wish.pedal = applyTriggerDeadZone(leftHanded ? pad.leftTrigger : pad.rightTrigger);
+    return wish;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "devices/probe/device_backend.h"
+
+namespace tactooth {
+
+/// Mouse and keyboard.
+[[nodiscard]] DeviceBackend mouseBackend();
+
+}  // namespace tactooth

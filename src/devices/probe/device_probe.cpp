@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/probe/device_probe.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "devices/probe/child_probe.h"
+
+namespace tactooth {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kConnectTimeout = 10;  // s: a driver that looks for its device takes a few
+
+/// Tenths, whatever the locale.
+std::string tenths(double value) {
+    const long rounded = std::lround(10 * value);
+    return std::to_string(rounded / 10) + '.' + std::to_string(rounded % 10);
+}
+
+/// As the child writes it into the pipe; an empty list: not known. A driver may name its device in any letters.
+std::string packed(const ProbeResult& result) {
+    const DeviceCapabilities& can = result.capabilities;
+    const auto list = [](const auto& value) { return value ? Json::array({*value}) : Json::array(); };
+    Json room = Json::array();
+    if (can.workspace) room = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
+    const Json json = {static_cast<int>(result.state),
+                       result.text,
+                       list(can.force),
+                       list(can.continuousForce),
+                       list(can.stiffness),
+                       list(can.buttons),
+                       room};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// No result if a library has ended the child in the middle of it.
+std::optional<ProbeResult> unpacked(const std::string& text) {
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) return std::nullopt;
+    ProbeResult result{static_cast<DeviceState>(json[0].get<int>()), json[1].get<std::string>()};
+    const auto take = [](const Json& list, auto& value) {
+        if (!list.empty()) list[0].get_to(value.emplace());
+    };
+    take(json[2], result.capabilities.force);
+    take(json[3], result.capabilities.continuousForce);
+    take(json[4], result.capabilities.stiffness);
+    take(json[5], result.capabilities.buttons);
+    const Json& room = json[6];
+    if (!room.empty()) result.capabilities.workspace = Vec3(room[0], room[1], room[2]);
+    return result;
+}
+
+}  // namespace
+
+DeviceCapabilities capabilitiesOf(const DeviceInfo& info) {
+    DeviceCapabilities capabilities;
+    capabilities.force = info.rendersForce ? info.limits.force : 0;
+    capabilities.continuousForce = info.rendersForce ? info.limits.continuousForce : 0;
+    if (!info.workspace.isZero()) capabilities.workspace = info.workspace;
+    if (info.rendersForce && std::isfinite(info.stiffness)) capabilities.stiffness = info.stiffness;
+    capabilities.buttons = info.buttonCount;
+    return capabilities;
+}
+
+std::string capabilityText(const DeviceInfo& info) {
+    const Vec3& room = info.workspace;
+    return info.name + ": force " + tenths(info.limits.force) + " N, " + tenths(info.limits.continuousForce) +
+           " N for ever; workspace " + tenths(room.x()) + " x " + tenths(room.y()) + " x " + tenths(room.z()) +
+           " mm; stiffest wall " + tenths(info.stiffness) + " N/mm; " + std::to_string(info.buttonCount) + " buttons";
+}
+
+DetectedDevice probeInChild(const std::string& name, const char* backend, const std::string& library,
+                            const std::string& remedy, const std::function<ProbeResult()>& probe) {
+    const auto text = inChildProcess([&probe] { return packed(probe()); }, kConnectTimeout);
+    const std::optional<ProbeResult> result = text ? unpacked(*text) : std::nullopt;
+    if (result) return {name, backend, result->state, result->text, result->capabilities};
+    const std::string end = text ? "it ends the program that uses it" : text.error().message;
+    return {name, backend, DeviceState::Unusable, library + " is broken, " + end + ": " + remedy};
+}
+
+}  // namespace tactooth

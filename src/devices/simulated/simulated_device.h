@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "devices/base/device_presets.h"
+#include "devices/simulated/scripted_device.h"
+
+namespace tactooth {
+
+/// A hand on a device, both with their mechanics, that wants to follow a script: the force that it meets moves it. The
+/// device's arm has mass, dry friction and damping and reads its place in encoder steps; the hand is a mass that a
+/// spring and a damper pull after the place where the script wants it. Closes the loop as a real device does, without
+/// one. Time is that of the calls alone.
+class SimulatedDevice final : public HapticDevice {
+public:
+    struct OperatorBehaviour {
+        double tremor = 0;                                             ///< mm, root mean square over all directions
+        double releaseTime = std::numeric_limits<double>::infinity();  ///< s: from then on nobody holds the pen
+    };
+
+    /// `script` is not empty and its times do not descend; it starts at its first moment.
+    SimulatedDevice(const DevicePreset& device, const HandImpedance& hand, std::vector<DeviceKeyframe> script,
+                    const OperatorBehaviour& habits);
+    SimulatedDevice(const DevicePreset& device, const HandImpedance& hand, std::vector<DeviceKeyframe> script)
+        : SimulatedDevice(device, hand, std::move(script), OperatorBehaviour{}) {}
+
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] Expected<void> open() override;
+    void close() override {}
+    [[nodiscard]] DeviceSample read(double elapsed) override;
+    void write(const SafeWrench& wrench) override;
+
+    /// Where the pen's tip really is, mm, and how fast, mm/s.
+    [[nodiscard]] const Vec3& tip() const { return tip_; }
+    [[nodiscard]] const Vec3& speed() const { return speed_; }
+
+private:
+    static constexpr int kMaxDelay = 4;
+    void move(const Vec3& wanted, const Vec3& wantedSpeed, const Vec3& force, double dt);
+    [[nodiscard]] Vec3 tremorOffset(double time) const;
+
+    DevicePreset device_;
+    HandImpedance hand_;
+    OperatorBehaviour behaviour_;
+    DeviceInfo info_;
+    ScriptedDevice reference_;
+    double time_ = 0;
+    Vec3 lastCommand_;
+    Vec3 tip_;
+    Vec3 speed_ = Vec3::Zero();
+    std::array<Vec3, kMaxDelay + 1> forces_;  // newest first
+};
+
+}  // namespace tactooth

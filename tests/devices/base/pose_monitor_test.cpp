@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/base/pose_monitor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+namespace tactooth {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+constexpr double kTick = 0.001;  // s
+
+TEST(PoseMonitor, AHandWithoutAFaultIsNoTrouble) {
+    PoseMonitor monitor;
+    for (int i = 0; i < 1000; ++i) monitor.update(PoseFault::None, kTick);
+    EXPECT_EQ(monitor.faultMessage(), nullptr);
+}
+
+TEST(PoseMonitor, AFaultIsSaidForThreeSecondsAndTheNewestOne) {
+    PoseMonitor monitor;
+    monitor.update(PoseFault::Jump, kTick);
+    ASSERT_NE(monitor.faultMessage(), nullptr);
+    EXPECT_THAT(monitor.faultMessage(), HasSubstr("has jumped"));
+    for (int i = 0; i < 2990; ++i) monitor.update(PoseFault::None, kTick);
+    EXPECT_NE(monitor.faultMessage(), nullptr);
+    monitor.update(PoseFault::NotANumber, kTick);
+    EXPECT_THAT(monitor.faultMessage(), HasSubstr("is no number"));
+    for (int i = 0; i < 3010; ++i) monitor.update(PoseFault::None, kTick);
+    EXPECT_EQ(monitor.faultMessage(), nullptr);
+}
+
+TEST(PoseMonitor, EachFaultHasASentenceOfItsOwn) {
+    std::set<std::string> sentences;
+    for (const PoseFault fault : {PoseFault::NotANumber, PoseFault::InvalidRotation, PoseFault::Jump,
+                                  PoseFault::TooFast, PoseFault::RotatesTooFast, PoseFault::Stale, PoseFault::Force}) {
+        ASSERT_NE(poseFaultText(fault), nullptr);
+        EXPECT_THAT(poseFaultText(fault), EndsWith("."));
+        EXPECT_TRUE(sentences.insert(poseFaultText(fault)).second);
+    }
+    EXPECT_EQ(poseFaultText(PoseFault::None), nullptr);
+}
+
+}  // namespace
+}  // namespace tactooth
