@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-FeatureGap gapOf(const ProxyState& state, const WatchedPair& watched, const FeaturePair& features,
+FeatureGap gapOf(const ProxyScene& state, const WatchedPair& watched, const FeaturePair& features,
                  const Pose& toolInTooth) {
     const Triangle3 tooth = state.toothTriangle(watched.pair);
     const Triangle3 tool = state.tool->cornersAt(toolInTooth, watched.pair.tool);
@@ -17,7 +17,7 @@ FeatureGap gapOf(const ProxyState& state, const WatchedPair& watched, const Feat
     return {normal.dot(tool[features.tool]) - watched.plane.offset, normal, tool[features.tool]};
 }
 
-FeaturePair lowestCorner(const ProxyState& state, const CandidateStep& step, const WatchedPair& watched) {
+FeaturePair lowestCorner(const ProxyScene& state, const CandidateStep& step, const WatchedPair& watched) {
     const Triangle3 tool = state.tool->corners(watched.pair.tool);
     const Vec3 inTool = step.matrix.transpose() * watched.plane.normal;
     const auto lowest = std::min_element(tool.begin(), tool.end(),
@@ -25,7 +25,7 @@ FeaturePair lowestCorner(const ProxyState& state, const CandidateStep& step, con
     return {FeaturePair::Kind::CornerOverPlane, 0, static_cast<int>(lowest - tool.begin())};
 }
 
-std::optional<FeaturePair> blockingFeatures(const ProxyState& state, const CandidateStep& step,
+std::optional<FeaturePair> blockingFeatures(const ProxyScene& state, const CandidateStep& step,
                                             const WatchedPair& watched) {
     const Triangle3 tooth = state.toothTriangle(watched.pair);
     const ContactFeatures touching(tooth, state.toolTriangle(watched.pair), watched.plane.normal);
@@ -41,7 +41,7 @@ std::optional<FeaturePair> blockingFeatures(const ProxyState& state, const Candi
     return nearest;
 }
 
-bool stillTouch(const ProxyState& state, const WatchedPair& watched, const FeaturePair& features) {
+bool stillTouch(const ProxyScene& state, const WatchedPair& watched, const FeaturePair& features) {
     const Triangle3 tooth = state.toothTriangle(watched.pair);
     const ContactFeatures touching(tooth, state.toolTriangle(watched.pair), watched.plane.normal);
     const auto end = touching.pairs.begin() + touching.count;

@@ -37,7 +37,7 @@ bool NeighbourHorizon::isFresh(const Pose& pose) const {
            list_.deviation(pose.position) <= kListUsedUp * list_.contactMargin().around;
 }
 
-double NeighbourHorizon::coveredShare(const ProxyState& state, const Vec3& step) const {
+double NeighbourHorizon::coveredShare(const ProxyScene& state, const Vec3& step) const {
     TACTOOTH_ASSERT(step.allFinite());
     const auto isCovered = [&](double share) {
         return coversPosition(state.pose.position + share * step, state.margin);
@@ -83,7 +83,7 @@ bool NeighbourHorizon::mayRebuild(double toolRadius) const {
     return rebuilds_ < (goalShift_ < kJump * toolRadius ? kMaxLists : kMaxListsOfJump);
 }
 
-void NeighbourHorizon::rebuild(const ProxyState& state, const Vec3& displacement, double turn) {
+void NeighbourHorizon::rebuild(const ProxyScene& state, const Vec3& displacement, double turn) {
     TACTOOTH_ASSERT(state.surface != nullptr);
     TACTOOTH_ASSERT(mayRebuild(state.tool->radius()));
     TACTOOTH_ASSERT(displacement.allFinite() && turn >= 0);

@@ -30,7 +30,7 @@ private:
                  std::uint32_t& uncertain);
 
     ProxyContext& context_;
-    const ProxyState& state_;
+    const ProxyScene& state_;
     const CandidateStep& step_;
     SweepQuery& query_;
 };

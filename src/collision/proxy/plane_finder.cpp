@@ -33,13 +33,13 @@ void preferFace(const Triangle3& tooth, const Triangle3& tool, double margin, Se
 
 }  // namespace
 
-WatchedPair PlaneFinder::watch(const ProxyState& state, const NearPair& pair, const Vec3& guess) const {
+WatchedPair PlaneFinder::watch(const ProxyScene& state, const NearPair& pair, const Vec3& guess) const {
     TACTOOTH_ASSERT(guess.allFinite());
     const SeparatingPlane* known = cache_.find(state.part(pair).id(), pair);
     return {pair, known != nullptr ? *known : SeparatingPlane{guess, 0, kOfNoPose}};
 }
 
-bool PlaneFinder::refresh(const ProxyState& state, WatchedPair& watched, WorkBudget& budget) {
+bool PlaneFinder::refresh(const ProxyScene& state, WatchedPair& watched, WorkBudget& budget) {
     const SurfacePart& part = state.part(watched.pair);
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
     const Triangle3 tool = state.toolTriangle(watched.pair);
@@ -55,7 +55,7 @@ bool PlaneFinder::refresh(const ProxyState& state, WatchedPair& watched, WorkBud
     return true;
 }
 
-void PlaneFinder::replace(const ProxyState& state, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched) {
+void PlaneFinder::replace(const ProxyScene& state, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched) {
     TACTOOTH_ASSERT(isUnit(normal));
     watched.plane = {normal, highestAlong(tooth, normal), state.poseStamp};
     cache_.store(state.part(watched.pair).id(), watched.pair, watched.plane);

@@ -30,7 +30,7 @@ std::optional<HalfSpace> PlaneSwitch::Candidate::separatingSpace(const Vec3& nor
 void PlaneSwitch::addPair(WatchedPair& watched) {
     TACTOOTH_ASSERT(count_ < kCapacity);
     TACTOOTH_ASSERT(watched.plane.stamp == context_.state.poseStamp);
-    const ProxyState& state = context_.state;
+    const ProxyScene& state = context_.state;
     Candidate& added = candidates_[count_];
     added = {&watched, state.toothTriangle(watched.pair), state.toolTriangle(watched.pair), 0, 0};
     added.gap = lowestAlong(added.tool, watched.plane.normal) - watched.plane.offset;

@@ -4,7 +4,7 @@
 
 #include "collision/proxy/neighbour_horizon.h"
 #include "collision/proxy/plane_finder.h"
-#include "collision/proxy/proxy_state.h"
+#include "collision/proxy/proxy_scene.h"
 #include "collision/proxy/work_budget.h"
 
 namespace tactooth {
@@ -14,7 +14,7 @@ struct ProxyContext {
     ProxyContext(std::shared_ptr<const ToolShape> tool, Freedom freedom)
         : state{std::move(tool), freedom, nullptr, {}}, horizon(*state.tool) {}
 
-    ProxyState state;
+    ProxyScene state;
     NeighbourHorizon horizon;
     PlaneFinder planes;
     WorkBudget budget;

@@ -64,7 +64,7 @@ MoveResult ProxyMove<Constraints>::run() {
 /// not move.
 template <class Constraints>
 void ProxyMove<Constraints>::begin() {
-    ProxyState& state = context_.state;
+    ProxyScene& state = context_.state;
     NeighbourHorizon& horizon = context_.horizon;
     const Pose& goal = step_.goal;
     context_.budget.beginMove();
@@ -96,7 +96,7 @@ bool ProxyMove<Constraints>::isCutShort() const {
 /// expected. False if no more lists may be built.
 template <class Constraints>
 bool ProxyMove<Constraints>::ensureList(double& turn) {
-    const ProxyState& state = context_.state;
+    const ProxyScene& state = context_.state;
     NeighbourHorizon& horizon = context_.horizon;
     const bool isFirst = result_.iterations == 1;
     if (!isFirst && horizon.list().made() && !step_.clipping.isByList) return true;
@@ -116,7 +116,7 @@ bool ProxyMove<Constraints>::ensureList(double& turn) {
 /// Makes sure of the list, and limits the step to what the list covers. False if the list does not cover the pose.
 template <class Constraints>
 bool ProxyMove<Constraints>::prepareStep() {
-    const ProxyState& state = context_.state;
+    const ProxyScene& state = context_.state;
     double turn = chordBetween(step_.goal.rotation, state.pose.rotation);
     if (!ensureList(turn)) return false;
     const double rotationLeft = context_.horizon.rotationLeft(state.pose.rotation);
@@ -204,7 +204,7 @@ bool ProxyMove<Constraints>::retriesWithShorterList() {
 /// Moves the proxy by the step, and decides whether it has arrived.
 template <class Constraints>
 void ProxyMove<Constraints>::acceptStep() {
-    ProxyState& state = context_.state;
+    ProxyScene& state = context_.state;
     const double turned = chordBetween(step_.rotation, state.pose.rotation) * state.tool->radius();
     const double moved = step_.shift.norm();
     const bool stays = !Constraints::kRotates && step_.rotationFraction == 0 && step_.shift.isZero(0);

@@ -49,7 +49,7 @@ void ProxySolver::shiftTo(const Pose& toolInTooth) {
 }
 
 std::optional<bool> ProxySolver::isClearAt(const Pose& toolInTooth) {
-    const ProxyState& state = context_.state;
+    const ProxyScene& state = context_.state;
     NeighbourList& list = context_.horizon.list();
     if (!context_.horizon.covers(toolInTooth, state.margin)) return std::nullopt;
     const ToolMotion still = list.motion(toolInTooth, toolInTooth, 0, {});

@@ -42,7 +42,7 @@ Vec6 asVec6(const Vec3& shift, const Vec3& turn) {
 }  // namespace
 
 /// Sets the end of the step: the tool's centre shifted, and the tool rotated about it.
-void RotationConstraints::moveTo(const ProxyState& state, const Vec3& shift, const Vec3& turn, CandidateStep& step) {
+void RotationConstraints::moveTo(const ProxyScene& state, const Vec3& shift, const Vec3& turn, CandidateStep& step) {
     TACTOOTH_ASSERT(shift.allFinite() && turn.allFinite());
     shift_ = shift;
     turn_ = turn;
@@ -62,7 +62,7 @@ int RotationConstraints::find(const WatchedPair& watched, const FeaturePair& fea
 }
 
 /// The features of a pair to keep apart, so that the step does not bring the pair together.
-FeaturePair RotationConstraints::featuresToConstrain(const ProxyState& state, const CandidateStep& step,
+FeaturePair RotationConstraints::featuresToConstrain(const ProxyScene& state, const CandidateStep& step,
                                                      const WatchedPair& watched) const {
     if (const auto blocking = blockingFeatures(state, step, watched)) {
         const int number = find(watched, *blocking);
@@ -72,7 +72,7 @@ FeaturePair RotationConstraints::featuresToConstrain(const ProxyState& state, co
 }
 
 void RotationConstraints::add(const ProxyContext& context, CandidateStep& step, const WatchedPair& watched) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     const FeaturePair features = featuresToConstrain(state, step, watched);
     const double straight = std::sqrt(state.margin / state.tool->radius());
     if (features.kind == FeaturePair::Kind::CornerOverPlane && turn_.norm() > straight) {
@@ -84,7 +84,7 @@ void RotationConstraints::add(const ProxyContext& context, CandidateStep& step, 
 
 /// Adds the half-space of two features, linear in shift and rotation. A rotation bends the path. Where the path bends
 /// away, the slope at the start of the step keeps the features apart, else the slope at its end.
-void RotationConstraints::addFeatures(const ProxyState& state, const CandidateStep& step, const WatchedPair& watched,
+void RotationConstraints::addFeatures(const ProxyScene& state, const CandidateStep& step, const WatchedPair& watched,
                                       const FeaturePair& features) {
     const int number = find(watched, features);
     const bool isNew = number == set_.count();
@@ -106,7 +106,7 @@ void RotationConstraints::addFeatures(const ProxyState& state, const CandidateSt
 }
 
 /// The shift and the rotation nearest to those of the goal under the constraints so far.
-Qp6Result RotationConstraints::nearest(const ProxyState& state, const Pose& goal) const {
+Qp6Result RotationConstraints::nearest(const ProxyScene& state, const Pose& goal) const {
     const Vec3 centre = state.tool->centre();
     const Vec6 wanted = asVec6(goal * centre - state.pose * centre,
                                rotationBetween(state.pose.rotation, goal.rotation) * state.characteristicLength());
@@ -114,7 +114,7 @@ Qp6Result RotationConstraints::nearest(const ProxyState& state, const Pose& goal
 }
 
 Vec3 RotationConstraints::predictShift(ProxyContext& context, CandidateStep& step, double& turn) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     step.startMatrix = state.pose.rotation.toRotationMatrix();
     restart(context, step);
     const Qp6Result answer = nearest(state, step.goal);
@@ -136,7 +136,7 @@ void RotationConstraints::restart(ProxyContext& context, CandidateStep& step) {
 }
 
 bool RotationConstraints::solve(const ProxyContext& context, CandidateStep& step) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     const Qp6Result answer = nearest(state, step.goal);
     if (!answer.feasible) return false;
     set_.setActive(answer);
@@ -152,7 +152,7 @@ bool RotationConstraints::solve(const ProxyContext& context, CandidateStep& step
 /// The share of a step that the limits and the neighbour list leave. With a step, each share of it is allowed too.
 double RotationConstraints::shareAllowed(const ProxyContext& context, const Vec3& shift, const Vec3& turn,
                                          CandidateStep& step) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     const StepLimits& limits = step.limits;
     const double length = shift.norm() + turn.norm() * state.tool->radius();
     double limited = length > limits.allowance ? limits.allowance / length : 1;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision/proxy/move_result.h"
-#include "collision/proxy/proxy_state.h"
+#include "collision/proxy/proxy_scene.h"
 
 namespace tactooth {
 

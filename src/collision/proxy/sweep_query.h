@@ -11,7 +11,7 @@
 
 #include "collision/neighbours/neighbour_list.h"
 #include "collision/proxy/candidate_step.h"
-#include "collision/proxy/proxy_state.h"
+#include "collision/proxy/proxy_scene.h"
 
 namespace tactooth {
 
@@ -64,11 +64,11 @@ public:
     }
 
     /// A triangle of the tool in the step, measured along all normals known so far.
-    [[nodiscard]] const SweptTool& sweep(const ProxyState& state, const CandidateStep& step, std::uint32_t triangle);
+    [[nodiscard]] const SweptTool& sweep(const ProxyScene& state, const CandidateStep& step, std::uint32_t triangle);
     /// Measures the leaf of a cluster along all normals known so far, for later clusters of the same leaf.
-    void measureLeaf(const ProxyState& state, const NeighbourList& list, std::size_t cluster);
+    void measureLeaf(const ProxyScene& state, const NeighbourList& list, std::size_t cluster);
     /// Whether a plane of the query separates a cluster whose leaf was measured.
-    [[nodiscard]] bool separatesCluster(const ProxyState& state, const CandidateStep& step, const NeighbourList& list,
+    [[nodiscard]] bool separatesCluster(const ProxyScene& state, const CandidateStep& step, const NeighbourList& list,
                                         std::size_t cluster);
     /// Whether a swept triangle stays in front of the plane across normal `i` through `toothTop`, during the whole
     /// step.
@@ -95,7 +95,7 @@ private:
     std::array<Leaf, kPlaces> leaves_;
 };
 
-inline const SweptTool& SweepQuery::sweep(const ProxyState& state, const CandidateStep& step, std::uint32_t triangle) {
+inline const SweptTool& SweepQuery::sweep(const ProxyScene& state, const CandidateStep& step, std::uint32_t triangle) {
     SweptTool& swept = tools_[triangle % kPlaces];
     if (swept.triangle != triangle) {
         swept.triangle = triangle;
@@ -114,7 +114,7 @@ inline const SweptTool& SweepQuery::sweep(const ProxyState& state, const Candida
     return swept;
 }
 
-inline void SweepQuery::measureLeaf(const ProxyState& state, const NeighbourList& list, std::size_t cluster) {
+inline void SweepQuery::measureLeaf(const ProxyScene& state, const NeighbourList& list, std::size_t cluster) {
     const std::uint32_t number = list.leafOf(cluster);
     Leaf& measured = leaves_[number % kPlaces];
     if (measured.number != number) measured = {number, 0, {}};
@@ -132,7 +132,7 @@ inline void SweepQuery::measureLeaf(const ProxyState& state, const NeighbourList
     }
 }
 
-inline bool SweepQuery::separatesCluster(const ProxyState& state, const CandidateStep& step, const NeighbourList& list,
+inline bool SweepQuery::separatesCluster(const ProxyScene& state, const CandidateStep& step, const NeighbourList& list,
                                          std::size_t cluster) {
     const std::uint32_t number = list.leafOf(cluster);
     const Leaf& measured = leaves_[number % kPlaces];

@@ -15,7 +15,7 @@ namespace {
 constexpr double kStaysMargins = 0.1;  // a shorter step is none, and needs no check
 
 /// The corner of a pair's tool triangle that stands lowest over the plane, at the present pose, tooth's frame, mm.
-Vec3 deepestPoint(const ProxyState& state, const WatchedPair& watched) {
+Vec3 deepestPoint(const ProxyScene& state, const WatchedPair& watched) {
     const Triangle3 tool = state.tool->corners(watched.pair.tool);
     Vec3 deepest = state.pose * tool[0];
     for (const Vec3& corner : tool) {
@@ -28,7 +28,7 @@ Vec3 deepestPoint(const ProxyState& state, const WatchedPair& watched) {
 }  // namespace
 
 Vec3 TranslationConstraints::predictShift(ProxyContext& context, const CandidateStep& step, double&) const {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     std::array<HalfSpace, kMaxHeld> halfSpaces;
     const Mat3 rotation = state.pose.rotation.toRotationMatrix();
     int count = 0;
@@ -44,7 +44,7 @@ Vec3 TranslationConstraints::predictShift(ProxyContext& context, const Candidate
 }
 
 void TranslationConstraints::add(const ProxyContext& context, const CandidateStep& step, const WatchedPair& watched) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     const double gap = gapAt(*state.tool, watched, step.matrix, state.pose.position);
     // Without rotation, to stay is always allowed: a gap that rounding has left below the margin may stay so.
     const double offset = step.rotationFraction == 0 ? std::min(0.0, state.margin - gap) : state.margin - gap;
@@ -60,7 +60,7 @@ void TranslationConstraints::restart(ProxyContext& context, const CandidateStep&
 }
 
 bool TranslationConstraints::solve(const ProxyContext& context, CandidateStep& step) {
-    const ProxyState& state = context.state;
+    const ProxyScene& state = context.state;
     const double tolerance = state.margin * kSolveTolerance;
     const Qp3Result answer = set_.nearest(step.goal.position - state.pose.position, tolerance);
     if (!answer.feasible) {
@@ -102,7 +102,7 @@ void TranslationConstraints::storeContacts(ProxyContext& context, MoveResult& re
 }
 
 /// Stores the inactive pairs of an iteration that has left the tool where it stood.
-void TranslationConstraints::storeWarmStart(const ProxyState& state) {
+void TranslationConstraints::storeWarmStart(const ProxyScene& state) {
     warmStartCount_ = 0;
     for (int i = 0; i < set_.count() && warmStartCount_ < kMaxWarmStart; ++i) {
         if (!set_.isActive(i) && set_.watched(i).plane.stamp == state.poseStamp)

@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    void storeWarmStart(const ProxyState& state);
+    void storeWarmStart(const ProxyScene& state);
 
     Set set_;
     int warmStartCount_ = 0;

@@ -4,7 +4,7 @@
 
 #include <QPushButton>
 
-#include "app/gui/input/mouse_manipulator.h"
+#include "session/model/mouse_manipulator.h"
 #include "app/gui/text/term_translation.h"
 
 namespace tactooth {

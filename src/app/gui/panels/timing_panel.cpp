@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/gui/model/session_model.h"
+#include "session/model/session_model.h"
 #include "app/gui/panels/elided_label.h"
 #include "haptics/real_time.h"
 

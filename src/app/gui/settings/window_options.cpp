@@ -3,7 +3,7 @@
 // The table of what the window remembers.
 #include <array>
 
-#include "app/gui/input/mouse_manipulator.h"
+#include "session/model/mouse_manipulator.h"
 #include "app/gui/settings/window_settings.h"
 #include "devices/base/workspace_fit.h"
 #include "geometry/util/number_text.h"

@@ -16,7 +16,7 @@
 namespace tactooth {
 
 /// What moves, among which triangles, and where it stands. Every part of the proxy solver reads it.
-struct ProxyState {
+struct ProxyScene {
     std::shared_ptr<const ToolShape> tool;  ///< never null
     Freedom freedom = Freedom::Translation;
     std::shared_ptr<const Surface> surface;  ///< null until the first setSurface
