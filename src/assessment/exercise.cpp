@@ -53,14 +53,14 @@ std::vector<std::shared_ptr<const Exercise>> makeExercises() {
     };
     return {exercise("Pit in the molar",
                      "Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.",
-                     BuiltinToothKind::lowerFirstMolar, "330", pit),
+                     BuiltinToothKind::LowerFirstMolar, "330", pit),
             exercise("Class I cavity in the molar",
                      "Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both "
                      "ridges.",
-                     BuiltinToothKind::lowerFirstMolar, "245", fissure),
+                     BuiltinToothKind::LowerFirstMolar, "245", fissure),
             exercise("Class V cavity at the neck of the canine",
                      "At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.",
-                     BuiltinToothKind::upperCanine, "330", neck)};
+                     BuiltinToothKind::UpperCanine, "330", neck)};
 }
 
 /// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere

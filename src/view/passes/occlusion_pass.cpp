@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/util/pose.h"
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

@@ -23,7 +23,7 @@ struct SessionBur {
     Instrument instrument;
     std::shared_ptr<const TriangleMesh> shown;
     std::shared_ptr<const TriangleMesh> blurred;  ///< as it is seen turning fast
-    BurMaterial material = BurMaterial::carbide;
+    BurMaterial material = BurMaterial::Carbide;
     std::filesystem::path file;  ///< that it came from; empty for a bur of the catalogue
 };
 
@@ -58,9 +58,9 @@ struct BuiltinToothEntry {
     const char* name;
 };
 inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
-    {BuiltinToothKind::lowerFirstMolar, "Lower first molar (46)"},
-    {BuiltinToothKind::upperCentralIncisor, "Upper central incisor (11)"},
-    {BuiltinToothKind::upperCanine, "Upper canine (13)"},
+    {BuiltinToothKind::LowerFirstMolar, "Lower first molar (46)"},
+    {BuiltinToothKind::UpperCentralIncisor, "Upper central incisor (11)"},
+    {BuiltinToothKind::UpperCanine, "Upper canine (13)"},
 }};
 
 /// The mouth that a tooth stands in: average teeth, open as for work.
