@@ -3,6 +3,8 @@
 #pragma once
 
 #include "collision/bvh/surface.h"
+#include "tooth/volume/brick_map.h"
+#include "tooth/volume/lattice.h"
 #include "tooth/volume/node_set.h"
 
 namespace tactooth {

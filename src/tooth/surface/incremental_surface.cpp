@@ -52,7 +52,7 @@ double sixfoldAdjacent(const SurfacePart& part) {
 }
 
 /// Whether each edge is used as often in one direction as in the other. Equal points count as one vertex.
-bool isClosed(TriangleMesh mesh) {
+[[maybe_unused]] bool isClosed(TriangleMesh mesh) {
     std::vector<std::uint32_t> pointOf(mesh.vertices.size());
     VertexWelder welder(mesh.vertices.size());
     welder.addAll(mesh.vertices, pointOf.data());

@@ -17,7 +17,7 @@ constexpr int kSearchRounds = 12;        ///< tangent cuts of the unit interval;
 constexpr double kUnitTolerance = 1e-4;  ///< of the squared length of a quaternion; files round it
 constexpr int kMaxParts = 4;             ///< of a step; a longer step comes near many bricks that it does not reach
 
-bool isPose(const Pose& pose) {
+[[maybe_unused]] bool isPose(const Pose& pose) {
     return pose.position.allFinite() && std::abs(pose.rotation.squaredNorm() - 1) < kUnitTolerance;
 }
 
