@@ -29,8 +29,8 @@ constexpr double kDriftMargin = 0.25;  // share of the expected path by which th
 constexpr double kMaxDrift = 0.2;      // mm: building a longer list takes longer than the list lasts
 constexpr double kCutAhead = 0.05;     // mm: how far a bur moves until the next list, where a cut lets it
 constexpr double kSeparation = 1e-6;   // mm: more than the margin of a tool, see ProxySolver::margin
-constexpr double kReuseFraction =
-    0.8;  // share of the margin: a list is renewed while the servo thread can still wait for the new one
+// Share of the margin: a list is renewed while the servo thread can still wait for the new one.
+constexpr double kReuseFraction = 0.8;
 
 // While a long list is built, the tool moves on, so that the next list has to reach even farther. So the size of a list
 // is bounded to what takes three milliseconds, and each list starts with the final length of the last one.

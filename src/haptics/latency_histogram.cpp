@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/byte_text.h"
 #include "geometry/util/expected.h"
 #include "geometry/util/large_pages.h"

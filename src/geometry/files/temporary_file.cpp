@@ -84,8 +84,8 @@ int openUnnamed(const fs::path& folder, TemporaryFile& file) {
         ::close(descriptor);
         return ENOTSUP;
     }
-    (void)::flock(descriptor,
-                  LOCK_EX | LOCK_NB);  // no other process has the file: this fails only where there are no locks
+    // No other process has the file, so this fails only where there are no locks.
+    (void)::flock(descriptor, LOCK_EX | LOCK_NB);
     file = {descriptor, {}};
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 

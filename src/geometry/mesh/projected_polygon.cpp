@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/util/assert.h"
 #include "geometry/util/exact_sign.h"
 
 namespace tactooth {

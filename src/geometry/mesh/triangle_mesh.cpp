@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "geometry/util/assert.h"
+
 namespace tactooth {
 
 Expected<void> validate(const TriangleMesh& mesh) {

@@ -110,7 +110,7 @@ TEST(ValidateMesh, HoldsAfterEachOfManyRandomOperations) {
             triangles += mesh.mesh().triangles.size();
         }
     }
-    EXPECT_GT(triangles, 100'000U);  // the sample means something
+    EXPECT_GT(triangles, 20'000U);  // the sample means something
 }
 
 TEST(ValidateMesh, HoldsForEachComponentAndAfterSimplification) {
