@@ -4,16 +4,7 @@
 
 #include <algorithm>
 
-#include "instruments/modelling/surface_of_revolution.h"
-
 namespace tactooth {
-
-TriangleMesh spinEnvelopeMesh(const RevolutionEnvelope& envelope) {
-    std::vector<OutlinePoint> outline;
-    for (const auto& [radius, z] : envelope.profile()) outline.push_back({radius, z});
-    constexpr int kSides = 48;
-    return revolved(outline, kSides);
-}
 
 float spinBlur(double speedRpm, const BurEdge& edge) {
     constexpr double kGrains = 40;               // around a diamond of 1.4 mm with grains of 0.1 mm
