@@ -76,7 +76,6 @@ GjkResult slabAcross(Points a, Points b, const Vec3& nearest, int iterations) {
     GjkResult result;
     result.iterations = iterations;
     result.distance = nearest.norm();
-    TACTOOTH_ASSERT(result.distance > 0);
     result.normal = nearest / result.distance;
     result.gap = slabWidth(a, b, result.normal);
     result.separated = result.gap > 0;

@@ -42,17 +42,18 @@ Vec3x8 sideBySide(const Vec3f& a, const Vec3f& b) {
 
 /// One bit for each of eight clusters whose slab stays wide enough when the tool is moved by `displacement`. `used`:
 /// the width that it must keep in addition, mm.
-std::uint32_t slabsHold(const ClusterPacket& eight, const ToolMotion::Displacement& displacement, Float8 used) {
-    const Vec3x8 n = Vec3x8::load(eight.normal);
+std::uint32_t slabsHold(const ClusterPacket& packet, const ToolMotion::Displacement& displacement, Float8 used) {
+    const Vec3x8 n = Vec3x8::load(packet.normal);
     const Vec3x8 turned = {dot(n, broadcast(displacement.turn.col(0))), dot(n, broadcast(displacement.turn.col(1))),
                            dot(n, broadcast(displacement.turn.col(2)))};
     const Float8 left =
-        Float8::load(eight.gap) + dot(n, broadcast(displacement.shift)) + dot(turned, Vec3x8::load(eight.centre));
-    return lessEqual(Float8::load(eight.radius) * Float8::all(displacement.perLength) + Float8::all(displacement.spare),
-                     left - used);
+        Float8::load(packet.gap) + dot(n, broadcast(displacement.shift)) + dot(turned, Vec3x8::load(packet.centre));
+    return lessEqual(
+        Float8::load(packet.radius) * Float8::all(displacement.perLength) + Float8::all(displacement.spare),
+        left - used);
 }
-std::uint32_t slabsHold(const ClusterPacket& eight, const ToolMotion::Displacement& displacement) {
-    return slabsHold(eight, displacement, Float8::all(0));
+std::uint32_t slabsHold(const ClusterPacket& packet, const ToolMotion::Displacement& displacement) {
+    return slabsHold(packet, displacement, Float8::all(0));
 }
 
 /// The rotation between two displacements as a chord.
@@ -320,13 +321,13 @@ void NeighbourList::testNewClusters() {
     // The last packet may have got more clusters since.
     if (around_.count > 0 && around_.packets[around_.count - 1] == 8 * first) --around_.count;
     for (std::size_t i = first; 8 * i < near_.count; ++i) {
-        const ClusterPacket& eight = near_.packets[i];
-        const Vec3x8 centre = Vec3x8::load(eight.centre);
-        const Float8 closing = deviation + max(dot(Vec3x8::load(eight.normal), back), zero);
-        const Float8 used = closing + turn * (sqrt(dot(centre, centre)) + Float8::load(eight.radius));
+        const ClusterPacket& packet = near_.packets[i];
+        const Vec3x8 centre = Vec3x8::load(packet.centre);
+        const Float8 closing = deviation + max(dot(Vec3x8::load(packet.normal), back), zero);
+        const Float8 used = closing + turn * (sqrt(dot(centre, centre)) + Float8::load(packet.radius));
         const std::size_t rest = near_.count - 8 * i;
         const std::uint32_t present = rest >= 8 ? 0xFFU : (1U << rest) - 1U;
-        if ((~slabsHold(eight, around_.middle, used) & present) != 0)
+        if ((~slabsHold(packet, around_.middle, used) & present) != 0)
             around_.packets[around_.count++] = static_cast<std::uint32_t>(8 * i);
     }
     around_.tested = near_.count;
@@ -335,8 +336,8 @@ void NeighbourList::testNewClusters() {
 std::uint32_t NeighbourList::uncertainClusters(std::size_t first, const ToolMotion& motion) const {
     TACTOOTH_ASSERT(first % 8 == 0 && first < near_.count);
     const std::size_t rest = near_.count - first;
-    const ClusterPacket& eight = near_.packets[first / 8];
-    return ~(slabsHold(eight, motion.start) & slabsHold(eight, motion.end)) & (rest >= 8 ? 0xFFU : (1U << rest) - 1U);
+    const ClusterPacket& packet = near_.packets[first / 8];
+    return ~(slabsHold(packet, motion.start) & slabsHold(packet, motion.end)) & (rest >= 8 ? 0xFFU : (1U << rest) - 1U);
 }
 
 }  // namespace tactooth

@@ -72,8 +72,8 @@ NeighbourList::PairPacket* NeighbourList::open(std::size_t cluster) {
     if (place != kClosed) return &pairs_[place];
     if (openedCount_ == pairs_.size()) return nullptr;
     place = static_cast<std::uint32_t>(openedCount_++);
-    const ClusterPacket& eight = packetOf(cluster);
-    fill(pairs_[place], near_.leaves[eight.leaf[cluster % 8]], eight.tool[cluster % 8]);
+    const ClusterPacket& packet = packetOf(cluster);
+    fill(pairs_[place], near_.leaves[packet.leaf[cluster % 8]], packet.tool[cluster % 8]);
     return &pairs_[place];
 }
 
@@ -140,26 +140,26 @@ std::uint32_t NeighbourList::separatePairs(const Vec3x8& directions, const NearL
 /// Uses a known direction for the slab of a whole cluster, if it separates the cluster during the whole step. (A plane
 /// that separates a contact often separates its neighbourhood.)
 bool NeighbourList::separateCluster(std::size_t cluster, const ToolMotion& motion, const Swept& swept) {
-    ClusterPacket& eight = near_.packets[cluster / 8];
+    ClusterPacket& packet = near_.packets[cluster / 8];
     const std::size_t lane = cluster % 8;
-    const NearLeaf& leaf = near_.leaves[eight.leaf[lane]];
+    const NearLeaf& leaf = near_.leaves[packet.leaf[lane]];
     for (int i = 0; i < motion.knownCount; ++i) {
         const Vec3f& known = motion.known[i];
         const Vec3x8 directions = broadcast(known);
         const Float8 high = highestOf(leaf.corner, directions);
         if (lessEqual(high, swept.room(directions)) != 0xFF) continue;
-        for (int axis = 0; axis < 3; ++axis) eight.normal[axis][lane] = known[axis];
-        const std::array<Vec3f, 3>& corners = tool_->floatCorners(eight.tool[lane]);
-        eight.gap[lane] = lowestAlong(corners, known) - highest(high) - static_cast<float>(near_.slack);
+        for (int axis = 0; axis < 3; ++axis) packet.normal[axis][lane] = known[axis];
+        const std::array<Vec3f, 3>& corners = tool_->floatCorners(packet.tool[lane]);
+        packet.gap[lane] = lowestAlong(corners, known) - highest(high) - static_cast<float>(near_.slack);
         return true;
     }
     return false;
 }
 
 std::uint32_t NeighbourList::uncertainPairs(std::size_t cluster, const ToolMotion& motion) {
-    const ClusterPacket& eight = packetOf(cluster);
-    const NearLeaf& leaf = near_.leaves[eight.leaf[cluster % 8]];
-    const std::uint32_t tool = eight.tool[cluster % 8];
+    const ClusterPacket& packet = packetOf(cluster);
+    const NearLeaf& leaf = near_.leaves[packet.leaf[cluster % 8]];
+    const std::uint32_t tool = packet.tool[cluster % 8];
     const Swept swept = sweep(tool, motion);
     const auto ownUncertain = [&](const PairPacket& pairs) {
         const Float8 room = swept.room(Vec3x8::load(pairs.normal));
@@ -192,10 +192,11 @@ std::uint32_t NeighbourList::separateBy(const Vec3& direction, std::size_t clust
     TACTOOTH_ASSERT(uncertain <= 0xFF);
     TACTOOTH_ASSERT(isUnit(direction));
     if (opened_[cluster] == kClosed) return uncertain;
-    const ClusterPacket& eight = packetOf(cluster);
-    const Swept swept = sweep(eight.tool[cluster % 8], motion);
+    const ClusterPacket& packet = packetOf(cluster);
+    const Swept swept = sweep(packet.tool[cluster % 8], motion);
     const Vec3x8 directions = broadcast(Vec3f((rotation_.transpose() * direction).cast<float>()));
-    return separatePairs(directions, near_.leaves[eight.leaf[cluster % 8]], swept, uncertain, pairs_[opened_[cluster]]);
+    return separatePairs(directions, near_.leaves[packet.leaf[cluster % 8]], swept, uncertain,
+                         pairs_[opened_[cluster]]);
 }
 
 void NeighbourList::separateAhead(const Surface& surface, const Pose& start, const Pose& end, double margin) {
@@ -226,11 +227,11 @@ void NeighbourList::separatePairAhead(const Surface& surface, std::size_t place,
 }
 
 NearPair NeighbourList::operator[](std::size_t place) const {
-    const ClusterPacket& eight = packetOf(place / 8);
+    const ClusterPacket& packet = packetOf(place / 8);
     const std::size_t lane = place / 8 % 8;
-    const NearLeaf& leaf = near_.leaves[eight.leaf[lane]];
+    const NearLeaf& leaf = near_.leaves[packet.leaf[lane]];
     TACTOOTH_ASSERT(((leaf.present >> (place % 8)) & 1U) != 0);
-    return {leaf.part, leaf.triangle[place % 8], eight.tool[lane]};
+    return {leaf.part, leaf.triangle[place % 8], packet.tool[lane]};
 }
 
 Vec3 NeighbourList::direction(std::size_t place) const {

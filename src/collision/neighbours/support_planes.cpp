@@ -102,8 +102,8 @@ float SupportPlanes::lowAfter(double turn, const Vec3f& inward) const {
     const Vec3x8 d = Vec3x8::all(inward.x(), inward.y(), inward.z());
     const Float8 by = Float8::all(static_cast<float>(turn));
     Float8 low = Float8::all(std::numeric_limits<float>::infinity());
-    for (const PointPacket& eight : points_)
-        low = min(low, dot(d, Vec3x8::load(eight.at)) - by * Float8::load(eight.far));
+    for (const PointPacket& packet : points_)
+        low = min(low, dot(d, Vec3x8::load(packet.at)) - by * Float8::load(packet.far));
     return lowest(low);
 }
 
@@ -154,7 +154,7 @@ SupportPlanes::Number SupportPlanes::facing(const Vec3f& point) const {
 }
 
 std::span<const float> SupportPlanes::losses(double turn) const {
-    TACTOOTH_ASSERT(turn >= 0 && turn <= kChords.back());
+    TACTOOTH_ASSERT(turn >= 0);
     std::size_t i = 0;
     while (i + 1 < kChords.size() && turn > kChords[i]) ++i;
     return losses_[i];

@@ -100,7 +100,6 @@ private:
             if (isNew) point_ += step * parts.rest;
             for (int i = 0; i < count_; ++i) multiplier_[i] = std::max(0.0, multiplier_[i] - step * parts.ofActive[i]);
             push += step;
-            TACTOOTH_ASSERT(step >= 0);
             if (full <= block.push) {
                 TACTOOTH_ASSERT(count_ < 6);
                 active_[count_] = entering;

@@ -5,6 +5,9 @@
 #include "collision/solid/self_intersection.h"
 #include "geometry/util/assert.h"
 
+// Own method, without a published source: vertices of crossing triangles go back to their rest positions, in growing
+// rings.
+
 namespace tactooth {
 
 bool repairSelfIntersections(TriangleMesh& mesh, const std::vector<Vec3f>& restPositions) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 #include "support/expect_assert.h"
 #include "triangle_oracle.h"

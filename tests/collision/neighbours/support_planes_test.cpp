@@ -114,7 +114,7 @@ TEST(SupportPlanes, ThePlaneThatFacesAPointIsTheOneItIsFurthestBeyond) {
 TEST(SupportPlanes, AssertThatDirectionsAreUnitAndChordsInRange) {
     const SupportPlanes planes(tools()[0]);
     EXPECT_ASSERT((void)planes.across(Vec3f(0, 0, 2), 0.1F));
-    EXPECT_ASSERT((void)planes.losses(2.1));
+    EXPECT_ASSERT((void)planes.losses(-0.1));
     EXPECT_ASSERT((void)planes[static_cast<SupportPlanes::Number>(planes.size())]);
     EXPECT_ASSERT((void)SupportPlanes(TriangleMesh{}).facing(Vec3f::Zero()));
 }

@@ -49,7 +49,7 @@ TEST(PlaneFinder, SeparatesRandomTrianglesWithEveryCornerOnItsSide) {
         const auto corner = [&] { return Vec3f(test::randomVector(random).cast<float>()); };
         ProxyContext context = test::sceneOf(test::oneTriangle(corner(), corner(), corner()),
                                              test::oneTriangle(corner(), corner(), corner()),
-                                             {1.5 * test::randomVector(random), {1, 0, 0, 0}});
+                                             {1.5 * test::randomVector(random), Quat::Identity()});
         WatchedPair watched = context.planes.watch(context.state, kPair, Vec3::Zero());
         if (!context.ensurePlane(watched)) continue;
         ++separated;
