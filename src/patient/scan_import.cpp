@@ -166,7 +166,7 @@ private:
 
 }  // namespace
 
-bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
     if (!material) {
         if (!scan.outer.empty()) return false;
         scan.outer = std::move(mesh);

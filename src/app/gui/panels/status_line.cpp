@@ -106,7 +106,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
                   .arg(missed)
                   .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
-    removed_->setText(removedText(simulator.removed()));
+    removed_->setText(removedText(simulator.removed(), simulator.materials()));
     const std::string_view text = statusText(sound);
     sound_->setText(translated(text));
 }
