@@ -166,7 +166,7 @@ private:
 
 }  // namespace
 
-bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
+bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh) {
     if (!material) {
         if (!scan.outer.empty()) return false;
         scan.outer = std::move(mesh);

@@ -23,7 +23,7 @@ struct Scan {
 };
 
 /// Takes the layer of a material, or the outer surface where there is none. False if the scan has that surface already.
-[[nodiscard]] bool addLayer(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
+[[nodiscard]] bool addSurface(Scan& scan, const std::optional<MaterialId>& material, TriangleMesh mesh);
 
 /// What a person says about a scan; what is left open is guessed.
 struct ImportOptions {

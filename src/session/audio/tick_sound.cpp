@@ -7,16 +7,16 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTurbineFromRpm =
-    100000;  // rev/min of air drives: turbines run at 200,000 and more, air motors below 40,000
-constexpr double kCoarsestGrit = 180;  // um: a super-coarse diamond crackles, a super-fine one hisses
-constexpr double kMaxGrainier = 0.5;   // of the difference to graininess 1
+constexpr double kTurbineFromRpm = 100000;  // of air drives: turbines run at 200,000 and more, air motors below 40,000
+constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond crackles, a super-fine one hisses
+constexpr double kMaxGrainier = 0.5;        // of the difference to graininess 1
 
 /// The index of the recording for a material. Materials that the sound layer does not know share that of "other".
 std::size_t recordingOf(std::string_view material) {
     const auto names = soundMaterialNames();
     const auto found = std::ranges::find(names, material);
-    return static_cast<std::size_t>((found != names.end() ? found : std::ranges::find(names, "other")) - names.begin());
+    return static_cast<std::size_t>(
+        (found != names.end() ? found : std::ranges::find(names, std::string_view("other"))) - names.begin());
 }
 
 SoundCharacter characterOf(const MaterialTable& materials, MaterialId id) {

@@ -72,7 +72,7 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from, const
         importNotes.insert(importNotes.end(), read->importNotes.begin(), read->importNotes.end());
         if (!named.isAdjacent) byName[named.body].materials = &materials;
         const bool isNew = named.isAdjacent ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
-                                            : addLayer(byName[named.body], named.material, std::move(read->mesh));
+                                            : addSurface(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
             return unexpected(displayName(file) + ": the case has this surface already; give each tooth its own name.");
         }

@@ -32,7 +32,7 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         const NamedSurface named = surfaceNamed(file);
         const auto material = files.size() > 1 ? named.material : std::nullopt;
         if (material) scan.name = named.body;
-        if (!addLayer(scan, material, std::move(read->mesh))) {
+        if (!addSurface(scan, material, std::move(read->mesh))) {
             return unexpected(
                 displayName(file) +
                 ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
