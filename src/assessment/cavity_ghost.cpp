@@ -12,16 +12,17 @@
 namespace tactooth {
 namespace {
 
-constexpr double kGhostPatch = 0.1;   // mm: what is reached together; five pixels of a whole crown
-constexpr double kReached = 0.05;     // mm: two samples of a cut tooth; what is left before a wall counts as nothing
-constexpr float kCordRadius = 0.04F;  // mm: half of it stands out of the enamel; three pixels of a whole crown
+constexpr double kGhostPatch = 0.1;  // mm: size of a group of triangles; five pixels in a picture of a whole crown
+constexpr double kReached = 0.05;    // mm, two samples of a cut tooth: a wall with less before it counts as reached
+constexpr float kCordRadius =
+    0.04F;  // mm: half of it stands out of the enamel; three pixels in a picture of a whole crown
 constexpr std::uint32_t kCordSides = 6;
 
 Vec3 middleOf(const TriangleMesh& mesh, std::size_t triangle) {
     return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3;
 }
 
-/// The cell of a grid of kGhostPatch mm that a point lies in.
+/// The grid cell of a point; the grid spacing is kGhostPatch.
 std::array<int, 3> cellOf(const Vec3& point) {
     const Eigen::Array3i cell = (point / kGhostPatch).array().floor().cast<int>();
     return {cell.x(), cell.y(), cell.z()};
@@ -86,7 +87,7 @@ CavityGhost::CavityGhost(CavityWalls walls, const SurfacePart& outer) {
     last_ = std::make_shared<const Surface>(shown_);
 }
 
-/// Brings the triangles into the order of their spots.
+/// Sorts the triangles by their groups.
 void CavityGhost::divideIntoPatches(TriangleMesh& walls, const SurfacePart& outer) {
     std::vector<std::pair<std::array<int, 3>, std::uint32_t>> placed;
     for (std::uint32_t i = 0; i < walls.triangles.size(); ++i) placed.emplace_back(cellOf(middleOf(walls, i)), i);
@@ -99,7 +100,7 @@ void CavityGhost::divideIntoPatches(TriangleMesh& walls, const SurfacePart& oute
         ghostPatches_.back().end = i + 1;
     }
     walls.triangles = std::move(ordered);
-    constexpr std::size_t kGrain = 64;  // measures: about half a millisecond
+    constexpr std::size_t kGrain = 64;  // distance queries: about half a millisecond
     parallelFor(
         ghostPatches_.size(),
         [&](std::size_t i) {

@@ -10,8 +10,8 @@ namespace tactooth {
 /// The tags of a ghost's triangles.
 inline constexpr SurfaceTag kGhostWall = 0, kGhostRim = 1;
 
-/// The cavity that is to be cut, inside the tooth that it is to be cut into: its walls, and along their rim, which is
-/// the outline of the cavity on the tooth's surface, a thin cord. What the cut has reached is hidden.
+/// The target cavity as a mesh inside the tooth: its walls, and a thin cord along their rim, which is the outline of
+/// the cavity on the surface of the tooth. Walls that the cut has reached are hidden.
 class CavityGhost {
 public:
     /// `outer`: the uncut tooth, closed. Takes a second for a large tooth.
@@ -23,9 +23,9 @@ public:
     /// Whether the target has nothing to cut.
     [[nodiscard]] bool empty() const { return shown_.base->mesh().empty(); }
 
-    /// The ghost over `tooth`, a snapshot of the tooth: walls with tooth still before them (kGhostWall), and the whole
-    /// rim (kGhostRim). The same pointer as long as nothing new is reached or put back. Quick where `tooth` differs
-    /// little from that of the last call.
+    /// The ghost for a snapshot of the tooth: walls with tooth still before them (kGhostWall), and the whole rim
+    /// (kGhostRim). Returns the same pointer as long as nothing changes. Fast where `tooth` differs little from that of
+    /// the last call.
     [[nodiscard]] std::shared_ptr<const Surface> over(const std::shared_ptr<const Surface>& tooth);
 
 private:

@@ -15,7 +15,7 @@ constexpr double kSpacing = 0.1;      // mm, between two points
 constexpr double kMaxPoints = 4e5;    // in the box around the cavity: a second of work
 constexpr std::size_t kGrain = 1024;  // points: about a millisecond
 
-/// A box around all that `target` lacks of the tooth: its walls, and the enamel that stood over them.
+/// A box around the volume that `target` lacks: its walls, and the enamel that stood over them.
 Box3 boxOfCavity(const SurfacePart& target, const SurfacePart& outer, const CavityWalls& walls) {
     Box3 box;
     if (walls.mesh.empty()) return box;
@@ -31,8 +31,9 @@ Box3 boxOfCavity(const SurfacePart& target, const SurfacePart& outer, const Cavi
     return box;
 }
 
-/// One in each of the equal cubes that fill the box, scattered there so that no flat floor falls between two layers of
-/// them: the additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018.
+/// One point in each of the equal cubes that fill the box. The points are jittered, so that no flat floor falls between
+/// two layers of points: the additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom
+/// sequences", 2018.
 std::vector<Vec3f> pointsIn(const Box3& box, double spacing) {
     constexpr double kPlastic = 1.2207440846057596;  // root of x^4 = x + 1
     const Vec3 step(1 / kPlastic, 1 / (kPlastic * kPlastic), 1 / (kPlastic * kPlastic * kPlastic));
@@ -94,7 +95,7 @@ void CavityMetrics::takeCleared(const Surface& tooth) {
     cleared_ = static_cast<std::size_t>(std::count(isCleared_.begin(), isCleared_.end(), 1));
 }
 
-/// Only what is new is measured.
+/// Measures only the new patches.
 double CavityMetrics::maxOverPreparationOf(const Surface& tooth) {
     std::unordered_map<std::uint64_t, double> now;
     std::vector<const SurfacePart*> fresh;

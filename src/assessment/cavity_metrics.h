@@ -12,25 +12,25 @@
 
 namespace tactooth {
 
-/// What has been cut of an ideal cavity, and what beside it. Volumes in mm^3.
+/// Metrics of a cavity against an ideal one. Volumes in mm^3.
 struct CavityProgress {
     double planned = 0;             ///< the whole ideal cavity
-    double cleared = 0;             ///< of it, cut
+    double cleared = 0;             ///< cut part of it
     double beyond = 0;              ///< cut outside of it
-    double maxOverPreparation = 0;  ///< how far the cut goes beyond the ideal walls at its worst, mm
+    double maxOverPreparation = 0;  ///< greatest distance of the cut beyond the ideal walls, mm
 
     /// 0..1.
     [[nodiscard]] double clearedFraction() const { return planned > 0 ? cleared / planned : 0; }
-    /// How alike the cavity and the ideal one are, 0..1: twice what both have over the sum of both (L. R. Dice,
-    /// "Measures of the amount of ecologic association between species", Ecology 26, 1945).
+    /// Dice coefficient of the cavity and the ideal one, 0..1: twice the common volume over the sum of both (L. R.
+    /// Dice, "Measures of the amount of ecologic association between species", Ecology 26, 1945).
     [[nodiscard]] double dice() const {
         const double both = planned + cleared + beyond;
         return both > 0 ? 2 * cleared / both : 0;
     }
 };
 
-/// Keeps account of a cavity that is being cut: compares the tooth with an ideal shape of it. A cavity is counted by
-/// points, a tenth of a millimetre apart or somewhat more in a large one: to about 1 % of its volume.
+/// Computes the metrics of a cavity while it is cut: compares the tooth with an ideal shape. It counts points of a
+/// grid, 0.1 mm apart or somewhat more in a large cavity, which gives the volume to about 1 %.
 class CavityMetrics {
 public:
     /// `target`: the tooth with the ideal cavity, closed; `outer`: the uncut tooth, closed. Where the two are nearer to
@@ -39,7 +39,7 @@ public:
     /// The same; `walls` are those of the target in `outer`.
     CavityMetrics(std::shared_ptr<const SurfacePart> target, const SurfacePart& outer, const CavityWalls& walls);
 
-    /// The account of `tooth`, a snapshot from which `removed` has been cut, mm^3. Quick where `tooth` differs little
+    /// The metrics of `tooth`, a snapshot; `removed` is its removed volume, mm^3. Fast where `tooth` differs little
     /// from that of the last call. One thread at a time.
     [[nodiscard]] CavityProgress of(const Surface& tooth, double removed);
 

@@ -9,21 +9,20 @@
 #include "geometry/mesh/append_subset.h"
 #include "geometry/util/parallel_for.h"
 
-// The distance to a surface changes by no more than the way one goes (it is 1-Lipschitz): an edge whose ends are both
-// farther outside than it is long has nothing inside. All other edges are halved until they are short, each the same
-// for both of its triangles, and what is left is cut along the straight line between the two changes of sign on a
-// triangle's edges.
+// The distance to a surface is 1-Lipschitz, so an edge whose ends are both farther outside than it is long lies
+// outside. All other edges are halved until they are short, equally for both of their triangles. The rest is cut along
+// the straight line between the two changes of sign on a triangle's edges.
 
 namespace tactooth {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;  // lower vertex first
 
-constexpr int kMaxRounds = 32;  // of halving: a metre becomes less than a nanometre; no edge ever needs as many
+constexpr int kMaxRounds = 32;  // of halving: a metre becomes less than a nanometre
 
 Edge edgeOf(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Equal for equal triangles, whichever corner of them comes first.
+/// A key of a triangle that does not depend on its first corner.
 std::array<float, 9> cornersOf(const TriangleMesh& mesh, const Triangle& triangle) {
     std::array<std::array<float, 3>, 3> points;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -36,7 +35,7 @@ std::array<float, 9> cornersOf(const TriangleMesh& mesh, const Triangle& triangl
     return corners;
 }
 
-/// The triangles of `target` that are not, corner for corner, in the uncut surface as well: most of a tooth has none.
+/// The triangles of `target` that are not triangles of the uncut surface: those of cavities.
 std::vector<Triangle> newTriangles(const TriangleMesh& target, const TriangleMesh& uncut) {
     std::vector<std::array<float, 9>> known;
     known.reserve(uncut.triangles.size());
@@ -50,7 +49,7 @@ std::vector<Triangle> newTriangles(const TriangleMesh& target, const TriangleMes
     return result;
 }
 
-/// Triangles that grow shorter edges, and how far each of their vertices stands above the depth where walls end, mm.
+/// Triangles whose edges are halved, and for each vertex its height above the depth at which walls end, mm.
 class Walls {
 public:
     Walls(const TriangleMesh& target, const SurfacePart& outer) : outer_(outer) {
@@ -120,7 +119,7 @@ private:
         return edges;
     }
 
-    /// One vertex on each edge, in their order after those that are there; `share`: of the way along it.
+    /// Adds one vertex on each edge, in the order of the edges; `share`: its position along the edge, 0..1.
     template <class Share>
     void addVertices(const std::vector<Edge>& edges, const Share& share) {
         const std::size_t first = mesh_.vertices.size();
@@ -147,7 +146,7 @@ private:
             const auto middle = [&](std::size_t i) { return vertexOn(halved, count, t[i], t[(i + 1) % 3]); };
             int middles = 0;
             for (std::size_t i = 0; i < 3; ++i) middles += middle(i) ? 1 : 0;
-            // Turned so that its first edge is halved and, of two, the last one is not.
+            // Rotated so that the first edge is halved and, of two halved edges, the last one is not.
             while (middles > 0 && middles < 3 && (!middle(0) || (middles == 2 && middle(2)))) {
                 std::rotate(t.begin(), t.begin() + 1, t.end());
             }
@@ -173,7 +172,7 @@ private:
         const auto inside = std::count_if(t.begin(), t.end(), [&](std::uint32_t v) { return isInside(v); });
         if (inside == 3) walls.mesh.triangles.push_back(t);
         if (inside == 0 || inside == 3) return;
-        // Turned so that the corner that differs from the two others comes first.
+        // Rotated so that the corner that differs from the two others comes first.
         while (isInside(t[0]) != (inside == 1)) std::rotate(t.begin(), t.begin() + 1, t.end());
         const std::size_t count = old + crossed.size();
         const std::uint32_t after = *vertexOn(crossed, count, t[0], t[1]);

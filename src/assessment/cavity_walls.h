@@ -11,11 +11,11 @@
 
 namespace tactooth {
 
-/// What lies deeper below the uncut surface than this is to be cut, mm: less than the 25 um between two samples of a
-/// tooth that is cut, more than storing or thinning moves the surface of a scan.
+/// Depth below the uncut surface from which on a target counts as cavity, mm: less than the 25 um of a usual voxel,
+/// more than storing or simplifying moves the surface of a scan.
 inline constexpr double kCavityDepth = 0.02;
 
-/// No edge of the walls is longer, mm, so that they can be shown as far as they have not been reached.
+/// Longest edge of the walls, mm, so that the part that is not reached yet can be shown.
 inline constexpr double kCavityEdge = 0.15;
 
 /// The walls and floors of cavities, with normals into the cavities.
@@ -31,8 +31,8 @@ struct CavityWalls {
 /// The same on any number of threads.
 [[nodiscard]] CavityWalls cavityWalls(const TriangleMesh& target, const SurfacePart& outer);
 
-/// How near the walls come to the pulp of `tooth`, mm; negative where the cavity opens it, nothing without pulp or
-/// walls.
+/// Least distance of the walls from the pulp of `tooth`, mm; negative where the cavity opens it. Nothing without pulp
+/// or walls.
 [[nodiscard]] std::optional<double> leastToPulp(const CavityWalls& walls, const LayeredTooth& tooth);
 
 }  // namespace tactooth

@@ -20,14 +20,14 @@
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;   // mm, that of the tooth a student cuts
-constexpr double kClear = 20.0;   // mm: the bur comes from so far outside
-constexpr double kNear = 1e-4;    // mm, of the surface
+constexpr double kVoxel = 0.05;   // mm, as for the student's tooth
+constexpr double kClear = 20.0;   // mm: start of the bur above the tooth
+constexpr double kNear = 1e-4;    // mm: distance at which the surface is reached
 constexpr double kStep = 0.1;     // mm between two heights of a floor that follows the surface
-constexpr int kMaxSteps = 10000;  // of the way to the surface: only a line along it needs as many
+constexpr int kMaxSteps = 10000;  // toward the surface: only a line along the surface needs as many
 
-/// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere
-/// tracing", The Visual Computer 12, 1996); nothing where a line from there misses it.
+/// Height of the surface over `place` along `outward`, by sphere tracing (J. C. Hart, "Sphere tracing", The Visual
+/// Computer 12, 1996); nothing where the line misses it.
 std::optional<double> heightOf(const SurfacePart& outer, const Vec3& place, const Vec3& outward) {
     const Box3 box = outer.tree().box();
     const double middle = outward.dot(box.center() - place);
@@ -48,7 +48,7 @@ std::vector<Vec3> placesOf(const PreparationPlan::Stroke& stroke) {
     return places;
 }
 
-/// Where the bur's tip goes, stroke after stroke.
+/// The paths of the bur's tip, one for each stroke.
 Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const SurfacePart& outer) {
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;

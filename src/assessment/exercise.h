@@ -14,35 +14,36 @@
 
 namespace tactooth {
 
-/// How the bur goes through an ideal cavity: strokes of its tip, all with the shaft in one direction.
+/// The path of the bur through an ideal cavity: strokes of its tip, with the shaft in one direction.
 struct PreparationPlan {
     Vec3 outward;  ///< direction of the shaft, out of the tooth, unit
     double depth;  ///< below the surface, mm
-    bool isFlat;   ///< the floor is flat, that deep on the mean of the first stroke; else it follows the surface
+    bool
+        isFlat;  ///< true: flat floor, `depth` below the mean of the first stroke; false: the floor follows the surface
     struct Stroke {
-        Vec3 from, to;  ///< in the tooth's frame, mm; the height along `outward` is found
+        Vec3 from, to;  ///< tooth frame, mm; the height along `outward` is computed
     };
     std::vector<Stroke> strokes;
 };
 
-/// A task for a student: a cavity in a tooth. Frame: that of the tooth.
+/// A task for a student: a cavity in a tooth. Tooth frame.
 struct Exercise {
     std::string name;                                            ///< for people
     std::string task;                                            ///< a sentence
     std::variant<ToothRequest, ToothSource> tooth;               ///< a built-in one, or files
     std::variant<std::string, std::filesystem::path> bur;        ///< number in the catalogue, or a file (readCustomBur)
     std::variant<PreparationPlan, std::filesystem::path> ideal;  ///< or a file (loadIdealShape)
-    std::filesystem::path file = {};                             ///< that describes it; empty: it is built in
+    std::filesystem::path file = {};                             ///< its description; empty: built in
 };
 
 /// Those that are built in (data/exercises/), from easy to hard.
 [[nodiscard]] std::span<const std::shared_ptr<const Exercise>> exercises();
 
-/// What the exercise is done on, uncut. Takes a second; fails with one sentence.
+/// The uncut tooth of the exercise. Takes a second; fails with one sentence.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);
 
-/// `tooth`, which is that of the exercise, with the cavity in it, closed. What is cut by a plan has the untouched
-/// triangles of the tooth, bit for bit. Fails with one sentence.
+/// `tooth` (that of the exercise) with the ideal cavity, closed. A cavity from a plan keeps the untouched triangles of
+/// the tooth, bit for bit. Fails with one sentence.
 [[nodiscard]] Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth);
 
 }  // namespace tactooth

@@ -52,7 +52,7 @@ private:
         readIdeal(root);
     }
 
-    /// A file that the text names.
+    /// The path of a file that the text names.
     std::filesystem::path beside(const toml::node& where, const std::string& entry) {
         if (!entry.empty() && !isSafeEntry(entry)) {
             toml_.fail(where, quotedWord(entry) +
@@ -162,7 +162,7 @@ private:
         return plan;
     }
 
-    /// Out of the tooth, unit.
+    /// Unit vector out of the tooth.
     Vec3 side(const toml::table& cavity) {
         const toml::node* node = cavity.get("side");
         if (node != nullptr && node->is_array()) {
@@ -198,7 +198,7 @@ private:
 
     TomlReader toml_;
     const std::filesystem::path& folder_;
-    double mesialX_ = 1;  // an opened surface is taken to have it at +x
+    double mesialX_ = 1;  // for a surface from a file +x
     Exercise exercise_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// Reads an exercise that a teacher has described (docs/exercises.md): TOML. `name` stands for the file in messages;
-/// the files that the text names lie in `folder` or below it. Fails with one sentence that names the line.
+/// Reads the description of an exercise (TOML, docs/exercises.md). `name` stands for the file in messages. The files
+/// that the text names lie in `folder` or below it. Fails with one sentence that names the line.
 [[nodiscard]] Expected<Exercise> parseExercise(std::string_view text, const std::string& name,
                                                const std::filesystem::path& folder);
 
@@ -21,7 +21,7 @@ struct BuiltinExerciseText {
 };
 [[nodiscard]] std::span<const BuiltinExerciseText> builtinExerciseTexts();
 
-/// The same from a file. Reads the text alone, none of the surfaces that it names.
+/// The same from a file. Does not read the surfaces that the text names.
 [[nodiscard]] Expected<Exercise> readExercise(const std::filesystem::path& file);
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// The visible surface of a tooth (of it alone) as it would be read from a file of it: equal positions are one vertex.
+/// The visible surface of a tooth without its surroundings, as read from a file: equal positions are one vertex.
 [[nodiscard]] TriangleMesh asReadFromFile(const Surface& tooth);
 
 /// The ideal shape of a tooth, in the tooth's frame: from a surface (STL, OBJ, PLY), or from a saved tooth that an

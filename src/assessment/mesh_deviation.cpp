@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-/// How far the farthest of a set of points is from a surface.
+/// Greatest distance of a set of points from a surface.
 class FarthestFrom {
 public:
     explicit FarthestFrom(const TriangleMesh& mesh) : surface_(mesh) {}

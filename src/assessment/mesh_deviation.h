@@ -6,8 +6,7 @@
 
 namespace tactooth {
 
-/// How far two surfaces are apart where they are farthest apart, mm: the greatest distance of a corner, an edge's
-/// middle or a triangle's middle of either from the other (the Hausdorff distance, as far as those points see it).
+/// Hausdorff distance of two surfaces, sampled at the corners, edge midpoints and centroids of both, mm.
 [[nodiscard]] double hausdorffDistance(const TriangleMesh& one, const TriangleMesh& other);
 
 /// The greatest distance of a vertex of `of` from the surface `to`, mm.

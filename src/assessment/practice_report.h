@@ -11,12 +11,12 @@
 
 namespace tactooth {
 
-/// What a student has done to a tooth.
+/// The results of a student's work.
 struct PracticeReport {
     std::string tooth = {};
     std::string task = {};                      ///< name of the exercise, or of the target; empty: free practice
     double seconds = 0;                         ///< since the first contact
-    std::optional<CavityProgress> cavity = {};  ///< where there was an ideal one
+    std::optional<CavityProgress> cavity = {};  ///< empty without an ideal cavity
     MaterialVolumes removed{};                  ///< mm^3
     const MaterialRegistry* materials = &builtinMaterials();  ///< of the tooth
     double beside = 0;                                        ///< of that, from other teeth, gum or bone

@@ -13,27 +13,28 @@ namespace tactooth {
 inline constexpr double kSlowSpeed = 10;   ///< mm/s: the "low speed" of the published measurements, 1 cm/s
 inline constexpr double kFastSpeed = 100;  ///< mm/s: the "high speed", 10 cm/s
 
-/// The hand of the standard measurement: it comes down on the tooth, is pressed 0.3 mm into it, slides over cusps and
-/// fissures and leaves, turning 60 degrees/s about the tip. `speed` in mm/s; a fast hand goes more often to and fro.
+/// The device path of the standard measurement: it comes down on the tooth, presses 0.3 mm into it, slides over cusps
+/// and fissures and leaves, turning by 60 degrees/s about the tip. `speed` in mm/s; a fast path goes to and fro more
+/// often.
 [[nodiscard]] ToolTrajectory standardToolPath(double speed);
 
-/// What the ticks of one path cost, in the thread's processor time. The quantiles are over the ticks in contact.
+/// Processor time of the ticks of one path. The quantiles are over the ticks in contact.
 struct ContactTiming {
     std::size_t ticks = 0;
     std::size_t inContact = 0;
     double p50 = 0;                      ///< us
     double p99 = 0;                      ///< us
     double p999 = 0;                     ///< us
-    double largest = 0;                  ///< us, of all ticks, also those without contact
+    double largest = 0;                  ///< us, of all ticks, with and without contact
     double contacts = 0;                 ///< triangles that hold the tool, mean over the ticks in contact
     double iterations = 0;               ///< of the solver, mean over the ticks in contact
     double distances = 0;                ///< GJK runs, mean over the ticks in contact
-    std::size_t iterationLimitHits = 0;  ///< ticks that ran out of their budget
+    std::size_t iterationLimitHits = 0;  ///< ticks that ran out of their work budget
     std::size_t overlapping = 0;         ///< ticks whose start was not free
 };
 
-/// Leads `tool` along `hand` (the first pose free, one pose a millisecond) `repeat` times and takes the least time of
-/// each tick, so that an interruption does not count as work.
+/// Moves `tool` along `hand` (the first pose free, one pose a millisecond) `repeat` times and takes the least time of
+/// each tick, so that interruptions do not count.
 [[nodiscard]] ContactTiming timeContact(const std::shared_ptr<const Surface>& surface,
                                         const std::shared_ptr<const ToolShape>& tool, std::span<const Pose> hand,
                                         int repeat, Freedom freedom = Freedom::Translation);

@@ -17,7 +17,7 @@ struct PlotSeries {
     std::string name;
     std::vector<std::array<double, 2>> points;  ///< x, y
     bool marked = false;                        ///< a dot at each point
-    bool dashed = false;                        ///< for what is not measured here: published, exact, ideal
+    bool dashed = false;                        ///< for values that are not measured: published, exact, ideal
 };
 
 /// One pair of axes.
@@ -30,7 +30,7 @@ struct ExperimentPlot {
     std::vector<PlotSeries> series;
 };
 
-/// A published number beside ours, as text with units.
+/// A published number and ours, as text with units.
 struct Comparison {
     std::string what;
     std::string published;
@@ -39,14 +39,14 @@ struct Comparison {
 
 using Cell = std::variant<std::string, double>;
 
-/// What one experiment has found, ready to be written down.
+/// The results of one experiment.
 struct Experiment {
     std::string id;  ///< also the name of its files
     std::string title;
-    std::string method;  ///< what was done, in a few sentences
+    std::string method;  ///< a few sentences
     std::vector<std::string> columns;
     std::vector<std::vector<Cell>> rows;
-    int plotColumns = 1;  ///< the panels stand side by side in this many columns
+    int plotColumns = 1;  ///< columns of panels
     std::vector<ExperimentPlot> panels;
     std::vector<Comparison> comparisons;
 };

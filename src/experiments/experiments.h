@@ -7,8 +7,8 @@
 
 namespace tactooth {
 
-/// Time from an STL file to a surface that can be touched, by its number of triangles. `scratch` is a folder in which
-/// the files are made, and removed again.
+/// Time from an STL file to a surface that can be touched, by number of triangles. The files are made in the folder
+/// `scratch` and removed again.
 [[nodiscard]] Expected<Experiment> measureLoading(TestTeeth& testTeeth, const std::filesystem::path& scratch);
 
 /// The smallest movement of the hand that changes the depth, and the time that a force takes, at every resolution.

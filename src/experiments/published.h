@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What was published about the dental simulator whose measurements 'tactooth reproduce' repeats: surface meshes of real
+// Published results of the dental simulator whose measurements 'tactooth reproduce' repeats: surface meshes of real
 // teeth, AABB trees with GJK and EPA, a force-feedback arm. Only these numbers are known to us, most of them as the
 // least and the greatest of a table.
 namespace tactooth::published {

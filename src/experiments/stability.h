@@ -11,13 +11,13 @@
 
 namespace tactooth {
 
-/// What the hand does with the tooth.
+/// The task of the hand.
 enum class StabilityScenario { Tap, Press, PressToLimit, Cusp, Fissure, Slot, Release, Cut, Tremor };
 inline constexpr int kScenarioCount = 9;
 /// "tap", "press", "limit", "cusp", "fissure", "slot", "let-go", "cut", "tremor".
 [[nodiscard]] std::string_view stabilityScenarioName(StabilityScenario situation);
 
-/// A device, a hand, a material and what is done: one run of the closed loop.
+/// One run of the closed loop: a device, a hand, a material and a task.
 struct StabilityCase {
     const DevicePreset* device = nullptr;
     const HandImpedance* hand = nullptr;
@@ -25,17 +25,17 @@ struct StabilityCase {
     StabilityScenario situation = StabilityScenario::Press;
     double rateHz = 1000;
 };
-/// What the runs touch: the tissues of a tooth, and a spring as stiff as the device bears.
+/// The materials of the runs: the tissues of a tooth, and nothing for a spring as stiff as the device bears.
 [[nodiscard]] std::vector<std::optional<MaterialId>> stabilityMaterials();
 /// The material's name, or "stiffest".
 [[nodiscard]] std::string_view materialNameOf(const StabilityCase& one);
 
-/// What the hand has felt. Forces are those that went to the motors.
+/// The results of a run. Forces are those sent to the motors.
 struct StabilityResult {
     double stiffness = 0;     ///< N/mm, the largest rendered
-    double restForce = 0;     ///< N, mean over the last half second, in which the hand wants to rest
+    double restForce = 0;     ///< N, mean over the last half second, in which the hand tries to rest
     double ripple = 0;        ///< of that force, root mean square over mean; 0 if nothing is touched at rest
-    double maxRipple = 0;     ///< that a steady run may have: what a cut and a tremor shake on purpose comes on top
+    double maxRipple = 0;     ///< limit of `ripple`; higher for a cut and a tremor
     double minEnergy = 0;     ///< N*mm, of the passivity controller's observer; below zero it is not stable
     double maxForce = 0;      ///< N
     double maxForceRate = 0;  ///< N/ms between two ticks

@@ -16,7 +16,7 @@
 
 namespace tactooth {
 
-/// The teeth that everything is measured on.
+/// The teeth of the measurements.
 enum class StandardToothKind {
     Front,
     Molar,
@@ -35,13 +35,13 @@ struct StandardTooth {
 /// The folder with the real teeth of the project: $TACTOOTH_DATA, or ../shared/data from where the program was started.
 [[nodiscard]] std::optional<std::filesystem::path> realTeethFolder();
 
-/// A real tooth where there is one, else a built-in one.
+/// A real tooth if its file is there, else a built-in one.
 [[nodiscard]] Expected<StandardTooth> standardTooth(StandardToothKind kind);
 
-/// A tooth of the user's own in the place of a standard one.
+/// A tooth of the user in place of a standard one.
 [[nodiscard]] Expected<StandardTooth> customTooth(const std::filesystem::path& file);
 
-/// A tooth of one material with that surface, before anything is cut. Fails with one sentence that names the source.
+/// An uncut tooth of one material with that surface. Fails with one sentence that names the source.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth);
 
 /// The round bur of 336 triangles that measurements use.

@@ -10,17 +10,17 @@
 
 namespace tactooth {
 
-/// The teeth that experiments share, each made when it is first asked for.
+/// The teeth that experiments share. Each is made at its first use.
 class TestTeeth {
 public:
     /// All standard teeth and their resolutions; fails if a file is there but cannot be read.
     [[nodiscard]] Expected<const StandardTooth*> tooth(StandardToothKind kind);
     [[nodiscard]] Expected<const std::vector<Resolution>*> ladder(StandardToothKind kind);
 
-    /// Those that were asked for so far, in the order of StandardToothKind.
+    /// The teeth used so far, in the order of StandardToothKind.
     [[nodiscard]] std::vector<const StandardTooth*> used() const;
 
-    /// The standard bur, as it is felt.
+    /// The standard bur as a tool shape.
     [[nodiscard]] const std::shared_ptr<const ToolShape>& bur() const { return bur_; }
 
 private:

@@ -7,14 +7,14 @@
 
 namespace tactooth {
 
-/// Processor time that this thread has used, us: what other programs do meanwhile counts as little as possible.
+/// Processor time of this thread, us; it depends as little as possible on other programs.
 [[nodiscard]] inline double threadMicros() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// Time as it passes in the room, ms, from some point on: for work that uses several threads.
+/// Wall time, ms, from some point on: for work on several threads.
 [[nodiscard]] inline double wallMillis() {
     using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();

@@ -13,7 +13,7 @@ namespace tactooth {
 [[nodiscard]] HapticSimulation enamelSimulation(const std::shared_ptr<const ToolShape>& bur,
                                                 const std::shared_ptr<const Surface>& surface);
 
-/// What the hand feels along a path of one pose a millisecond. `Tick::micros` is the least processor time of `repeat`
+/// The ticks along a path of one pose a millisecond. `Tick::micros` is the least processor time of `repeat`
 /// equal runs.
 [[nodiscard]] std::vector<Tick> touchPath(const std::shared_ptr<const ToolShape>& bur,
                                           const std::shared_ptr<const Surface>& surface, std::span<const Pose> hand,

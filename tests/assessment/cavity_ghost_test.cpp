@@ -16,13 +16,13 @@ namespace {
 
 class CavityGhostTest : public ::testing::Test {
 protected:
-    /// Takes a round hole of 1 mm radius out of the cavity's place, as deep as it, from x = `from` to `to`.
+    /// Cuts a slot of 1 mm radius, as deep as the cavity, from x = `from` to `to`.
     void cut(double from, double to) {
         const CuttingTool bur{*RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), 1, 4, 48)), 1};
         model_.sweep(bur, {Vec3(from, 0, 3), Quat::Identity()}, {Vec3(to, 0, 3), Quat::Identity()});
         model_.refreshSurface();
     }
-    /// The middles of the walls that `ghost` shows over the tooth as it is.
+    /// The centroids of the walls that `ghost` shows for the present tooth.
     std::vector<Vec3> shownBy(CavityGhost& ghost) const {
         const std::shared_ptr<const Surface> shown = ghost.over(model_.surface());
         const TaggedMesh seen = visibleMesh(*shown);

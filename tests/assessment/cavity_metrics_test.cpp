@@ -39,7 +39,7 @@ protected:
 
 TEST_F(CavityMetricsTest, ADeeperOrWiderCavityIsAsLargeAsItIs) {
     EXPECT_NEAR(progress(metrics_).planned, 32, 0.32);
-    for (const double floor : {4.5, 3.03, 1.77}) {  // wherever the floor lies between two points
+    for (const double floor : {4.5, 3.03, 1.77}) {  // at different positions between two points
         CavityMetrics metrics =
             metricsOf(test::blockWithCavity(Vec3(-1, -2, floor), Vec3(2, 1.5, 5)), *tooth_->outer());
         const double volume = 3 * 3.5 * (5 - floor);

@@ -115,7 +115,7 @@ TEST(TouchExperiment, ForceComesWithDepthAtBothSpeeds) {
     EXPECT_GT(fast, 20U);
 }
 
-/// The bur touches the slot on all sides, and neither shakes nor sinks nor sticks.
+/// The bur touches the slot on all sides. It must not oscillate, sink or stick.
 TEST(SlotTiming, AToolAtRestInItsSlotIsSteadyAndCanLeave) {
     auto layered = LayeredTooth::make(test::box(Vec3(-4, -4, -4), Vec3(4, 4, 0)));
     const auto block = std::make_shared<const LayeredTooth>(std::move(*layered));

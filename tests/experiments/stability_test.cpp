@@ -41,7 +41,7 @@ TEST(Stability, ATouchXRendersOneNewtonAMillimetre) {
     EXPECT_NEAR(result.restForce, 1.0, 0.1);
 }
 
-// A loose hand: a firm one holds the bur in place against the pull.
+// A loose hand, because a firm one holds the bur against the pull.
 TEST(Stability, ACutPullsAsideAndShakes) {
     const StabilityResult still = runStability(caseOf("touch-x", "loose", test::kEnamel, StabilityScenario::Cusp));
     const StabilityResult cut = runStability(caseOf("touch-x", "loose", test::kEnamel, StabilityScenario::Cut));
@@ -51,7 +51,7 @@ TEST(Stability, ACutPullsAsideAndShakes) {
     EXPECT_GE(cut.minEnergy, 0) << "the drive pays for its pull";
 }
 
-// On an arm without friction, which would swallow it.
+// On an arm without friction, since friction would hide the effect.
 TEST(Stability, ATremorShakesTheForce) {
     DevicePreset smooth = *findDevicePreset("omega");
     smooth.friction = 0;

@@ -7,7 +7,7 @@
 #include "assessment/mesh_deviation.h"
 #include "session/simulation/cut_model.h"
 
-// What a cut has left, to hold two ways of telling the same path against each other.
+// The result of a cut, to compare two samplings of the same path.
 namespace tactooth::test {
 
 struct CutOutcome {
@@ -18,7 +18,7 @@ struct CutOutcome {
         : removed(total(piece.removed())), surface(visibleMesh(*piece.surface()).mesh) {}
 };
 
-/// The same but for half a per cent of the volume and five micrometres of the surface at its worst place.
+/// Equal within 0.5 % of the volume and 5 um of the surface.
 inline void expectSame(const CutOutcome& one, const CutOutcome& other) {
     constexpr double kSameVolume = 0.005;   // of it
     constexpr double kSameSurface = 0.005;  // mm

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A bur that its material holds back behind a hand that goes on all the same: how much it removes must not depend on
-// how often its force is made anew.
+// A material holds the bur back while the device pose moves on. The removed volume must not depend on the tick rate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,7 +55,7 @@ std::vector<HeldBack> all() {
             {"cylinderHoleInCaries", test::kCaries, false, 5, down}};
 }
 
-/// In steps of `tick` s, the same places at the same times whatever that is.
+/// The path in steps of `tick` s; positions depend on time alone.
 std::vector<TimedPose> pathOf(const HeldBack& one, double tick) {
     std::vector<TimedPose> path;
     const auto add = [&](const Vec3& position) {

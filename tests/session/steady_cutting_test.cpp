@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What the hand feels while a bur mills a slot at a steady feed out of decay into sound enamel: no step at the border,
-// no buzzing at the rate of the new surfaces.
+// The force while a bur mills a slot at a steady feed from decay into sound enamel: no step at the border, no
+// oscillation at the rate of new surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -16,14 +16,14 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSlowest = 100, kFastest = 1e6;  // rev/min at which somebody may have recorded a bur
+constexpr double kSlowest = 100, kFastest = 1e6;  // rev/min of a recorded bur
 constexpr double kSoftest = -40, kLoudest = 20;   // dB
 constexpr std::string_view kParts = "motor, cutting, water and suction";
 constexpr std::string_view kKeys = "file, speed_rpm and gain_db";
 
 using Part = std::optional<RecordedPart>;
 
-/// Takes the parts of a preset over into a kit, until something is wrong.
+/// Reads the parts of a preset into a kit, up to the first mistake.
 class PresetReader {
 public:
     PresetReader(const std::string& name, const RecordingReader& readNamed) : toml_(name), readNamed_(readNamed) {}
@@ -109,7 +109,7 @@ private:
         auto recording = readNamed_(entry);
         if (!recording) {
             std::string reason = recording.error().message;
-            reason.pop_back();  // fail() ends the sentence
+            reason.pop_back();  // `fail` adds the full stop
             return fail(file, reason);
         }
         part.recording = std::make_shared<const Recording>(std::move(*recording));

@@ -14,16 +14,15 @@
 
 namespace tactooth {
 
-/// Reads the user's own sounds: a preset (TOML, pattern: docs/sound.md) that says which recording stands for what, or a
-/// recording alone (any other file), which then is `drive` running free.
+/// Reads the user's sounds: a preset (TOML, pattern: docs/sound.md) that names a recording for each part, or a single
+/// recording (any other file) of `drive` running free.
 ///
-/// Fails with one sentence with file and line on a preset that is not TOML, a part, key or material that there is not,
-/// a number that cannot be meant, a missing `file` or one that lies outside of the preset's folder; and on everything
-/// that readRecording refuses.
+/// Fails with one sentence with file and line: no TOML, an unknown part, key or material, a number out of range, a
+/// missing `file` or one outside the preset's folder, and everything that readRecording refuses.
 [[nodiscard]] Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path,
                                                                      const SpindlePreset& drive);
 
-/// Reads a recording by the path that stands in a preset.
+/// Reads a recording by its path in a preset.
 using RecordingReader = std::function<Expected<Recording>(const std::string& path)>;
 
 /// A preset from memory; `name` stands for the file in messages.

@@ -22,9 +22,9 @@ constexpr std::string_view kNothing = "none";
 constexpr double kMaxSpeed = 1e6;        // rev/min: twice the fastest turbine on sale
 constexpr double kMaxPower = 1000;       // W: the strongest dental drive gives 60
 constexpr double kImpactSpeed = 20;      // mm/s: a careful hand
-constexpr double kSlowestSpeedRpm = 60;  // below it a torque from power over speed means nothing
+constexpr double kSlowestSpeedRpm = 60;  // rev/min; below it torque = power / speed is meaningless
 
-/// Torque on the bur as a share of the drive's largest.
+/// Torque on the bur as a share of the drive's stall torque.
 double loadShare(double speedRpm, double watt, const SpindlePreset& drive) {
     constexpr double kMilli = 1000;  // W over rad/s is N*m
     const double radPerSecond = std::max(speedRpm, kSlowestSpeedRpm) * std::numbers::pi / 30;
@@ -62,7 +62,7 @@ std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
     return std::nullopt;
 }
 
-/// A row without a material is on the way to the next that has one: what sounds between the two is that one.
+/// A row without a material gets that of the next row that has one, which is what sounds between the two.
 void nameMaterials(const CsvTable& table, std::vector<TimedSoundState>& track) {
     SoundCharacter coming;
     for (std::size_t row = table.rows(); row-- > 0;) {

@@ -12,17 +12,17 @@
 
 namespace tactooth {
 
-/// Reads what a bur does over time, to be heard: a CSV file with the columns t,speed_rpm,power,material (s, rev/min,
-/// removal power in W, a material's name or "none"). Times count from the first row on. Between two rows speed and
-/// power go in a straight line; two rows at one time are a step. While the material is "none" nothing is cut; the row
-/// that names one again is a landing, at the speed of a careful hand.
+/// Reads the course of a cut, to be heard: a CSV file with the columns t,speed_rpm,power,material (s, rev/min, removal
+/// power in W, a material's name or "none"). Time starts at the first row. Speed and power are linear between two rows;
+/// two rows at one time are a step. While the material is "none" nothing is cut. The next row with a material is a
+/// contact onset, at the speed of a careful hand.
 ///
-/// The load is the torque that the power takes at that speed from `drive`, and the pedal is where the drive would reach
-/// the speed with that load: a bur at rest without a load has no air.
+/// The load is the torque of the power at that speed. The pedal is the position at which `drive` reaches the speed with
+/// that load: a bur at rest without a load gets no air.
 ///
-/// Fails with one sentence with file and line on everything that readCsv refuses, a speed or power that is negative or
-/// higher than any drive's, an unknown material, a time before the one of the row above; and if the rows span
-/// no time or more than kMaxSoundLength.
+/// Fails with one sentence with file and line: everything that readCsv refuses, a speed or power that is negative or
+/// above that of any drive, an unknown material, a time before that of the row above, or rows that span no time or more
+/// than kMaxSoundLength.
 [[nodiscard]] Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path,
                                                                       const SpindlePreset& drive);
 

@@ -5,8 +5,8 @@
 namespace tactooth {
 
 SoundPlacement soundPlacementAt(const Box3& tooth, double mesialX, const Vec3& burTip, const Pose& listener) {
-    constexpr double kBelow = 10;                  // mm: water gathers beside the roots' height
-    constexpr double kDistal = 20, kLingual = 20;  // mm: the tube's end stays clear of bur and mirror
+    constexpr double kBelow = 10;                  // mm: water gathers at the height of the roots
+    constexpr double kDistal = 20, kLingual = 20;  // mm: clear of bur and mirror
     const Vec3 middle = tooth.center();
     return {.source = burTip,
             .listenerInWorld = listener,

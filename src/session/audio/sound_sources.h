@@ -7,9 +7,9 @@
 
 namespace tactooth {
 
-/// Where things sound around a tooth, all in its frame (+z to the crown, +y buccal), mm: the bur at its tip, the spray
-/// on the floor of the mouth below the crown, the suction where an assistant holds it, across from the dentist and
-/// behind the tooth. `mesialX`: 1 where mesial is +x, -1 where it is -x. `listener`: the eye that sees the tooth.
+/// Positions of the sound sources in the tooth frame (+z to the crown, +y buccal), mm. The bur sounds at its tip, the
+/// spray on the floor of the mouth below the crown, the suction behind the tooth, across from the dentist. `mesialX`:
+/// direction of mesial along x, 1 or -1. `listener`: pose of the eye.
 [[nodiscard]] SoundPlacement soundPlacementAt(const Box3& tooth, double mesialX, const Vec3& burTip,
                                               const Pose& listener);
 

@@ -7,15 +7,16 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTurbineFromRpm = 100000;  // air drives: turbines run at 200,000 and more, air motors below 40,000
-constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond tears grains out, a super-fine one hisses
-constexpr double kMaxGrainier = 0.5;        // of what is missing to separate grains
+constexpr double kTurbineFromRpm = 100000;  // of air drives: turbines run at 200,000 and more, air motors below 40,000
+constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond crackles, a super-fine one hisses
+constexpr double kMaxGrainier = 0.5;        // of the difference to graininess 1
 
-/// A recording stands in for the materials that the sound layer knows by name, the others have that of "other".
+/// The index of the recording for a material. Materials that the sound layer does not know share that of "other".
 std::size_t recordingOf(std::string_view material) {
     const auto names = soundMaterialNames();
     const auto found = std::ranges::find(names, material);
-    return static_cast<std::size_t>((found != names.end() ? found : std::ranges::find(names, "other")) - names.begin());
+    return static_cast<std::size_t>(
+        (found != names.end() ? found : std::ranges::find(names, std::string_view("other"))) - names.begin());
 }
 
 SoundCharacter characterOf(const MaterialTable& materials, MaterialId id) {
@@ -43,7 +44,7 @@ DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const Ma
     state.motor = motorOf(spindle);
     state.speedRpm = tick.speedRpm;
     state.freeSpeedRpm = spindle.freeSpeedRpm;
-    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal drives nothing
+    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal has no effect
     state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
     state.removalPower = tick.removalPower;
     state.material = characterOf(materials, tick.material);

@@ -8,11 +8,11 @@
 
 namespace tactooth {
 
-/// Which of the three kinds of tones a drive has.
+/// The kind of a drive's tones.
 [[nodiscard]] MotorKind motorOf(const SpindlePreset& spindle);
 
-/// How a tick sounds with this drive and bur in these materials: the spray comes with the pedal, and the assistant
-/// holds the suction in the mouth as long as cutting is on. Allocates nothing: fit for the servo thread.
+/// The sound of a tick with this drive, bur and materials. The spray follows the pedal; the suction runs while cutting
+/// is on. Allocates nothing, so the servo thread may call it.
 [[nodiscard]] DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle,
                                       const MaterialTable& materials = MaterialTable(), const BurEdge& edge = {});
 

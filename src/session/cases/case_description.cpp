@@ -18,7 +18,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr std::size_t kMaxBodies = 200;  // teeth, and things around them: a mouth has 32 and some
+constexpr std::size_t kMaxBodies = 200;  // teeth and bodies around them: a mouth has 32 teeth
 constexpr double kFarthest = 1000;       // mm from the case's origin
 
 class CaseReader {
@@ -138,7 +138,7 @@ private:
         toml_.numbers(table, "position", position);
         toml_.numbers(table, "rotation", turn);
         const Quat rotation(turn[0], turn[1], turn[2], turn[3]);
-        constexpr double kRounding = 1e-3;  // a person writes four digits
+        constexpr double kRounding = 1e-3;  // people write four digits
         if (std::abs(rotation.norm() - 1) > kRounding) {
             toml_.fail(*table.get("rotation"), "the rotation must be a quaternion of length 1, w first");
             return {};
@@ -148,7 +148,7 @@ private:
             toml_.fail(*table.get("position"), "the position lies more than 1000 mm away; lengths are in mm");
             return {};
         }
-        constexpr double kExact = 1e-12;  // what this program has written comes back bit for bit
+        constexpr double kExact = 1e-12;  // numbers that this program has written come back bit for bit
         return {place, std::abs(rotation.norm() - 1) < kExact ? rotation : rotation.normalized()};
     }
 
@@ -165,7 +165,7 @@ std::string list(const std::vector<std::string>& texts, const std::string& inden
     return result + indent + "]\n";
 }
 
-/// A TOML float that gives the same double back.
+/// A TOML float that reads as the same double.
 std::string exact(double value) {
     const std::string number = numberText(value);
     return number.find_first_of(".en") == std::string::npos ? number + ".0" : number;

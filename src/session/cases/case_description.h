@@ -14,19 +14,19 @@
 
 namespace tactooth {
 
-/// One tooth of a case. Files are named as in the case's folder.
+/// One tooth of a case. File names are relative to the case's folder.
 struct CaseTooth {
     std::string name;   ///< unique in the case
-    int fdi = 0;        ///< two-digit tooth number; 0: not known
+    int fdi = 0;        ///< FDI number; 0: unknown
     std::string outer;  ///< the surface that is touched, closed, mm, in the tooth frame
     std::vector<std::pair<MaterialId, std::string>> layers = {};
     MaterialId material{};    ///< of a tooth without layers
-    bool isModelled = false;  ///< the layers are a model, no measurement
+    bool isModelled = false;  ///< the layers are modelled, not measured
     Pose toothInCase = {};
-    std::vector<std::string> assumed = {};  ///< what was assumed about the surfaces, one sentence each
+    std::vector<std::string> assumed = {};  ///< assumptions about the surfaces, one sentence each
 };
 
-/// What stands around the teeth (bone, gingiva): it is felt and can be cut.
+/// A body around the teeth (bone, gingiva). It is felt and can be cut.
 struct CaseSurrounding {
     std::string name;  ///< unique in the case
     std::string surface;
@@ -35,13 +35,13 @@ struct CaseSurrounding {
     std::vector<std::string> assumed = {};
 };
 
-/// What case.toml says (docs/cases.md).
+/// The content of case.toml (docs/cases.md).
 struct CaseDescription {
     std::string title;
     std::string licence;
     std::vector<std::string> provenance = {};
     std::string materials = {};  ///< a file like data/materials.toml; empty: the program's own
-    const MaterialRegistry* registry = &builtinMaterials();  ///< what that file says
+    const MaterialRegistry* registry = &builtinMaterials();  ///< the materials of that file
     std::vector<CaseTooth> teeth;
     std::vector<CaseSurrounding> around = {};
     std::vector<std::string> burs = {};  ///< files as readCustomBur takes them
@@ -55,10 +55,10 @@ using ReadCaseMaterials = std::function<Expected<const MaterialRegistry*>(const 
 [[nodiscard]] Expected<CaseDescription> parseCase(std::string_view text, std::string_view name,
                                                   const ReadCaseMaterials& readMaterials = {});
 
-/// The text of case.toml: parseCase gives the same description back.
+/// The text of case.toml; parseCase reads the same description from it.
 [[nodiscard]] std::string caseText(const CaseDescription& description);
 
-/// `text` as TOML writes it, in quotes: valid UTF-8 (see validUtf8), with '?' for control characters.
+/// `text` as a TOML string in quotes: valid UTF-8 (see validUtf8), with '?' for control characters.
 [[nodiscard]] std::string tomlText(const std::string& text);
 
 }  // namespace tactooth

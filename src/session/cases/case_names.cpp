@@ -12,7 +12,7 @@ namespace tactooth {
 
 namespace {
 
-/// Whatever the locale says: the same name gives the same case everywhere.
+/// Independent of the locale, so that a name gives the same case everywhere.
 bool isPlain(char letter) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
            letter == '_';
@@ -44,7 +44,7 @@ int fdiNamed(const std::string& name, const std::optional<int>& quadrant) {
 }
 
 std::string EntryNames::make(const std::string& name) {
-    constexpr std::size_t kLongest = 80;  // letters: with folder and ending still a path that every system takes
+    constexpr std::size_t kLongest = 80;  // letters: with folder and ending a path that every system accepts
     std::string plain;
     for (const char letter : name.substr(0, kLongest)) plain += isPlain(letter) ? letter : '-';
     std::string entry = plain;
@@ -55,7 +55,7 @@ std::string EntryNames::make(const std::string& name) {
 }
 
 std::string BodyNames::make(const std::string& name) {
-    constexpr std::size_t kLongest = 56;  // bytes: with a number behind it still one of 60
+    constexpr std::size_t kLongest = 56;  // bytes: 60 with a number behind it
     std::string text = composed(validUtf8(name));
     for (char& letter : text) {
         if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f || letter == '/' || letter == '\\')

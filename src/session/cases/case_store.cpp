@@ -22,8 +22,8 @@ std::string tooMuch(const std::string& what, std::uint64_t size, std::uint64_t m
 
 /// A file of a case.
 struct StoredFile {
-    std::string name;   ///< as entryName() gives it
-    std::string place;  ///< as the folder or archive has it
+    std::string name;   ///< by entryName()
+    std::string place;  ///< in the folder or archive
     bool isSystem;
 };
 
@@ -31,8 +31,8 @@ bool isBefore(const StoredFile& a, const StoredFile& b) {
     return a.name < b.name || (a.name == b.name && a.place < b.place);
 }
 
-/// Files of a folder and of all below it, but for hidden folders (one of a version control may hold thousands); links
-/// are followed only where they stay inside.
+/// Files of a folder and its subfolders, without hidden folders (a version control may keep thousands of files there).
+/// Follows only links that stay inside.
 Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
     std::vector<StoredFile> files;
     std::error_code error;
@@ -52,7 +52,7 @@ Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
     return files;
 }
 
-/// A name of an archive as a message shows it: in one line of bounded length.
+/// A name in an archive for a message: one line of bounded length.
 std::string shownEntry(std::string_view name) {
     constexpr std::size_t kMax = 100;  // bytes
     if (name.size() <= kMax) return displayName(fs::path(validUtf8(name)));
@@ -87,7 +87,7 @@ Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::
     return files;
 }
 
-/// The folder that all of an archive's case lies in, with '/'; empty where its text lies above all.
+/// The folder of the case within an archive, with '/'; empty if case.toml lies at the top.
 Expected<std::string> topFolder(const std::vector<StoredFile>& files, const std::string& shown) {
     std::vector<std::string> tops;
     for (const StoredFile& file : files) {
@@ -121,7 +121,7 @@ struct CaseStore::Content {
     std::optional<FileBytes> bytes;     // of an archive from the disk
     std::optional<ZipArchive> archive;  // after the bytes that it reads
     std::vector<StoredFile> files;      // sorted
-    std::vector<std::string> entries;   // those that are not foreign
+    std::vector<std::string> entries;   // without system files
 
     void take(std::vector<StoredFile> found) {
         files = std::move(found);
@@ -182,8 +182,7 @@ Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const
     const EntryName wanted = entryName(entry);
     if (wanted.fault != EntryFault::None)
         return unexpected(inWords(wanted.fault, content_->name + ": '" + shownEntry(entry) + "'") + ".");
-    // Two files of a folder may have names that are composed in two ways: the one that is written like this comes
-    // first.
+    // Two file names may differ only in composition (NFC); the exact name comes first.
     const auto [first, last] = std::ranges::equal_range(content_->files, wanted.name, {}, &StoredFile::name);
     if (first == last) return unexpected(shown(entry) + ": there is no such file in the case.");
     const auto exact = std::find_if(first, last, [&](const StoredFile& each) { return each.place == entry; });

@@ -22,7 +22,7 @@ bool isSurfaceFile(const fs::path& path) {
     return ending == ".stl" || ending == ".obj" || ending == ".ply";
 }
 
-/// All surfaces that the paths name, sorted; foreign files below folders are passed over.
+/// All surfaces of the paths, sorted, without system files.
 Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) {
     std::vector<fs::path> files;
     for (const fs::path& path : from) {

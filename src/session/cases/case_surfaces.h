@@ -13,21 +13,20 @@
 
 namespace tactooth {
 
-/// The surfaces that a new case is made of, as their files hold them, all in one frame (that of the first, less its
-/// offset; see ReadMesh).
+/// The surfaces of a new case as their files hold them, all in the frame of the first file less its offset (see
+/// ReadMesh).
 struct CaseSurfaces {
     std::vector<Scan> teeth;                                           ///< at least one, by name
     std::map<std::string, TriangleMesh> around;                        ///< by name
-    std::map<std::string, std::vector<ImportNote>> aroundImportNotes;  ///< on reading them
-    std::vector<std::string> files;  ///< their names, in the order in which they were read
+    std::map<std::string, std::vector<ImportNote>> aroundImportNotes;  ///< from reading them
+    std::vector<std::string> files;                                    ///< names, in the order of reading
 };
 
-/// Moves every vertex: two surfaces that were read with offsets of their own come into one frame.
+/// Moves every vertex, to bring surfaces with different offsets into one frame.
 void translateMesh(TriangleMesh& mesh, const Vec3& step);
 
-/// Reads surfaces and all surfaces below folders, and sorts them by their names (surfaceNamed), so that the same folder
-/// gives the same case. Hidden files and others that a system puts into folders are passed over. Fails with one
-/// sentence if there is no tooth, or a surface twice.
+/// Reads surfaces and all surfaces below folders, sorted by their names (surfaceNamed), so that equal folders give
+/// equal cases. Skips hidden and system files. Fails with one sentence if there is no tooth, or a surface twice.
 [[nodiscard]] Expected<CaseSurfaces> readCaseSurfaces(const std::vector<std::filesystem::path>& from,
                                                       const MaterialRegistry& materials = builtinMaterials());
 

@@ -70,7 +70,7 @@ Expected<CustomBur> readCustomBur(const fs::path& path, std::vector<ImportNote>*
     const bool isDescription = path.extension() == ".toml";
     fs::path description = path;
     description.replace_extension(".toml");
-    std::error_code unreadable;  // readFile says what is wrong with the path
+    std::error_code unreadable;  // readFile reports a bad path
     if (!isDescription && !fs::exists(description, unreadable)) {
         auto mesh = loadMesh(path, importNotes);
         if (!mesh) return Unexpected{mesh.error()};

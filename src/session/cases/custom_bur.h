@@ -15,7 +15,7 @@
 
 namespace tactooth {
 
-/// A bur of the user's own: a surface, and what a surface does not tell.
+/// A bur of the user: its surface, and its other properties.
 struct CustomBur {
     std::string name;
     TriangleMesh surface;  ///< mm, tip at the origin, +z along the shaft
@@ -27,20 +27,20 @@ struct CustomBur {
     [[nodiscard]] BurEdge edge() const { return {flutes, gritMicrometres}; }
 };
 
-/// Reads a file that lies beside the description, by its path relative to it.
+/// Reads a file by its path relative to the description.
 using ReadSibling = std::function<Expected<std::vector<std::byte>>(const std::string&)>;
 
 /// Reads a bur's description: TOML with name, surface, material (carbide or diamond), flutes, grit_um and sharpness.
-/// `name` stands for the file in messages. `surface`, if the text names none. Fails with one sentence.
+/// `name` stands for the file in messages. `surface` is used if the text names none. Fails with one sentence.
 [[nodiscard]] Expected<CustomBur> parseCustomBur(std::string_view text, const std::string& name,
                                                  const ReadSibling& readSibling, const std::string& surface = {});
 
-/// The description of a bur whose surface lies in the file `surface` beside it: parseCustomBur gives the same bur back,
-/// but for digits that no hand feels.
+/// The description of a bur whose surface is the file `surface` beside it. parseCustomBur reads the same bur from it,
+/// up to rounding of grit and sharpness.
 [[nodiscard]] std::string customBurText(const CustomBur& bur, const std::string& surface);
 
-/// A bur from its surface (STL, OBJ, PLY) or its description. A surface takes the description of the same name beside
-/// it, "mine.toml" for "mine.stl", if there is one; without it is a sharp carbide bur.
+/// Reads a bur from its surface (STL, OBJ, PLY) or its description. With a surface, the description of the same name
+/// beside it is read ("mine.toml" for "mine.stl"); without one, the bur is a sharp carbide bur.
 [[nodiscard]] Expected<CustomBur> readCustomBur(const std::filesystem::path& path,
                                                 std::vector<ImportNote>* importNotes = nullptr);
 

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kLongest = 1000;  // bytes: systems take paths of 4096, the folder's own before it
+constexpr std::size_t kLongest = 1000;  // bytes: systems accept paths of 4096, with the folder before it
 
 bool isControl(char letter) { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; }
 
@@ -23,7 +23,7 @@ bool isAbsolute(std::string_view path) {
     return path.starts_with('/') || hasDrive;
 }
 
-/// Calls `take` with each part of a path, until it says stop; whether it never did.
+/// Calls `take` with each part of a path until it returns false. Returns true if it never did.
 template <class Take>
 bool allParts(std::string_view path, Take take) {
     for (std::size_t begin = 0; begin <= path.size();) {

@@ -31,7 +31,7 @@ Expected<LoadedTooth> loadCase(const ToothSource& source, const std::string& wor
     return placed;
 }
 
-/// Only a case has teeth to choose from.
+/// Fails if a tooth is chosen of something that is no case.
 Expected<void> refuseChoice(const ToothSource& source, const std::string& workOn) {
     if (workOn.empty()) return {};
     return unexpected(displayName(source.outer) + ": this is one tooth; a tooth can be chosen in a case only.");

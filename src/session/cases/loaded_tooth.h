@@ -13,17 +13,18 @@
 
 namespace tactooth {
 
-/// How a tooth stands that was loaded, and what its case brings with it.
+/// The placement of a loaded tooth, and other parts of its case.
 struct ToothPlacement {
     std::string name;                           ///< for people
     Box3 box;                                   ///< of the tooth that is worked on, mm
-    double mesialX = 1;                         ///< direction of mesial along x; a surface is taken to have it at +x
+    double mesialX = 1;                         ///< direction of mesial along x; 1 for a surface from a file
     std::optional<CustomBur> bur = {};          ///< of the case
-    std::vector<std::string> teethOfCase = {};  ///< names; empty: it is no case
+    std::vector<std::string> teethOfCase = {};  ///< names; empty: no case
 };
 
 struct LoadedTooth {
-    std::shared_ptr<const LayeredTooth> tooth;  ///< of a case: all of it, in the frame of the one that is worked on
+    std::shared_ptr<const LayeredTooth>
+        tooth;  ///< of a case: all its bodies, in the frame of the tooth that is worked on
     ToothPlacement place;
     Provenance provenance = {};
     std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
@@ -33,7 +34,7 @@ struct LoadedTooth {
 /// tooth to work on, by name or FDI number, or the first if empty. Fails with one sentence.
 [[nodiscard]] Expected<LoadedTooth> loadToothOrCase(const ToothSource& source, const std::string& workOn);
 
-/// A tooth ready to be cut.
+/// A tooth that can be cut.
 struct LoadedModel {
     std::shared_ptr<CutModel> piece;
     ToothPlacement place;
@@ -41,7 +42,7 @@ struct LoadedModel {
     std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
 };
 
-/// The same for the bench, and also a saved tooth; `voxel` and `defaultVoxel` as for loadTooth.
+/// The same as a model to cut; also from a saved tooth. `voxel` and `defaultVoxel` as for loadTooth.
 [[nodiscard]] Expected<LoadedModel> loadModelOrCase(const ToothSource& source, const std::string& workOn,
                                                     std::optional<double> voxel, double defaultVoxel);
 

@@ -15,7 +15,7 @@
 
 namespace tactooth {
 
-/// What a new case is made of.
+/// The input of a new case.
 struct CaseRequest {
     std::vector<std::filesystem::path> from = {};  ///< surfaces, or folders with surfaces
     std::string title = {};
@@ -27,20 +27,20 @@ struct CaseRequest {
     std::filesystem::path materials = {};
 };
 
-/// A case that has been made and not been written yet.
+/// A case that is not written yet.
 struct NewCase {
     CaseDescription description;
     std::vector<CaseFile> files;  ///< with case.toml
 };
 
-/// Tells which body is being worked on; false: stop.
+/// Called with the present body and its done part, 0..1. Return false to stop.
 using CaseProgress = std::function<bool(const std::string& body, double part)>;
 
-/// Imports the surfaces of one or several teeth. Several keep their places to each other; their cheeks look away from
-/// the middle of their arch. Fails with one sentence.
+/// Imports the surfaces of one or several teeth. Several teeth keep their relative positions; buccal is away from the
+/// middle of their arch. Fails with one sentence.
 [[nodiscard]] Expected<NewCase> makeCase(const CaseRequest& request, const CaseProgress& progress = {});
 
-/// A case of one tooth that was imported before.
+/// A case of one imported tooth.
 [[nodiscard]] Expected<NewCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@ namespace {
 
 bool isSame(const Pose& pose) { return pose.position.isZero(0) && pose.rotation.vec().isZero(0); }
 
-/// The solid of a file, moved to another frame; a sound one that stays where it is keeps every bit.
+/// The solid of a file, transformed to another frame. With the identity a solid without defects keeps every bit.
 Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& entry, const Pose& pose,
                                    std::vector<ImportNote>& importNotes) {
     const auto bytes = store.read(entry);
@@ -35,12 +35,12 @@ public:
     Assembly(const CaseStore& store, const CaseDescription& description, const CaseTooth& chosen)
         : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
 
-    /// What was mended in the surfaces.
+    /// Notes on repairs of the surfaces.
     [[nodiscard]] std::vector<ImportNote> takeImportNotes() { return std::move(remarks_); }
 
     Expected<std::shared_ptr<const LayeredTooth>> assemble() {
         if (chosen_.fdi != 0) toothContext_.mesialX = mesialX(chosen_.fdi);
-        // The chosen tooth first: its triangles keep their numbers.
+        // The chosen tooth first, so that its triangles keep their indices.
         if (auto done = add(chosen_); !done) return Unexpected{done.error()};
         for (const CaseTooth& tooth : description_.teeth) {
             if (&tooth == &chosen_) continue;
@@ -116,7 +116,7 @@ Expected<void> readExtras(const CaseStore& store, OpenedCase& opened) {
     return {};
 }
 
-/// How deep corners of `a` lie within `b`, mm; 0 if none does.
+/// Greatest depth of a vertex of `a` within `b`, mm; 0 if none lies inside.
 double deepestIn(const SurfacePart& b, const TriangleMesh& a) {
     double deepest = 0;
     for (const Vec3f& vertex : a.vertices) {
@@ -170,7 +170,7 @@ Expected<OpenedCase> openCase(const std::filesystem::path& path, const std::stri
 Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description) {
     std::vector<CaseBody> bodies;
     const auto add = [&](const std::string& name, const std::string& entry, const Pose& pose) -> Expected<void> {
-        std::vector<ImportNote> importNotes;  // they were told when the case was opened
+        std::vector<ImportNote> importNotes;  // reported when the case was opened
         auto mesh = readSurface(store, entry, pose, importNotes);
         if (!mesh) return Unexpected{mesh.error()};
         bodies.push_back({name, std::move(*mesh)});

@@ -17,8 +17,7 @@
 
 namespace tactooth {
 
-/// All of a case, in the frame of the tooth that is worked on: the others and what is around stand in their places,
-/// and all of it is felt and can be cut.
+/// All bodies of a case in the frame of the tooth that is worked on. All of them are felt and can be cut.
 struct OpenedCase {
     CaseDescription description;
     std::string tooth;  ///< name of the one that is worked on
@@ -26,7 +25,7 @@ struct OpenedCase {
     Box3 box;                             ///< of the tooth that is worked on, mm
     double mesialX = 1;                   ///< direction of mesial along x
     std::optional<CustomBur> bur;         ///< the first one
-    std::vector<ImportNote> importNotes;  ///< what was mended in its surfaces (`examineSolid`)
+    std::vector<ImportNote> importNotes;  ///< on repairs of its surfaces (`examineSolid`)
 };
 
 /// Reads and checks a case. `tooth`: the one to work on, by its name or FDI number; empty: the first. Its layers keep
@@ -41,23 +40,23 @@ struct OpenedCase {
 [[nodiscard]] Expected<CaseDescription> readCaseDescription(const CaseStore& store,
                                                             const MaterialRegistry* materials = nullptr);
 
-/// Two bodies of a case that share room.
+/// Two bodies of a case that overlap.
 struct CaseOverlap {
     std::string first, second;
-    double deepest;  ///< mm that a corner of the one lies within the other
+    double deepest;  ///< greatest depth of a vertex of one body in the other, mm
 };
 
-/// What stands in a case by name, with the surface in the case's frame.
+/// A body of a case, in the case's frame.
 struct CaseBody {
     std::string name;
     TriangleMesh surface;
 };
 
-/// The outer surfaces of the teeth, then what is around.
+/// The outer surfaces of the teeth, then the bodies around them.
 [[nodiscard]] Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDescription& description);
 
-/// Where teeth stand in each other or in what is around: in such places the surface is not that of one body, and what
-/// both claim counts as air.
+/// Finds overlaps of teeth and bodies around them. There the surface is not that of one body, and the common volume
+/// counts as air.
 [[nodiscard]] std::vector<CaseOverlap> overlaps(const std::vector<CaseBody>& bodies);
 
 }  // namespace tactooth

@@ -34,7 +34,7 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
     return {};
 }
 
-/// Into a folder that is there and stays the same one: somebody may stand in it, or it may be a disk of its own.
+/// Writes into an existing folder, which stays the same: it may be a mount point or a working directory.
 Expected<void> fillFolder(const std::vector<CaseFile>& files, const fs::path& folder) {
     auto unfinished = StagingFolder::make(folder);
     if (!unfinished) return cannotMake(folder, unfinished.error().message);

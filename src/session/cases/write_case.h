@@ -10,12 +10,12 @@
 
 namespace tactooth {
 
-/// Whether writeCase may write there, before the work of making a case is done: fails with its sentence where a folder
-/// holds something already.
+/// Checks, before the case is made, that writeCase can write there. Fails with the sentence of writeCase if a folder is
+/// not empty.
 [[nodiscard]] Expected<void> checkCaseTarget(const std::filesystem::path& to);
 
-/// Writes an archive if the name ends in .ttcase, else a folder, which must be new or empty. After a failure there is
-/// neither, and an empty folder is as it was.
+/// Writes an archive if the name ends in .ttcase, else a folder, which must be new or empty. After a failure
+/// neither exists, and an empty folder is unchanged.
 [[nodiscard]] Expected<void> writeCase(const std::vector<CaseFile>& files, const std::filesystem::path& to);
 
 }  // namespace tactooth

@@ -16,7 +16,7 @@ struct CloseFile {
     void operator()(zip_file_t* file) const { zip_fclose(file); }
 };
 
-/// libzip's words for an error code, on one line.
+/// libzip's message for an error code, on one line.
 std::string wordsFor(int code) {
     zip_error_t error;
     zip_error_init_with_code(&error, code);
@@ -25,7 +25,7 @@ std::string wordsFor(int code) {
     return words;
 }
 
-/// Whether an entry can be read at all, by what the archive says of it.
+/// Checks the header of an entry.
 Expected<void> checkClaims(const zip_stat_t& stat, const std::string& shown) {
     constexpr zip_uint64_t kNeeded =
         ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
@@ -36,7 +36,7 @@ Expected<void> checkClaims(const zip_stat_t& stat, const std::string& shown) {
     if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
         return unexpected(shown + ": the file is packed in an unusual way; pack the case with 'tactooth case pack'.");
     }
-    constexpr double kSmall = 65536;  // bytes: a small file may pack better than any surface
+    constexpr double kSmall = 65536;  // bytes: a small file may have a higher packing ratio
     if (stat.size > kCaseLimits.entryBytes ||
         static_cast<double>(stat.size) > kSmall + kCaseLimits.packed * static_cast<double>(stat.comp_size)) {
         return unexpected(shown + ": the file claims to unpack from " + std::to_string(stat.comp_size) + " to " +
@@ -47,7 +47,7 @@ Expected<void> checkClaims(const zip_stat_t& stat, const std::string& shown) {
 }
 
 bool isLink(zip_t* archive, zip_uint64_t index) {
-    constexpr zip_uint32_t kKindOfFile = 0170000, kLink = 0120000;  // as Unix writes them, in the upper half
+    constexpr zip_uint32_t kKindOfFile = 0170000, kLink = 0120000;  // Unix mode, in the upper half
     zip_uint8_t system = 0;
     zip_uint32_t attributes = 0;
     if (zip_file_get_external_attributes(archive, index, 0, &system, &attributes) != 0) return false;
@@ -106,7 +106,7 @@ Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) cons
     if (found == entries_.end()) return unexpected(shown + ": there is no such file in the archive.");
     const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive_.get(), found->index, 0));
     if (file == nullptr) return unexpected(shown + ": the file is damaged inside the archive.");
-    // Grows with what really comes, piece by piece, and never beyond what was claimed.
+    // Grows with the bytes that really come, and never beyond the claimed size.
     constexpr std::size_t kPiece = std::size_t{1} << 20;
     std::vector<std::byte> bytes;
     while (bytes.size() < found->size) {
@@ -117,7 +117,7 @@ Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) cons
         bytes.resize(before + static_cast<std::size_t>(count));
     }
     std::byte more{};
-    if (zip_fread(file.get(), &more, 1) != 0) {  // also checks the sum over the file
+    if (zip_fread(file.get(), &more, 1) != 0) {  // also checks the checksum
         return unexpected(shown + ": the file is not what the archive's list says; it is damaged.");
     }
     return bytes;
@@ -145,7 +145,7 @@ Expected<std::vector<std::byte>> packCase(std::vector<CaseFile> files) {
             isDone = false;
             break;
         }
-        // The same moment for all, 1980-01-01, the first that the format knows: the same files give the same bytes.
+        // One date for all, 1980-01-01, the first of the format, so that equal files give equal bytes.
         isDone = isDone && zip_file_set_dostime(archive, static_cast<zip_uint64_t>(index), 0, 0x21, 0) == 0;
     }
     if (!isDone || zip_close(archive) != 0) {

@@ -23,14 +23,14 @@ struct ZipEntry {
     bool isLink = false;   ///< symbolic: its content is the name of another file
 };
 
-/// A zip archive in memory that nobody vouches for (libzip). Only stored and deflated entries without a password are
-/// read; what an entry claims is held against the limits of a case before any of it is unpacked.
+/// An untrusted zip archive in memory (libzip). It reads only stored and deflated entries without a password, and
+/// checks the claims of an entry against the limits of a case before it unpacks.
 class ZipArchive {
 public:
-    /// `bytes` stay where they are as long as the archive.
+    /// `bytes` must outlive the archive.
     [[nodiscard]] static Expected<ZipArchive> open(std::span<const std::byte> bytes, std::string name);
 
-    /// All but folders, in the archive's order.
+    /// All entries but folders, in the order of the archive.
     [[nodiscard]] const std::vector<ZipEntry>& entries() const { return entries_; }
     [[nodiscard]] Expected<std::vector<std::byte>> read(const std::string& entry) const;
 

@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text, std::string_view blanks) {
 char namedSeparator(std::string_view line) {
     line = trimmed(line);
     if (line.size() > 1 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
-    if (line == "sep=") return '\t';  // the tab was a blank at the end
+    if (line == "sep=") return '\t';  // `trimmed` removed the tab
     const bool isNamed = line.size() == 5 && toLowerCase(std::string(line.substr(0, 4))) == "sep=";
     return isNamed && line[4] != '"' ? line[4] : '\0';
 }
@@ -38,7 +38,7 @@ bool CsvFields::split(std::string_view line) {
     }
 }
 
-/// Takes the cell that `rest` begins with; leaves it at the separator behind it.
+/// Reads the quoted cell at the start of `rest`; leaves `rest` at the separator behind it.
 bool CsvFields::takeQuoted(std::string_view& rest) {
     std::size_t end = rest.find('"', 1);
     const bool isPlain = end != rest.npos && rest.substr(end + 1, 1) != "\"";

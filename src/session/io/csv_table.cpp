@@ -26,7 +26,7 @@ std::string joined(std::span<const std::string_view> words) {
     return result;
 }
 
-/// The cells of a line as a message may show them.
+/// The cells of a line, shortened for a message.
 std::string shown(std::span<const std::string_view> cells) {
     std::string line;
     for (const std::string_view cell : cells) line.append(line.empty() ? "" : ",").append(cell);
@@ -35,7 +35,7 @@ std::string shown(std::span<const std::string_view> cells) {
 
 }  // namespace
 
-/// Reads a CSV text line by line and remembers where it is for messages.
+/// Reads a CSV text line by line, with positions for messages.
 class CsvParser {
 public:
     CsvParser(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
@@ -80,8 +80,8 @@ private:
         return false;
     }
 
-    /// Where a column stands among those of the file, at or behind `from`; size() if it does not. Capitals do not count
-    /// where no column is written as asked for.
+    /// Index of a column in the file, at or behind `from`; size() if it is missing. Ignores capitals unless a column
+    /// matches exactly.
     std::size_t find(std::string_view column, std::size_t from) const {
         const auto cells = cells_.all();
         const auto isSame = [&](std::string_view cell) { return toLowerCase(std::string(cell)) == column; };

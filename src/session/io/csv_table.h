@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// The numbers and words of a CSV file: the columns that were asked for, in the order in which they were asked for.
+/// The numbers and words of a CSV file: the requested columns, in the order of the request.
 class CsvTable {
 public:
     [[nodiscard]] std::size_t rows() const { return lines_.size(); }
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const std::string& wordAt(std::size_t row, std::size_t column) const {
         return words_[row * wordColumns_ + column];
     }
-    /// "poses.csv, line 12": where a row stands, to begin a message about it with.
+    /// The position of a row, to begin a message with: "poses.csv, line 12".
     [[nodiscard]] std::string where(std::size_t row) const;
 
 private:
@@ -41,10 +41,10 @@ private:
     std::vector<std::size_t> lines_;  ///< of each row in the file, the first line is 1
 };
 
-/// Reads `columns` of a CSV file whose first line names its columns, in small letters or capitals. Cells are separated
-/// by commas, or by what a first line like `sep=;` says; they may stand in quotes. Blanks around them, a byte order
-/// mark, the way in which lines end, empty lines and lines that begin with '#' do not matter; '.' is the decimal point
-/// whatever the locale; other columns may be there and hold anything. `wordColumns` are read as they are written.
+/// Reads `columns` of a CSV file whose first line names its columns, in small letters or capitals. Commas separate the
+/// cells, or the separator that a first line like `sep=;` names; cells may stand in quotes. The reader skips blanks
+/// around cells, a byte order mark, empty lines and lines that begin with '#', and accepts any line ending. The decimal
+/// point is '.' in every locale. Other columns are ignored. `wordColumns` are read as they are written.
 ///
 /// Fails with one sentence with file and line: no header or no row, a column missing or named twice, too few or too
 /// many fields, a quote that is not closed, a field that is not a finite number.
@@ -66,8 +66,7 @@ public:
     /// `values` holds one number a column.
     void row(std::span<const double> values);
 
-    /// Gives the file its name; to be called once, after the last row. Fails, and leaves no file, also if a number was
-    /// not finite.
+    /// Gives the file its name. Call it once, after the last row. Fails and leaves no file if a number was not finite.
     [[nodiscard]] Expected<void> commit();
 
 private:

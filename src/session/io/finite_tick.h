@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// Whether all that a run writes of a moment is finite. If not, the run has to end without a result: one sentence that
-/// says when, and which quantity it was. `time`: as the trajectory counts it, s.
+/// Checks that all numbers that a run writes of a tick are finite. Otherwise the run must end without a result; the
+/// error names the time and the quantity. `time`: of the trajectory, s.
 [[nodiscard]] Expected<void> checkFinite(double time, const Tick& tick);
 [[nodiscard]] Expected<void> checkFinite(double time, const Contact& contact);
 

@@ -11,14 +11,13 @@
 namespace tactooth {
 namespace {
 
-/// Goes over a text once, without a call into itself, and counts what would make the parser go deep or take much. It
-/// tells strings and comments from the rest as TOML 1.0 does; what it takes for something else is no TOML, and the
-/// parser stops there too.
+/// Scans a text once, without recursion, and counts what would make the parser recurse deeply or allocate much. It
+/// detects strings and comments as TOML 1.0 does. Where it errs the text is no TOML, and the parser stops there too.
 class TomlLimiter {
 public:
     explicit TomlLimiter(std::string_view text) : text_(text) {}
 
-    /// What is too much, as part of a sentence; empty if nothing is.
+    /// The exceeded limit, as part of a sentence; empty if there is none.
     std::string fault() {
         for (std::size_t end = 0; end < text_.size(); ++line_) {
             const std::size_t begin = end;
@@ -32,7 +31,7 @@ public:
         return fault_;
     }
 
-    /// Where the fault is.
+    /// The line of the fault.
     [[nodiscard]] int line() const { return line_; }
 
 private:
@@ -108,7 +107,7 @@ private:
     std::size_t at_ = 0;
     int line_ = 1;
     int depth_ = 0;
-    int parts_ = 1;  // of the key, or number, that is being passed
+    int parts_ = 1;  // of the present key or number
     std::size_t values_ = 0;
     std::string fault_;
 };
@@ -117,7 +116,7 @@ Unexpected refusal(std::string_view name, long line, const std::string& what) {
     return unexpected(std::string(name) + ", line " + std::to_string(line) + ": " + what + ".");
 }
 
-/// What the parser said, as part of a sentence.
+/// The parser's message, as part of a sentence.
 std::string asClause(std::string_view description) {
     constexpr std::size_t kLongest = 200;  // characters
     std::string clause = displayShort(description, kLongest);

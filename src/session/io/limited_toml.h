@@ -12,19 +12,19 @@
 
 namespace tactooth {
 
-/// The most that a TOML file may hold. A parser calls itself for each bracket, and what it made is taken down by calls
-/// as deep as its keys have parts: without limits a file of 100 kB ends the program.
+/// Limits of a TOML file. The parser recurses for each bracket, and the destructor of its result recurses for each part
+/// of a key. Without limits a file of 100 kB overflows the stack.
 struct TomlLimits {
     std::size_t bytes = std::size_t{1} << 20;
-    std::size_t lineBytes = std::size_t{1} << 16;  ///< where the window keeps its docks it takes some thousand
+    std::size_t lineBytes = std::size_t{1} << 16;  ///< the window's dock state takes a few thousand
     int nesting = 32;                              ///< brackets and braces within each other
-    int keyParts = 16;                             ///< of a.key.with.dots
+    int keyParts = 16;                             ///< of a dotted key
     std::size_t values = 50'000;
 };
 inline constexpr TomlLimits kTomlLimits = {};
 
-/// Parses a text that anybody may have written; the one way in which the program takes TOML. `name` stands for the
-/// file in messages. Fails with one sentence with file and line: more of anything than kTomlLimits allows, or not TOML.
+/// Parses an untrusted text; all TOML of the program comes in here. `name` stands for the file in messages. Fails with
+/// one sentence with file and line if the text is no TOML or exceeds kTomlLimits.
 [[nodiscard]] Expected<toml::table> parseToml(std::string_view text, std::string_view name);
 
 /// The same from a file.

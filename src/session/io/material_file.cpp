@@ -22,7 +22,7 @@ std::string keyNames() {
     return names;
 }
 
-/// Takes what a file says into the definitions of materials, until something is wrong.
+/// Reads a file into the definitions of materials, up to the first mistake.
 class MaterialReader {
 public:
     MaterialReader(std::string_view name, const MaterialRegistry& start)
@@ -31,7 +31,7 @@ public:
     Expected<const MaterialRegistry*> read(std::string_view text) {
         const toml::table root = toml_.parse(text);
         for (auto&& [key, node] : root) blocks_.push_back({&key, &node});
-        // New materials are listed as the file lists them; the table is in the order of the names.
+        // Menus list new materials in the order of the file; toml::table is sorted by name.
         std::ranges::stable_sort(blocks_, {}, [](const Block& block) { return block.key->source().begin.line; });
         for (const Block& block : blocks_) {
             if (!toml_.error()) readBlock(*block.key, *block.node);
@@ -53,7 +53,7 @@ private:
         for (auto&& [key, value] : *entries) readKey(material, key, value);
     }
 
-    /// A material of its own: what its block leaves out is as in that of the surroundings.
+    /// Adds a material with the numbers of the surroundings; its block then changes them.
     bool add(const toml::key& name, const toml::table& entries) {
         if (!isMaterialName(name.str())) {
             toml_.fail(name, "a material cannot be named " + quotedWord(name.str()) +
@@ -72,7 +72,7 @@ private:
         return true;
     }
 
-    /// One that no block of the file takes.
+    /// A code that no block of the file gives.
     std::uint8_t freeCode() {
         std::vector<MaterialDefinition> taken = all_;
         for (const Block& block : blocks_) {

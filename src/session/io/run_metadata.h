@@ -6,12 +6,12 @@
 
 namespace tactooth {
 
-/// What a measured number is worth nothing without.
+/// The circumstances of a measurement.
 struct RunMetadata {
     std::string machine;   ///< processor and number of cores
     std::string compiler;  ///< with its version, the kind of build and the vector instructions
     std::string commit;    ///< of the sources; "unknown" outside a repository
-    std::string command;   ///< that was given
+    std::string command;   ///< command line
     std::string date;      ///< UTC, ISO 8601
 };
 

@@ -10,7 +10,7 @@
 namespace tactooth {
 
 /// Writes ticks as rows of t,x,y,z,depth,nx,ny,nz,speed,fx,fy,fz,tx,ty,tz,contacts,micros,proxy_x,proxy_y,proxy_z,
-/// proxy_qw,proxy_qx,proxy_qy,proxy_qz (s, mm, mm/s, N, N*mm, us). The file appears when it is committed.
+/// proxy_qw,proxy_qx,proxy_qy,proxy_qz (s, mm, mm/s, N, N*mm, us). The file appears when `commit` succeeds.
 class TickCsv {
 public:
     [[nodiscard]] static Expected<TickCsv> create(const std::filesystem::path& path);

@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kLongestText = 2000;  // bytes: a text of a person; more is no text
+constexpr std::size_t kLongestText = 2000;  // bytes
 
 std::string quoted(std::string_view key) { return quotedWord(key); }
 

@@ -15,17 +15,17 @@
 
 namespace tactooth {
 
-/// Takes values out of a TOML file that a person wrote, until something is wrong: the first mistake is kept as one
-/// sentence with file and line, and from then on every answer is a default.
+/// Reads values of a TOML file. It keeps the first mistake as one sentence with file and line. After a mistake it still
+/// returns values or defaults, so that callers check once, at the end.
 class TomlReader {
 public:
     /// `name` stands for the file in messages.
     explicit TomlReader(std::string_view name) : name_(name) {}
 
-    /// The text as parseToml takes it; empty after a mistake.
+    /// Parses a text by parseToml; returns an empty table after a mistake.
     [[nodiscard]] toml::table parse(std::string_view text);
 
-    /// Refuses every key that is not in the list. `what`: "a tooth".
+    /// Reports a mistake for each key that is not in the list. `what` names the table in the message: "a tooth".
     void allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys);
 
     [[nodiscard]] std::string text(const toml::table& table, std::string_view key, bool isNeeded);
@@ -34,19 +34,19 @@ public:
                                 double high);
     [[nodiscard]] int integer(const toml::table& table, std::string_view key, int fallback, int low, int high);
     [[nodiscard]] bool flag(const toml::table& table, std::string_view key, bool fallback);
-    /// `values` stays as it is if the key is not there.
+    /// Leaves `values` unchanged if the key is missing.
     void numbers(const toml::table& table, std::string_view key, std::span<double> values);
-    /// The tables below [[key]].
+    /// The tables of [[key]].
     [[nodiscard]] std::vector<const toml::table*> tables(const toml::table& table, std::string_view key);
-    /// The table below [key] or in braces; null if there is none.
+    /// The table of [key] or in braces; null if the key is missing.
     [[nodiscard]] const toml::table* table(const toml::table& table, std::string_view key);
 
-    /// What a node says; none, and a mistake, if it is something else. `key` names it in messages.
+    /// The value of a node; nothing, and a mistake, if it has another type or range. `key` names it in messages.
     [[nodiscard]] std::optional<double> numberOf(const toml::node& node, std::string_view key, double low, double high);
     [[nodiscard]] std::optional<int> integerOf(const toml::node& node, std::string_view key, int low, int high);
     [[nodiscard]] std::optional<std::string> textOf(const toml::node& node, std::string_view key);
 
-    /// Keeps a mistake, if it is the first.
+    /// Reports a mistake; only the first one is kept.
     void fail(const toml::node& where, const std::string& what);
     void fail(const toml::key& where, const std::string& what);
 
@@ -59,10 +59,10 @@ private:
     std::optional<Error> error_;
 };
 
-/// What a message says that it found: "-0.5", "a text in quotes", "a list".
+/// Describes a node for a message: "-0.5", "a text in quotes", "a list".
 [[nodiscard]] std::string describedToml(const toml::node& node);
 
-/// Whether a message or a menu can show a text as it is: one line, not too long, no control characters.
+/// Whether a text can be shown as it is: one line of at most 2000 bytes without control characters.
 [[nodiscard]] bool isPlainText(const std::string& text);
 
 }  // namespace tactooth

@@ -7,11 +7,11 @@
 
 namespace tactooth {
 
-/// `text` as valid UTF-8: each byte that is none becomes U+FFFD. File names may hold any bytes; a text may not.
+/// `text` as valid UTF-8: each invalid byte becomes U+FFFD. File names may hold any bytes.
 [[nodiscard]] std::string validUtf8(std::string_view text);
 
-/// `text` with letters and their marks composed (Unicode's form NFC), so that a name is the same whether it comes from
-/// a Mac, which takes the umlaut apart, or from elsewhere. What is no UTF-8 stays as it is.
+/// `text` in Unicode's form NFC: letters and their marks are composed. macOS decomposes file names, other systems do
+/// not; composed names compare equal. A text that is not UTF-8 stays as it is.
 [[nodiscard]] std::string composed(std::string_view text);
 
 }  // namespace tactooth

@@ -19,12 +19,12 @@ namespace {
 
 static_assert(openvdb::FloatTree::LeafNodeType::DIM == kBrickSide, "a brick becomes a leaf");
 
-/// Bricks that are worked out together before they go into the grids, which one thread does.
+/// Number of bricks that are computed in parallel before one thread puts them into the grids.
 constexpr std::size_t kBatch = 4096;
 
 openvdb::Coord nodeOf(const BrickKey& key) { return {kBrickSide * key.x, kBrickSide * key.y, kBrickSide * key.z}; }
 
-/// The archive of the library writes to files by name alone; what appears when it is complete has to go through memory.
+/// The library's archive writes only to named files. A file that appears when it is complete needs the bytes in memory.
 class MemoryArchive : public openvdb::io::Archive {
 public:
     [[nodiscard]] std::string bytesOf(const openvdb::GridCPtrVec& grids, const openvdb::MetaMap& metadata) const {
@@ -71,7 +71,7 @@ public:
         }
     }
 
-    /// Those that hold something, each with what a reader should know about it.
+    /// The grids that are not empty, with their metadata.
     [[nodiscard]] openvdb::GridCPtrVec finished() const {
         const double spacing = lattice_.spacing();
         openvdb::GridCPtrVec filled;
@@ -88,7 +88,7 @@ public:
 private:
     const Lattice& lattice_;
     std::vector<openvdb::FloatGrid::Ptr> grids_;  // by MaterialId
-    MaterialVolumes voxels_{};                    // that each material would fill
+    MaterialVolumes voxels_{};                    // voxels that each material fills
 };
 
 Grids gridsOf(const CutVolume& volume) {

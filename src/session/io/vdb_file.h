@@ -9,15 +9,14 @@
 
 namespace tactooth {
 
-/// Nothing if this program can write OpenVDB files, else why not, in one sentence: OpenVDB is not among what has to be
-/// there to build it.
+/// Fails with one sentence if this program was built without OpenVDB, which is optional.
 [[nodiscard]] Expected<void> checkVdb();
 
-/// Fails, before memory is taken, if the file of this tooth would hold more than 4 GB. `voxel`: spacing, mm.
+/// Fails, before any memory is allocated, if the file of this tooth would exceed 4 GB. `voxel`: spacing, mm.
 [[nodiscard]] Expected<void> checkVdbSize(const LayeredTooth& tooth, double voxel);
 
-/// Writes what is left of a tooth for OpenVDB: one grid of floats for each material, named after it, that says how much
-/// of each voxel it fills, 0..1; docs/vdb-file.md. The file appears when it is complete.
+/// Writes the remaining tooth as an OpenVDB file (docs/vdb-file.md): one grid of floats for each material, named after
+/// it. A value is the share of the voxel that the material fills, 0..1. The file appears when it is complete.
 [[nodiscard]] Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance,
                                       const std::filesystem::path& path);
 

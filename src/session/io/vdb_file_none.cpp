@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Stands in for vdb_file.cpp where there is no OpenVDB to build with.
+// Replaces vdb_file.cpp in builds without OpenVDB.
 #include "session/io/vdb_file.h"
 
 namespace tactooth {

@@ -26,7 +26,7 @@ double areaOf(const TriangleMesh& mesh) {
 Expected<void> checkVdbSize(const LayeredTooth& tooth, double voxel) {
     double area = areaOf(tooth.outer()->mesh());
     for (const LayeredTooth::Layer& layer : tooth.layers()) area += areaOf(layer.part->mesh());
-    // Where a surface passes, a brick of voxels is kept for the material of either side; inside a few blocks will do.
+    // Where a surface passes, both materials need a brick of voxels; the inside needs a few blocks.
     const double side = kBrickSide * voxel;
     const double bytes = area / (side * side) * 2 * kBrickNodes * sizeof(float);
     if (bytes <= kMaxBytes) return {};

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSurfaceDelay = 0.005;  // s: how far the felt surface may lag behind the cut
+constexpr double kSurfaceDelay = 0.005;  // s that the haptic surface may lag behind the cut
 
 Tick rigidTick(const TimedPose& row, const Vec3& step, double dt) {
     Tick tick;
@@ -27,7 +27,7 @@ Tick rigidTick(const TimedPose& row, const Vec3& step, double dt) {
 SpindlePreset constantSpeed(double speedRpm) {
     SpindlePreset preset;
     preset.name = "constant speed";
-    preset.freeSpeedRpm = preset.minSpeedRpm = std::max(speedRpm, 1.0);  // no drive stands still at full pedal
+    preset.freeSpeedRpm = preset.minSpeedRpm = std::max(speedRpm, 1.0);  // no drive has zero speed at full pedal
     preset.stallTorque = preset.brakeTorque = 1e6;                       // N*mm: nothing slows it
     preset.droopRpm = 1e-3;
     preset.inertia = 1e-9;
@@ -72,7 +72,7 @@ void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, Ha
 Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingTool& tool,
                                  const MaterialTable& materials, HapticSimulation& simulation, CutModel& piece,
                                  const CutCallback& visit) {
-    simulation.setTickBudget(kUnlimitedWork);  // nobody waits for a tick, and a bur that is late cuts more
+    simulation.setTickBudget(kUnlimitedWork);  // no real time here, and a bur that lags would cut more
     HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;

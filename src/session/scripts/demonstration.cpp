@@ -12,10 +12,10 @@ namespace tactooth {
 namespace {
 
 constexpr double kTick = 0.001;  // s
-constexpr int kTicksPerCut = 5;  // the felt surface follows the cut within 5 ms
+constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 ms
 constexpr std::size_t kTouchPhases = 2;
 
-/// Come down and touch, stroke, lift off, cut, lift again: shares of the whole.
+/// The phases approach and touch, stroke, lift, cut, lift, as shares of the length.
 std::vector<OperatorPhase> script(const Vec3& middle, double reach, double seconds) {
     const Vec3 left = middle - Vec3(reach, 0, 0);
     const Vec3 right = middle + Vec3(reach, 0, 0);
@@ -41,7 +41,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
                                 const std::function<void(double)>& progress) {
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
-    constexpr double kHeadroom = 6.0;  // mm above the highest cusp: the cavity can be seen under the waiting bur
+    constexpr double kHeadroom = 6.0;  // mm above the highest cusp, so that the cavity is visible under the waiting bur
     ScriptedOperator hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                           script(middle, reach, seconds));
     HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);

@@ -13,24 +13,24 @@
 
 namespace tactooth {
 
-/// What a demonstration leaves to be shown.
+/// The results of a demonstration.
 struct Demonstration {
     std::vector<Tick> ticks;             ///< one a millisecond
     std::vector<TimedSoundState> sound;  ///< one every five
-    std::size_t touchTick = 0;           ///< the last one of the touching part
+    std::size_t touchTick = 0;           ///< the last tick of the touching part
     std::uint64_t surfaceUpdates = 0;
     std::vector<CutEvent> events;
-    /// The bur at work: the last moment at which it cut with the pedal down, and so in its water.
+    /// The last tick in which the bur cut with the pedal down, and so with water.
     struct Work {
         std::size_t tick = 0;
         std::shared_ptr<const Surface> surface;
         std::vector<SprayParticle> flying;
     };
-    std::optional<Work> work;  ///< none if nothing was cut so
+    std::optional<Work> work;  ///< empty if there was no such tick
 };
 
-/// Plays a session without clock, device or display: a practised hand touches the tooth from above (+z), strokes it,
-/// lifts, starts the turbine and cuts to and fro, with the tool turned by `grip` all the time. Equal inputs give equal
+/// Plays a session without clock, device or display. A scripted hand touches the tooth from above (+z), strokes it,
+/// lifts, starts the turbine and cuts to and fro. `grip` is the orientation of the tool. Equal inputs give equal
 /// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
 [[nodiscard]] Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrument& instrument,
                                               const HapticSettings& settings, const Quat& grip, double seconds,

@@ -9,8 +9,8 @@
 
 namespace tactooth {
 
-/// What openDevice opens, and "replay:FILE": a hand that goes the way of a trajectory (see readTrajectory) in the
-/// tooth's frame, whatever force it meets, and rests at its end. Fails with one sentence that says what to do.
+/// Opens a device as openDevice does, or "replay:FILE": a device that follows a trajectory (see readTrajectory) in the
+/// tooth frame at any force, and rests at its end. Fails with one sentence that says what to do.
 [[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDeviceOrReplay(const std::string& name,
                                                                          bool leftHanded = false, double rateHz = 1000);
 

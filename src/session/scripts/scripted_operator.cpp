@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kYield = 8;      // mm/s that the hand moves for each newton that it misses: settles in 0.1 s on enamel
+constexpr double kYield = 8;      // mm/s for each newton of force error: settles in 0.1 s on enamel
 constexpr double kApproach = 4;   // mm/s at most downwards
 constexpr double kLift = 8;       // mm/s at most upwards
 constexpr double kSideways = 12;  // mm/s at most: a stroke of a trained hand

@@ -21,8 +21,8 @@ auto timed(double& micros, Work&& work) {
     return result;
 }
 
-/// One haptic run along a trajectory, at its own time steps: a still tool in the touch mode. `visit(time, tick)` is
-/// called for every row. Fails with one sentence at the first tick that is not finite (see checkFinite).
+/// One haptic run along a trajectory with its time steps, in touch mode with a spindle at rest. Calls `visit(time,
+/// tick)` for each row. Fails with one sentence at the first tick that is not finite (see checkFinite).
 [[nodiscard]] Expected<void> runTouchPath(std::span<const TimedPose> trajectory, HapticSimulation& simulation,
                                           const std::function<void(double, const Tick&)>& visit);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 8> kColumns = {"t", "x", "y", "z", "qw", "qx", "qy", "qz"};
 constexpr double kFarthest = 1e4;        // mm
 constexpr double kLatest = 1e12;         // s: 30,000 years, with steps of 0.1 ms
-constexpr double kUnitTolerance = 0.01;  // a quaternion written with three digits is still meant as unit
+constexpr double kUnitTolerance = 0.01;  // so that quaternions with three digits are accepted
 
 Expected<std::vector<TimedPose>> posesOf(const Expected<CsvTable>& table) {
     if (!table) return Unexpected{table.error()};

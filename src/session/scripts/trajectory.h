@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// Where a tool is at one moment.
+/// The pose of a tool at one time.
 struct TimedPose {
     double time;  ///< s
     Pose toolInTooth;
@@ -19,8 +19,8 @@ struct TimedPose {
 
 /// Reads a CSV file with the columns t,x,y,z,qw,qx,qy,qz (s, mm, unit quaternion).
 ///
-/// Fails with one sentence with file and line on everything that readCsv refuses, on a quaternion that is not unit
-/// (within 1 %: it is then normalised) and on a time before the one of the row above.
+/// Fails with one sentence with file and line: everything that readCsv refuses, a quaternion whose length differs from
+/// 1 by more than 1 % (otherwise it is normalised), or a time before that of the row above.
 [[nodiscard]] Expected<std::vector<TimedPose>> readTrajectory(const std::filesystem::path& path);
 
 /// The same from memory; `name` stands for the file in messages.

@@ -10,12 +10,13 @@
 namespace tactooth {
 namespace {
 
-constexpr double kReached = 1e-4;   // mm^3; less of a tissue, a cube of 46 um, may be the rounding of its border
-constexpr double kNothing = 1e-6;   // mm^3; no bur takes less of a body at a cut, a cube of 10 um
-constexpr double kAtMost = 1.05;    // times the volume told for what stands around: by its surface, which errs
-constexpr double kTurnsRpm = 3000;  // rev/min; faster, it has run up
-constexpr double kApart = 0.5;      // s without a touch: the next one is another
-constexpr double kPedalDown = 0.1;  // a foot that asks for a turning bur, beyond any pedal's dead band
+constexpr double kReached = 1e-4;  // mm^3, a cube of 46 um; less of a tissue may be rounding at its border
+constexpr double kNothing = 1e-6;  // mm^3, a cube of 10 um: less than any bur removes in a cut
+constexpr double kAtMost =
+    1.05;  // times the loss of the surroundings, which is computed from surfaces and so not exact
+constexpr double kTurnsRpm = 3000;  // rev/min: above it the bur has run up
+constexpr double kApart = 0.5;      // s without contact: the next touch is a new one
+constexpr double kPedalDown = 0.1;  // pedal position beyond any dead band: the foot wants the bur to turn
 
 }  // namespace
 
@@ -60,7 +61,7 @@ void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const 
     report(kind, time, tick);
 }
 
-/// What stands around a tooth is other teeth, and gum or bone, which are of no tissue of a tooth.
+/// Bodies around a tooth are other teeth, or gum and bone, which have a role of their own.
 void CutEvents::updateSurroundings(double time, const Tick& tick) {
     if (!tick.around) return;
     const bool isGingiva = materials_->hasRole(*tick.around, MaterialRole::Surroundings);
@@ -71,7 +72,7 @@ void CutEvents::updateSurroundings(double time, const Tick& tick) {
     last = time;
 }
 
-/// Counts what has gone since the last call for the tooth itself, unless its neighbours have lost something meanwhile.
+/// Counts the loss since the last call for the tooth itself, unless its neighbours have lost volume meanwhile.
 void CutEvents::count(const ToothLoss& loss) {
     const bool isBeside = loss.beside - last_.beside > kNothing;
     for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -92,7 +93,7 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     besideBefore_ = std::min(besideBefore_, loss.beside);
     count(loss);
-    // Of the tooth itself; what goes beyond all that the neighbours have lost is its own as well.
+    // Of the tooth itself. A loss beyond that of all neighbours counts as its own.
     const auto isReached = [&](MaterialRole role) {
         return std::ranges::any_of(materials_->ids(), [&](MaterialId id) {
             const auto i = static_cast<std::size_t>(id);

@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// What a teacher wants to know of a cut.
+/// The events of a cut that a teacher wants to know.
 enum class CutEventKind {
     FirstContact,
     DentinReached,
@@ -44,20 +44,20 @@ struct CutEvent {
 /// As a table: t,event,x,y,z.
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
-/// Watches a cut tick by tick. The first contact, each tissue of the tooth itself and a cut into what stands around are
-/// told once (a tissue that goes while a neighbour is cut as well: when more of it has gone than the neighbours lost);
-/// a neighbour, gum or bone each time that the tool comes to touch it after half a second without; a stalled bur each
-/// time that it stalls; pieces that came loose each time that some have fallen.
+/// Detects the events of a cut tick by tick. First contact, each tissue of the tooth itself and a cut beside the tooth
+/// are reported once. While a neighbour loses volume as well, a tissue counts when more of it has gone than all
+/// neighbours lost. A touch of a neighbour, gum or bone is reported again after half a second without contact. Each
+/// stall and each fall of loose pieces is reported.
 class CutEvents {
 public:
     /// `materials`: of the tooth; they say which material is dentin, pulp or gingiva.
     explicit CutEvents(const MaterialRegistry& materials = builtinMaterials()) : materials_(&materials) {}
 
-    /// `loss`: everything up to this tick. The first call tells what had been cut before; what is put back (undo,
-    /// reset) and cut again is no news.
+    /// `loss`: everything up to this tick. The first call sets what was cut before. Volume that undo or reset has put
+    /// back and that is cut again gives no new event.
     void update(double time, const Tick& tick, const ToothLoss& loss);
 
-    /// In the order of their times.
+    /// All events, by rising time.
     [[nodiscard]] const std::vector<CutEvent>& all() const { return events_; }
 
 private:
@@ -72,10 +72,10 @@ private:
     double besideBefore_ = 0;
     ToothLoss last_;          // at the last call
     MaterialVolumes own_{};   // of the tooth itself, since the first call, mm^3
-    std::size_t pieces_ = 0;  // that had fallen at the last call
+    std::size_t pieces_ = 0;  // fallen pieces at the last call
     bool started_ = false;
-    bool turned_ = false;                                   // the bur did, since it stalled last
-    std::optional<double> neighbourAt_, gingivaTouchedAt_;  // when it was touched last, s
+    bool turned_ = false;                                   // whether the bur has turned since it last stalled
+    std::optional<double> neighbourAt_, gingivaTouchedAt_;  // time of the last touch, s
 };
 
 }  // namespace tactooth

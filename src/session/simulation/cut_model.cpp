@@ -11,15 +11,15 @@
 namespace tactooth {
 namespace {
 
-// Work that no cut has spent is kept for this long a push only: a bur that was held on glass does not jump ahead when
-// it finds caries. N*m; about 20 ms at 1 N and 300,000 rev/min.
+// Unspent work is kept up to this limit, so that a bur held on glass does not jump ahead when it meets caries. N*m;
+// about 20 ms at 1 N and 300,000 rev/min.
 constexpr double kKeptWork = 0.3;
 
-// The bur never gains more than this at one update, mm: 20 mm/s at an update each 5 ms, faster than any hand feeds.
-// Keeps the search for the way that the work pays for short where a hand is far behind its bur.
+// Longest feed of one update, mm: 20 mm/s at an update each 5 ms, faster than any hand. It keeps the search for the
+// affordable path short where the device is far ahead of the bur.
 constexpr double kLongestFeed = 0.1;
 
-// s without contact: the bur was lifted and not just on its way over a gap.
+// s without contact: the bur was lifted, and did not just cross a gap.
 constexpr double kLifted = 0.1;
 
 }  // namespace
@@ -49,13 +49,13 @@ void CutModel::addRemoved(const CarveResult& carve) {
 }
 
 MaterialVolumes CutModel::sweep(const CuttingTool& tool, const Pose& from, const Pose& to) {
-    constexpr double kNoClearance = 0;  // what is swept goes, and nothing else
+    constexpr double kNoClearance = 0;  // exactly the swept volume is removed
     const CarveResult carve = volume_.carve(tool.envelope, from, to, kNoClearance);
     addRemoved(carve);
     return carve.removed;
 }
 
-/// Where the cut goes on: at the bur, or where the last cut lets it go to, if it is still on its way there.
+/// The start of the next cut: the proxy, or the end of the last cut while the proxy is still on its path there.
 Pose CutModel::startOf(const Tick& tick) const {
     if (!reached_) return tick.proxy;
     const Vec3 left = reached_->position - tick.proxy.position;
@@ -67,7 +67,7 @@ Pose CutModel::startOf(const Tick& tick) const {
 bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
     updateContact(tick);
     const double work = tick.cutWork - workSpent_;
-    const bool hasWorked = tick.cutWork > workSeen_;  // else what was too dear the last time still is
+    const bool hasWorked = tick.cutWork > workSeen_;  // otherwise the last step is still not affordable
     workSeen_ = tick.cutWork;
     if (tick.contacts == 0 || !(work > 0)) {
         workSpent_ = tick.cutWork;
@@ -79,12 +79,12 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     const double toDevice = (tick.hand.position - start.position).norm();
     const double way = std::min(toDevice, kLongestFeed);
     const Pose goal = between(start, tick.hand, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
-    // As far as the last time and once more; a step of the sweep costs no less where it is shorter than a voxel.
+    // Twice the last feed; a step of the sweep shorter than a voxel costs no less.
     const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / way;
     const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
     lastFeedLength_ = result.fraction * way;
     reached_ = between(start, goal, result.fraction);
-    // A broad bur in hard enamel must save up for its smallest step, which the clearance of the cut gives.
+    // A broad bur in hard enamel must save work for its smallest step, which depends on the clearance of the cut.
     const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
     workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kept);
     addRemoved(result.carve);
@@ -93,7 +93,7 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     return changed;
 }
 
-/// Time begins anew with each simulation that the piece is put into.
+/// Time starts anew with each simulation of the model.
 void CutModel::updateContact(const Tick& tick) {
     if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
 }
@@ -112,7 +112,7 @@ bool CutModel::removeLoosePieces() {
     loss_.pieces += static_cast<std::size_t>(
         std::ranges::count_if(pieces.volumes, [](double volume) { return volume >= kVisiblePiece; }));
     addFallen(volume_.removeDebris(nodesBesideDebris(*surface(), volume_.bricks(), volume_.lattice())));
-    mayBeDetached_ = false;  // what falls sets nothing free
+    mayBeDetached_ = false;  // a fallen piece sets no other one free
     return surface()->revision != revision;
 }
 
@@ -137,7 +137,7 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
 
 void CutModel::mark() {
     if (!volume_.mark()) return;
-    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the oldest was forgotten
+    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the volume has dropped its oldest mark
     lossAt_.push_back(loss_);
 }
 

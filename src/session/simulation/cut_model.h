@@ -13,27 +13,27 @@
 
 namespace tactooth {
 
-/// The bur as far as cutting knows it.
+/// The bur as cutting needs it.
 struct CuttingTool {
     RevolutionEnvelope envelope;
     double sharpness = 1;
 };
 
-/// Bodies that are felt as they are and never cut: the neighbours of a tooth, the gums. In the tooth's frame.
+/// Bodies that are felt but never cut: neighbours of the tooth, gums. In the tooth frame.
 using Surroundings = std::vector<std::shared_ptr<const SurfacePart>>;
 
 /// `surface` with the bodies around it as further patches; the same one if there are none.
 [[nodiscard]] std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface,
                                                         const Surroundings& bodies);
 
-/// What a tooth has lost since it was whole.
+/// The volume that a tooth has lost since it was whole.
 struct ToothLoss {
-    MaterialVolumes removed{};   ///< all of it, mm^3
-    MaterialVolumes detached{};  ///< of that, what burs had cut off all around, mm^3
-    std::size_t pieces = 0;      ///< of what has fallen, those that an eye can see (kVisiblePiece)
-    double beside = 0;           ///< of all, what bodies around the tooth have lost, mm^3
+    MaterialVolumes removed{};   ///< in all, mm^3
+    MaterialVolumes detached{};  ///< of that, in pieces that burs had cut off all around, mm^3
+    std::size_t pieces = 0;      ///< fallen pieces that an eye can see (kVisiblePiece)
+    double beside = 0;           ///< of all, lost by bodies around the tooth, mm^3
 
-    /// What burs have ground to chips.
+    /// The volume that burs have ground to chips.
     [[nodiscard]] MaterialVolumes ground() const {
         MaterialVolumes volumes = removed;
         for (std::size_t i = 0; i < kMaxMaterials; ++i) volumes[i] -= detached[i];
@@ -41,71 +41,70 @@ struct ToothLoss {
     }
 };
 
-/// mm^3; a piece that came loose and is smaller, a cube of 0.2 mm, is dust.
+/// mm^3: a cube of 0.2 mm. A smaller loose piece is dust.
 inline constexpr double kVisiblePiece = 0.008;
 
-/// A tooth on the bench: its volume, its surface and what has been removed from it. One thread cuts; the surface
-/// snapshots go anywhere.
+/// A tooth that is cut: its volume, its surface and the removed volumes. One thread cuts; any thread may hold the
+/// surface snapshots.
 class CutModel {
 public:
     /// `voxel`: spacing of the cut volume, mm.
     CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
     [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
-    /// The surface as files have it: see exportedMesh.
+    /// The surface for files: see exportedMesh.
     [[nodiscard]] TaggedMesh exported() const { return exportedMesh(*surface(), volume_.lattice().spacing()); }
-    /// What a hand feels: the surface, and the bodies around it as further patches.
+    /// The surface that is felt: with the bodies around it as further patches.
     [[nodiscard]] std::shared_ptr<const Surface> felt() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }
     [[nodiscard]] const ToothLoss& loss() const { return loss_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
     [[nodiscard]] const CutVolume& volume() const { return volume_; }
 
-    /// Puts the tooth among other bodies. To be called before anything is felt.
+    /// Puts the tooth among other bodies. Call it before anything is felt.
     void surroundBy(Surroundings bodies) { surroundings_ = std::move(bodies); }
     [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
 
-    /// Begins to take bricks from a stock that another thread may fill (BrickPool::makeAround). To be called before
-    /// anything is cut; a second call returns the same one.
+    /// From now on the volume takes bricks from a pool that another thread may fill (BrickPool::makeAround). Call it
+    /// before anything is cut. A second call returns the same pool.
     [[nodiscard]] const std::shared_ptr<BrickPool>& pool();
 
-    /// Removes all that the bur sweeps between two poses, whatever it takes. Returns what was removed.
+    /// Removes all that the bur sweeps between two poses, without the removal law. Returns the removed volumes.
     MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
 
-    /// Lets the bur go on from the proxy toward the hand of `tick` as far as the work booked since the last call pays
-    /// for. True if the surface has changed.
+    /// Cuts from the proxy toward the device pose of `tick`, as far as the work since the last call pays for. Returns
+    /// true if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
-    /// Lets fall what the cuts since the last look have set free, once the bur has been lifted: a piece that nothing
-    /// holds is gone, and so are flakes thinner than a voxel. `tick` is the newest one. True if the surface has
-    /// changed.
+    /// Removes loose pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
+    /// Returns true if the surface has changed.
     bool removeLoosePieces(const Tick& tick);
     /// The same, at once.
     bool removeLoosePieces();
 
-    /// Where the last `feed` lets the bur go to; nothing before the first, and after the bur was lifted.
+    /// The end of the last `feed`; nothing before the first one and after the bur was lifted.
     [[nodiscard]] const std::optional<Pose>& reached() const { return reached_; }
 
     /// Brings `surface()` up to date with the cuts made by `sweep`.
     void refreshSurface();
 
-    /// Of all that has been cut (CutVolume::hash): equal bits for equal cuts.
+    /// CutVolume::hash: equal cuts give equal bits.
     [[nodiscard]] std::uint64_t hash() const { return volume_.hash(); }
 
     /// Memory of the cut volume.
     [[nodiscard]] std::size_t bytes() const { return volume_.bytes(); }
 
-    /// Takes over what was cut from the same tooth before (CutVolume::adopt).
+    /// Takes over a saved cut of the same tooth (CutVolume::adopt).
     void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
 
     /// Sets a mark that `undo` goes back to.
     void mark();
-    /// How many times `undo` can go back.
+    /// The number of marks that `undo` can go back.
     [[nodiscard]] std::size_t marks() const { return volume_.marks(); }
-    /// The tooth as it was at the last mark, bit for bit; false if there is none.
+    /// Restores the tooth at the last mark, bit for bit. Returns false if there is no mark.
     bool undo();
 
-    /// The whole tooth again; no mark is left.
+    /// Restores the whole tooth and drops all marks.
     void reset();
 
 private:

@@ -10,14 +10,14 @@
 namespace tactooth {
 namespace {
 
-constexpr auto kPause = std::chrono::milliseconds(1);  // a tick: there is nothing new before it
-constexpr auto kRest = std::chrono::milliseconds(8);   // as long as the tool rests
-constexpr double kRests = 0.2;                         // s without a move: the hand has put it down
+constexpr auto kPause = std::chrono::milliseconds(1);  // one tick: nothing new comes before
+constexpr auto kRest = std::chrono::milliseconds(8);   // while the tool rests
+constexpr double kRests = 0.2;                         // s without motion: the hand has put the tool down
 
-constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs has no more
+constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs gets no longer
 constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
 
-/// Whether a tool has been put down: looked at now and then, it needs no attention at every tick.
+/// Detects a tool that was put down; then the threads check for work less often.
 class IdleDetector {
 public:
     [[nodiscard]] bool idle(const Tick& now) {
@@ -26,7 +26,7 @@ public:
     }
 
 private:
-    Vec3 place_ = Vec3::Zero();  // where the tool was when it moved last
+    Vec3 place_ = Vec3::Zero();  // position at the last motion
     double movedAt_ = 0;         // s
 };
 
@@ -60,7 +60,7 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
     neighbourListThread_ = std::jthread([this](const std::stop_token& stop) { runNeighbourLists(stop); });
 }
 
-/// A force that ends within one tick is a kick: the servo takes it back as fast as any force may change.
+/// A force that ends within one tick is a kick, so the servo thread fades it out within the limit of the force rate.
 void Simulator::fadeOut() {
     fadingOut_.store(true);
     const auto end = std::chrono::steady_clock::now() + kLongestFade;
@@ -71,13 +71,13 @@ Simulator::~Simulator() {
     fadeOut();
     carvingThread_ = {};  // joins
     brickPrefetchThread_ = {};
-    neighbourListThread_ = {};  // after this nobody fills the queues
+    neighbourListThread_ = {};  // joins; now no thread fills the queues
     loop_.reset();
     device_.write(SafeWrench());
     if (second_ != nullptr) second_->write(SafeWrench());
 }
 
-/// Swaps in what has come. What was felt before goes back to the lister: to free it would stall the servo.
+/// Swaps in new surfaces. The old one goes back to the neighbour-list thread: to free it would stall the servo thread.
 void Simulator::adoptNewSurface() {
     HapticSurface* felt = nullptr;
     while (pendingSurfaces_.pop(felt)) {
@@ -148,7 +148,7 @@ std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const 
 bool Simulator::processUndoRequest() {
     bool changed = false;
     for (int left = undosRequested_.exchange(0); left > 0; --left) changed |= model_->undo();
-    lastCut_ = -std::numeric_limits<double>::infinity();  // what comes next is a cut of its own
+    lastCut_ = -std::numeric_limits<double>::infinity();  // the next cut gets a mark of its own
     return changed;
 }
 
@@ -159,7 +159,7 @@ bool Simulator::processCutRequest() {
     return model_->feed(instrument_.cutting, tick, settings_.materials);
 }
 
-/// One turn of the cutter. True if the surface has changed.
+/// One turn of the carving thread. Returns true if the surface has changed.
 bool Simulator::processModel() {
     const std::lock_guard lock(modelMutex_);
     if (resetRequested_.exchange(false)) {
@@ -196,23 +196,23 @@ void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
     }
 }
 
-/// What the cutter has made since the last call, if that comes before the tool has moved on.
+/// Waits for a new cut surface; returns nothing if the tool needs a new list first.
 std::optional<Simulator::CarvedSurface> Simulator::waitForCutSurface(const std::stop_token& stop, bool idle) {
     std::unique_lock lock(publishedMutex_);
     (void)cutAvailable_.wait_for(lock, stop, idle ? kRest : kPause, [this] { return surfaceToList_.has_value(); });
     return std::exchange(surfaceToList_, std::nullopt);
 }
 
-/// Hands a surface or a list to the servo; false if it has not taken the last ones yet.
+/// Sends a surface or a list to the servo thread; false if the queue is full.
 bool Simulator::send(HapticSurface* felt) {
     if (pendingSurfaces_.push(felt)) return true;
     surfaces_.recycle(felt);
     return false;
 }
 
-/// Lists what is near the tool, in each new surface and wherever the tool goes, and finds a place for a tool whose hand
-/// came into the tooth, before the servo would have to do so within a tick. On a thread of its own: a cut takes longer
-/// than a list lasts.
+/// Builds neighbour lists for each new surface and along the path of the tool. It also finds a start pose for a tool
+/// whose device entered the tooth, which the servo thread could not do within a tick. It has a thread of its own
+/// because a cut takes longer than a list lasts.
 void Simulator::runNeighbourLists(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "lister");
     IdleDetector watch;
@@ -231,7 +231,7 @@ void Simulator::runNeighbourLists(const std::stop_token& stop) {
         if (unsent) {
             if (send(surfaces_.make(unsent->felt, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
         } else if (HapticSurface* felt = now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand)) {
-            (void)send(felt);  // what the servo does not take, it has no need of
+            (void)send(felt);  // a full queue means that the servo thread needs no more
         }
     }
 }

@@ -31,31 +31,30 @@ struct Instrument {
     BurEdge edge = {};
 };
 
-/// What a person sets while the simulation runs.
+/// The controls of a running simulation.
 struct SimulatorControls {
-    ForceOverrides force;  ///< none: the materials' own
+    ForceOverrides force;  ///< empty: the materials' own values
     double forceScale = 1;
-    double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's own pedal counts
+    double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's pedal counts
     bool cutting = false;      ///< touch or cut
-    bool forceEnabled = true;  ///< off: the device is limp, everything else goes on
+    bool forceEnabled = true;  ///< off: the device gets no force, all else goes on
     bool clutch = false;       ///< the tool stays where it is while the hand moves on
     double motionScaling = 1;  ///< mm that the hand moves for each mm of the tool: 3 for fine work
     ButtonMap buttons = {};
 };
 
-/// A running simulation: the servo thread moves the tool and makes the force, the cutter thread carves behind it, the
-/// maker thread makes the bricks of the cut volume before the cutter needs them, the lister thread looks up what is
-/// near the tool before the servo needs it, and any number of others watch. Built for one tooth, one instrument and the
-/// devices of one or two hands; another of these is another simulator.
+/// A running simulation of one tooth, one instrument and the devices of one or two hands. The servo thread moves the
+/// tool and computes the force. The carving thread cuts behind it. The brick-prefetch thread samples bricks of the cut
+/// volume before the carving thread needs them. The neighbour-list thread builds lists before the servo thread needs
+/// them. Any other threads may observe.
 class Simulator {
 public:
     using TickListener = std::function<void(const Tick&)>;
 
-    /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick: it must not
-    /// block (publish to the sound, for example). The work piece may bring cuts from an earlier simulator.
-    /// `registration`: for a device whose frame has nothing to do with the tooth; without it the device's frame is the
-    /// tooth's. `second`: a device for the other hand, which begins with the mirror; open, and outlives the simulator
-    /// as well. `motionScaling`: until other controls are set.
+    /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick and must not
+    /// block. The model may already be cut. `registration` maps the frame of the device to the tooth frame; without it
+    /// both are the same. `second`: a device for the other hand, which holds the mirror at first; open, and outlives
+    /// the simulator. `motionScaling` holds until other controls are set.
     Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
               HapticDevice& device, TickListener onTick, double rateHz = 1000,
               std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
@@ -64,27 +63,27 @@ public:
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
 
-    /// From one thread (the window's); wait-free.
+    /// One thread (the window's); wait-free.
     void setControls(const SimulatorControls& controls) { controls_.write(controls); }
 
-    /// One thread (the window's): the ticks since the last call, oldest first, appended to `ticks`. Ticks that were not
-    /// fetched in time (two seconds) are lost to the plots, to nothing else.
+    /// One thread (the window's): appends the ticks since the last call to `ticks`, oldest first. Ticks older than two
+    /// seconds are lost.
     void fetchTicks(std::vector<Tick>& ticks);
 
     /// Any thread.
     [[nodiscard]] std::shared_ptr<const Surface> surface() const;
-    /// The surface as files have it: see exportedMesh.
+    /// The surface for files: see exportedMesh.
     [[nodiscard]] TaggedMesh exported() const;
     [[nodiscard]] MaterialVolumes removed() const { return loss().removed; }
     [[nodiscard]] ToothLoss loss() const;
     /// Of the tooth: what the indices of `removed` mean. Any thread.
     [[nodiscard]] const MaterialRegistry& materials() const { return model_->tooth().materials(); }
     [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
-    /// One thread (the window's): how the hand has moved the mirror since the start, in the tooth's frame.
+    /// One thread (the window's): the motion of the mirror since the start, in the tooth frame.
     [[nodiscard]] const Pose& mirrorMotion() { return mirrorForObserver_.refresh(), mirrorForObserver_.value(); }
-    /// From the device's reading of a hand to the force that answers it, us.
+    /// Time from reading the device to sending the force, us.
     [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
-    /// Why the hand feels what it feels.
+    /// The state of the force output.
     [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
     /// See Hands.
     [[nodiscard]] bool isDeviceAtWorkspaceLimit() const {
@@ -92,14 +91,14 @@ public:
     }
     [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
     [[nodiscard]] bool limitsCpuLatency() const { return loop_->limitsCpuLatency(); }
-    /// Surfaces published by the cutter so far.
+    /// Number of surfaces that the carving thread has published.
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
-    /// Puts the tooth back as it was. Any thread; done by the cutter thread at its next turn.
+    /// Restores the whole tooth. Any thread; the carving thread does it at its next turn.
     void requestReset() { resetRequested_.store(true); }
-    /// Takes back what was cut since the bur last began to cut after a pause. Any thread; done like a reset. Nothing
-    /// happens if nothing was cut.
+    /// Undoes the cut since the bur last began to cut after a pause. Any thread; done like a reset. No effect if
+    /// nothing was cut.
     void requestUndo() { undosRequested_.fetch_add(1); }
-    /// The tooth as it is now, as the bytes of a file. Any thread but the servo's; waits for one cut at most.
+    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most.
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
 private:
@@ -107,10 +106,10 @@ private:
     using SurfaceQueue = boost::lockfree::spsc_queue<HapticSurface*, boost::lockfree::capacity<kCapacity>>;
     static constexpr std::size_t kTickCapacity = 2048;
 
-    /// What the cutter has made.
+    /// The result of a cut.
     struct CarvedSurface {
         std::shared_ptr<const Surface> felt;
-        std::optional<Pose> reached;  ///< where the cut lets the tool go to
+        std::optional<Pose> reached;  ///< the end of the cut
     };
 
     void servoTick(double elapsed);
@@ -134,7 +133,7 @@ private:
     HapticDevice* second_;
     TickListener onTick_;
 
-    // Servo thread's.
+    // Of the servo thread.
     HapticSimulation simulation_;
     DeviceSet devices_;
 
@@ -142,31 +141,32 @@ private:
     TripleBuffer<SimulatorControls> controls_;
     TripleBuffer<Tick> tickForCarving_;
     TripleBuffer<Tick> tickForNeighbourLists_;
-    TripleBuffer<std::optional<Pose>> carvingPose_;  // cutter -> maker; nothing while the bur only touches
+    TripleBuffer<std::optional<Pose>>
+        carvingPose_;  // carving -> brick-prefetch thread; nothing while the bur only touches
     boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kTickCapacity>> ticksForObserver_;
-    SurfaceQueue<8> pendingSurfaces_;   // lister -> servo
-    SurfaceQueue<32> retiredSurfaces_;  // and back, with the surface felt before: the servo never frees one
+    SurfaceQueue<8> pendingSurfaces_;   // neighbour-list -> servo thread
+    SurfaceQueue<32> retiredSurfaces_;  // back, with the surface before: the servo thread frees none
     TripleBuffer<Pose> mirrorForObserver_;
     LatencyHistogram deviceToForce_;
     std::atomic<ForceState> forceState_{ForceState::Off};
     std::atomic<bool> deviceAtWorkspaceLimit_{false};
     std::atomic<bool> fadingOut_{false};  // the force fades out
-    std::atomic<bool> silent_{true};      // it has
+    std::atomic<bool> silent_{true};      // it has faded out
     std::atomic<bool> resetRequested_{false};
     std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
-    // Cutter's.
+    // Of the carving thread.
     double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
 
-    // Lister's.
+    // Of the neighbour-list thread.
     HapticSurfaceBuilder surfaces_;
-    std::shared_ptr<const Surface> newest_;  ///< that it knows of
+    std::shared_ptr<const Surface> newest_;  ///< that the thread has seen
 
-    /// The cutter's while it works, and that of anyone who looks at the work piece; never the servo's.
+    /// Held by the carving thread while it cuts, and by observers of the model; never by the servo thread.
     mutable std::mutex modelMutex_;
 
-    // Cutter, lister and watchers; never the servo.
+    // Of the carving thread, the neighbour-list thread and observers; never of the servo thread.
     mutable std::mutex publishedMutex_;
     std::shared_ptr<const Surface> publishedSurface_;
     ToothLoss publishedLoss_;

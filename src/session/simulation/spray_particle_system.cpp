@@ -9,18 +9,18 @@
 namespace tactooth {
 namespace {
 
-// Jets: three holes under the head of the handpiece aim at the bur's tip. They are so fast (metres in a second) that an
-// eye sees lines: drops are laid anew along them at each call.
+// Jets: three holes under the head of the handpiece aim at the bur's tip. At metres a second an eye sees lines, so each
+// call places new drops along them.
 constexpr int kJets = 3;
 constexpr int kDropsPerJet = 40;
 constexpr double kHoleRadius = 2.9, kHoleHeight = 9.3;  // mm in the tool frame: beside the chuck's nose
 constexpr double kAimHeight = 0.8;                      // mm above the tip
 constexpr double kJetSpread = 0.22;                     // mm at its end
 
-// Mist: what 50 ml/min become is far more than can be drawn; this many balls a second stand for it.
+// Mist: 50 ml/min give far more drops than can be drawn; so many balls a second stand for them.
 constexpr double kMistPerSecond = 1600;
-constexpr double kMistLife = 0.32, kChipLife = 0.45;        // s, until they are too thin to be seen
-constexpr float kMistGrowth = 2.2F;                         // mm/s: eddies widen what a ball stands for
+constexpr double kMistLife = 0.32, kChipLife = 0.45;        // s, until they are invisible
+constexpr float kMistGrowth = 2.2F;                         // mm/s: eddies spread the drops of a ball
 constexpr double kMinGrain = 0.008, kLargestGrain = 0.024;  // mm across
 constexpr double kFastest = 20000;                          // mm/s: rim of a 1.3 mm bur at 300,000 rev/min
 
@@ -32,8 +32,8 @@ constexpr double kTubeRadius = 3;    // mm
 constexpr double kTubeFlow = 3.3e5;  // mm^3/s: 20 l/min, a saliva ejector that lets one still see the spray
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// How far the sink draws what stands at distance `r` from a tube in `dt`: air comes in through a half sphere, so
-/// r^3 falls by 3 Q t / (2 pi).
+/// Displacement toward the tube within `dt` at distance `r`: air flows in through a half sphere, so r^3 falls by
+/// 3 Q t / (2 pi).
 double drawnTo(double r, double dt) { return std::cbrt(std::max(0.0, r * r * r - 3 * kTubeFlow * dt / kTwoPi)); }
 
 float radiusOfChip() { return static_cast<float>(std::cbrt(3 * SprayParticleSystem::kChipVolume / (2 * kTwoPi))); }
@@ -43,7 +43,7 @@ float radiusOfChip() { return static_cast<float>(std::cbrt(3 * SprayParticleSyst
 SprayParticleSystem::SprayParticleSystem(double burRadius, const Vec3& tube)
     : burRadius_(burRadius), tube_(tube.cast<float>()) {}
 
-/// Evenly distributed; the same numbers on every computer.
+/// Uniformly distributed; the same numbers on every computer.
 float SprayParticleSystem::random(double low, double high) {
     return static_cast<float>(low + (high - low) * static_cast<double>(random_()) / 4294967296.0);
 }
@@ -96,7 +96,7 @@ void SprayParticleSystem::emitJets(const SprayInput& now) {
     }
 }
 
-/// Something that leaves the rim during the last `dt`: along the rim, scattered, away from the tooth if there is one.
+/// A particle that leaves the rim during the last `dt`: along the rim, scattered, away from the tooth in contact.
 SprayParticle SprayParticleSystem::thrown(const SprayInput& now, double dt) {
     const double angle = random(0, kTwoPi);
     const Vec3 rim(burRadius_ * std::cos(angle), burRadius_ * std::sin(angle), random(0.1, 0.9));
@@ -110,7 +110,7 @@ SprayParticle SprayParticleSystem::thrown(const SprayInput& now, double dt) {
     bit.place = (now.toolInTooth * rim).cast<float>();
     bit.velocity = (speed * way.normalized()).cast<float>();
     bit.relaxation = static_cast<float>(kRelaxation * grain * grain);
-    bit.age = -random(0, dt);  // it left some time during the step: not all fly as far
+    bit.age = -random(0, dt);  // it left at some time during the step
     const float flown = static_cast<float>(dt) + bit.age;
     bit.place += bit.velocity * (bit.relaxation * (1 - std::exp(-flown / bit.relaxation)));
     bit.velocity *= std::exp(-flown / bit.relaxation);
@@ -131,7 +131,7 @@ void SprayParticleSystem::emitMist(const SprayInput& now, double dt) {
 
 void SprayParticleSystem::emitChips(const SprayInput& now, double dt) {
     for (std::size_t m = 0; m < kMaxMaterials; ++m) {
-        // Less than before: a cut was taken back, or another tooth is on the bench.
+        // Less than before: after an undo, or for another tooth.
         if (started_ && now.ground[m] > ground_[m]) chipsDue_[m] += now.ground[m] - ground_[m];
         for (; chipsDue_[m] >= kChipVolume; chipsDue_[m] -= kChipVolume) {
             SprayParticle chip = thrown(now, dt);

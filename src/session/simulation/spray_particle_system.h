@@ -10,19 +10,19 @@
 
 namespace tactooth {
 
-/// What flies around a working bur.
+/// The kinds of particles around a working bur.
 enum class SprayParticleKind : std::uint8_t {
     Jet,   ///< water on its way from the handpiece to the bur
-    Mist,  ///< water that the bur has thrown off
-    Chip   ///< what was cut: a parcel of grains, drawn as one ball as large as all of them together
+    Mist,  ///< water thrown off by the bur
+    Chip   ///< ground material: a parcel of grains, drawn as one ball of their volume
 };
 
-/// One thing in the air. Tooth frame, mm, s.
+/// One particle. Tooth frame, mm, s.
 struct SprayParticle {
     Vec3f place = Vec3f::Zero();
     Vec3f velocity = Vec3f::Zero();
-    float radius = 0;      ///< of the ball that shows it
-    float relaxation = 0;  ///< in which air brakes it to 1/e
+    float radius = 0;      ///< of the ball that is drawn
+    float relaxation = 0;  ///< time in which air brakes it to 1/e
     float age = 0;
     float lifetime = 0;
     SprayParticleKind kind = SprayParticleKind::Mist;
@@ -30,31 +30,30 @@ struct SprayParticle {
     float wetness = 0;      ///< of a chip: how much water flowed when it was cut, 0..1
 };
 
-/// What one moment of a simulation tells about the bur.
+/// The state of the bur at one moment.
 struct SprayInput {
     Pose toolInTooth;
     Vec3 normal = Vec3::Zero();  ///< out of the tooth where the bur touches it, unit; zero without contact
     double speedRpm = 0;
     double water = 0;          ///< flow of the cooling spray, 0..1
-    bool suction = false;      ///< the tube in the mouth draws
-    MaterialVolumes ground{};  ///< off the tooth so far, mm^3
+    bool suction = false;      ///< whether the suction tube draws
+    MaterialVolumes ground{};  ///< ground off the tooth so far, mm^3
 };
 
-/// Water and chips around a bur, as the eye sees them. Chips are what the bur has ground off, volume for volume;
-/// mist and chips leave the bur's rim with its speed and are braked by the air as drops and grains of 8 to 24 um are.
-/// Equal calls give equal bits.
+/// Water and chips around a bur, for pictures. Chips have the volume that the bur has ground off. Mist and chips leave
+/// the bur's rim with its speed, and air brakes them as drops and grains of 8 to 24 um. Equal calls give equal bits.
 class SprayParticleSystem {
 public:
     /// `burRadius`: of its widest part, mm. `tube`: the middle of the suction tube's opening, tooth frame.
     explicit SprayParticleSystem(double burRadius = 0.5, const Vec3& tube = Vec3::Zero());
 
-    /// `dt` seconds after the call before.
+    /// Advances by `dt` seconds.
     void advance(const SprayInput& now, double dt);
     [[nodiscard]] std::span<const SprayParticle> particles() const { return particles_; }
 
     /// Volume of the grains that one chip stands for, mm^3: a ball a tenth of a millimetre wide.
     static constexpr double kChipVolume = 5e-4;
-    /// More are not kept, so that a picture stays affordable; the oldest go first.
+    /// The most particles, for the cost of a picture; the oldest go first.
     static constexpr std::size_t kMaxParticles = 1500;
 
 private:

@@ -9,12 +9,11 @@
 
 namespace tactooth {
 
-/// Tells where a tooth has changed from one snapshot to the next.
+/// Finds where a tooth has changed between two snapshots.
 class SurfaceChange {
 public:
-    /// The box around the patches that only one of `tooth` and the last call's tooth has, mm: all that went or came
-    /// back lies in it, the middle of a large piece, too. Empty: nothing has changed. The first call compares with the
-    /// uncut tooth.
+    /// The box around the patches that differ between `tooth` and the tooth of the last call, mm. All removed and
+    /// restored volume lies in it. Empty if nothing has changed. The first call compares with the uncut tooth.
     [[nodiscard]] Box3 changedBox(const Surface& tooth);
 
 private:

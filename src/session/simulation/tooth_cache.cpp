@@ -34,7 +34,7 @@ void put(const TriangleMesh& mesh, ByteWriter& content) {
     content.putAll(std::span<const Triangle>(mesh.triangles));
 }
 
-/// Nothing if the bytes are no sound mesh.
+/// Nothing if the bytes hold no valid mesh.
 std::optional<TriangleMesh> meshFrom(ByteReader& file) {
     TriangleMesh mesh;
     const auto vertices = file.get<std::uint64_t>(), triangles = file.get<std::uint64_t>();
@@ -47,7 +47,7 @@ std::optional<TriangleMesh> meshFrom(ByteReader& file) {
     return mesh;
 }
 
-/// Magic, checksum of the rest, the rest.
+/// Writes magic number, checksum of the content, content.
 std::vector<std::byte> sealed(std::uint64_t magic, const ByteWriter& content) {
     ByteWriter file;
     file.put(magic);
@@ -56,14 +56,14 @@ std::vector<std::byte> sealed(std::uint64_t magic, const ByteWriter& content) {
     return file.take();
 }
 
-/// True if the bytes are what `sealed` wrote, whole and unchanged; then `file` stands at the rest.
+/// Checks bytes that `sealed` wrote; if they are unchanged, `file` stands at the content.
 bool isUnbroken(std::uint64_t magic, std::span<const std::byte> bytes, ByteReader& file) {
     if (file.get<std::uint64_t>() != magic) return false;
     const auto sum = file.get<std::uint64_t>();
     return file.ok() && sum == checksum(bytes.subspan(file.at()));
 }
 
-/// The number of the tooth, its layers.
+/// FDI number, layers.
 std::vector<std::byte> bytesOf(const BuiltinTooth& tooth) {
     ByteWriter content;
     content.put(tooth.fdi);
@@ -71,7 +71,7 @@ std::vector<std::byte> bytesOf(const BuiltinTooth& tooth) {
     return sealed(kToothMagic, content);
 }
 
-/// Nothing if the bytes are not what `bytesOf` wrote.
+/// Reads the bytes of `bytesOf`; nothing if they are damaged.
 std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     ByteReader file(bytes);
     if (!isUnbroken(kToothMagic, bytes, file)) return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     return tooth;
 }
 
-/// Where the teeth stand, the upper gum, the lower one.
+/// Poses of the teeth, upper gum, lower gum.
 std::vector<std::byte> bytesOf(const MouthLayout& setting) {
     ByteWriter content;
     for (const Pose& pose : setting.toothInMouth) {
@@ -115,7 +115,7 @@ std::optional<MouthLayout> layoutFrom(std::span<const std::byte> bytes) {
     return setting;
 }
 
-/// What `file` keeps, as `from` understands its bytes.
+/// The content of `file`, decoded by `from`.
 template <class From>
 auto kept(const fs::path& file, const From& from) -> decltype(from({})) {
     std::error_code none;
@@ -123,7 +123,7 @@ auto kept(const fs::path& file, const From& from) -> decltype(from({})) {
     const auto bytes = readFile(file);
     if (!bytes) return std::nullopt;
     auto found = from(bytes->bytes());
-    if (found) fs::last_write_time(file, fs::file_time_type::clock::now(), none);  // it was asked for just now
+    if (found) fs::last_write_time(file, fs::file_time_type::clock::now(), none);  // it was used just now
     return found;
 }
 
@@ -169,7 +169,7 @@ Expected<MouthLayout> ToothCache::makeLayout(const MouthRequest& request) const 
     return setting;
 }
 
-/// A cache that cannot be written is none: no reason to fail.
+/// Writes a file; a cache that cannot be written is no error.
 void ToothCache::store(std::span<const std::byte> bytes, const fs::path& file) const {
     if (bytes.size() > limit_) return;
     std::error_code none;
@@ -208,7 +208,7 @@ fs::path defaultCacheFolder() {
         const char* value = std::getenv(name);
         return fs::path(value != nullptr ? value : "");
     };
-    // A relative path there is no path, says the XDG specification.
+    // The XDG specification says to ignore a relative path.
     if (const fs::path own = folder("XDG_CACHE_HOME"); own.is_absolute()) return own / "tactooth";
     if (const fs::path home = folder("HOME"); home.is_absolute()) return home / ".cache" / "tactooth";
     return {};

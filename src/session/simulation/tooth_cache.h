@@ -11,11 +11,11 @@
 
 namespace tactooth {
 
-/// Built-in teeth and gums that were made before, in a folder that may be deleted at any time: then, or where a file is
-/// damaged, they are made anew. May be used by several threads and programs at once.
+/// Keeps built-in teeth and gums in a folder. The folder may be deleted at any time: missing or damaged files are made
+/// anew. Several threads and programs may use it at once.
 class ToothCache {
 public:
-    /// Most bytes that the folder keeps; what was not asked for the longest goes first.
+    /// The most bytes in the folder; the files that were unused the longest go first.
     static constexpr std::uintmax_t kDefaultLimit = 256ULL << 20;
 
     explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kDefaultLimit);
@@ -26,9 +26,9 @@ public:
     /// makeMouth(request), bit for bit.
     [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request) const;
 
-    /// The file that keeps a tooth.
+    /// The file of a tooth.
     [[nodiscard]] std::filesystem::path fileOf(const ToothRequest& request) const;
-    /// The file that keeps what a mouth has beside its teeth: their places and the gums.
+    /// The file of a mouth without its teeth: their poses and the gums.
     [[nodiscard]] std::filesystem::path fileOf(const MouthRequest& request) const;
 
 private:
@@ -40,7 +40,7 @@ private:
     std::uintmax_t limit_;
 };
 
-/// The user's folder for this: $XDG_CACHE_HOME/tactooth, ~/.cache/tactooth without it; empty if there is neither.
+/// The user's cache folder: $XDG_CACHE_HOME/tactooth, else ~/.cache/tactooth, else empty.
 [[nodiscard]] std::filesystem::path defaultCacheFolder();
 
 }  // namespace tactooth

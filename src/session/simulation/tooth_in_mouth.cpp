@@ -14,7 +14,7 @@ namespace {
 
 bool isUpper(int fdi) { return fdi < 30; }
 
-/// Counted along its jaw: 0 to 15 from the patient's right to the left.
+/// Position along the jaw: 0 to 15 from the patient's right to the left.
 int placeInArch(int fdi) {
     const bool isRight = fdi / 10 % 4 < 2;  // quadrants 1 and 4
     return isRight ? 8 - fdi % 10 : 7 + fdi % 10;

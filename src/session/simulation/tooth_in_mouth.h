@@ -10,34 +10,34 @@
 
 namespace tactooth {
 
-/// A tooth that is to be worked on, and all of the mouth around it.
+/// A tooth to work on, and the mouth around it.
 struct ToothInMouth {
     BuiltinTooth tooth;
-    std::vector<BuiltinTooth> beside = {};  ///< those next to it, in its frame: a bur that slips cuts them as well
+    std::vector<BuiltinTooth> beside = {};  ///< the teeth next to it, in its frame; they can be cut as well
     struct Body {
         std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
-        std::shared_ptr<const TriangleMesh> shown;  ///< what of it can be seen
+        std::shared_ptr<const TriangleMesh> shown;  ///< the visible part
         bool isGingiva = false;
-        bool isOpposite = false;  ///< of the other jaw
+        bool isOpposite = false;  ///< in the other jaw
     };
-    std::vector<Body> around = {};  ///< all others
+    std::vector<Body> around = {};  ///< all other bodies
 };
 
-/// `tooth.fdi` is a tooth of the mouth that is not missing; its fineness and seed are the mouth's. Takes the time that
-/// a mouth takes, and fails where makeMouth does.
+/// `fdi` is a tooth of the mouth that is not missing; its fineness and seed are those of the mouth. Takes as long as
+/// makeMouth, and fails where makeMouth does.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
                                                   const MouthRequest& mouth, const ToothGenerator& maker = makeTooth);
 
-/// The same, with teeth and gums that were made before: a matter of a second.
+/// The same with teeth and gums from the cache; takes a second.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
                                                   const MouthRequest& mouth, const ToothCache& cache);
 
-/// A tooth without what is sure to lie below the gum, to be drawn: open at its end.
+/// The part of a tooth that may be visible above the gum, for drawing; open at its end.
 [[nodiscard]] TriangleMesh supragingivalMesh(const TriangleMesh& tooth);
 
 [[nodiscard]] Surroundings surroundingsOf(const ToothInMouth& tooth);
 
-/// The tooth as it is cut, with those beside it.
+/// The tooth with those beside it, to be cut.
 [[nodiscard]] Expected<LayeredTooth> layeredTooth(const ToothInMouth& tooth);
 
 }  // namespace tactooth

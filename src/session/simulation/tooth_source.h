@@ -14,28 +14,28 @@
 
 namespace tactooth {
 
-/// Which files a tooth is made of.
+/// The files of a tooth.
 struct ToothSource {
     struct Layer {
         std::string material;  ///< its name
         std::filesystem::path file;
     };
     std::filesystem::path outer;                  ///< the surface that is touched
-    std::vector<Layer> layers;                    ///< what is inside, closed
+    std::vector<Layer> layers;                    ///< closed bodies inside it
     std::string material = {};                    ///< of the whole tooth, if there are no layers; empty: enamel
     const MaterialRegistry* materials = nullptr;  ///< null: those of a case, else the built-in ones
 };
 
-/// Splits "NAME=FILE.stl" as it comes from a command line.
+/// Parses "NAME=FILE.stl" of a command line.
 [[nodiscard]] Expected<ToothSource::Layer> parseLayer(const std::string& text,
                                                       const MaterialRegistry& materials = builtinMaterials());
 
 /// Fails with one sentence if a file cannot be read, a material is unknown or the surfaces make no tooth that can be
-/// cut. Adds what there is to say on the files, and what was mended in the surfaces, to `importNotes`, if given.
+/// cut. Adds notes on the files and on repairs to `importNotes`, if given.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(
     const ToothSource& source, std::vector<ImportNote>* importNotes = nullptr);
 
-/// What cutting needs to know of a bur: its envelope of revolution.
+/// The envelope of revolution of a bur, and its sharpness.
 [[nodiscard]] Expected<CuttingTool> makeCuttingTool(const TriangleMesh& bur, double sharpness = 1);
 
 }  // namespace tactooth

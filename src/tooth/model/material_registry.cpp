@@ -18,7 +18,7 @@ constexpr std::array kRoles = {MaterialRole::Enamel, MaterialRole::Dentin, Mater
 /// Codes below are for the materials of data/materials.toml.
 constexpr int kFirstFreeCode = 64;
 
-bool isRegistry(std::span<const MaterialDefinition> definitions) {
+[[maybe_unused]] bool isRegistry(std::span<const MaterialDefinition> definitions) {
     for (std::size_t i = 0; i < definitions.size(); ++i) {
         for (const MaterialDefinition& before : definitions.first(i)) {
             if (before.name == definitions[i].name || before.code == definitions[i].code) return false;

@@ -12,7 +12,7 @@
 
 namespace tactooth::test {
 
-/// What the case says of one tooth.
+/// The text of one tooth in case.toml.
 inline std::string blockTooth(int fdi, const std::string& more) {
     const std::string number = std::to_string(fdi);
     return "[[tooth]]\nname = \"" + number + "\"\nfdi = " + number + R"(
@@ -40,7 +40,7 @@ position = [0.0, 0.0, -12.0]
             {"bone.stl", stlBytes(box(Vec3(-10, -6, -2), Vec3(20, 6, 2)))}};
 }
 
-/// An archive whose entry names are as they are given: what no good program writes.
+/// An archive with the given entry names, which no good program writes.
 inline std::vector<std::byte> archiveWith(const std::string& name, const std::string& content = "x") {
     // The name has the same length as a safe one, which is then replaced in the bytes.
     std::string safe(name.size(), 'a');

@@ -101,7 +101,7 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     EXPECT_EQ(opened->bur->sharpness, 0.5);
 }
 
-/// A case whose dentin is "composite", which its own file of materials adds.
+/// A case with "composite" in place of dentin; its own materials file adds this material.
 std::vector<CaseFile> compositeCase() {
     auto files = test::blockCase();
     std::string text = "materials = \"m.toml\"\n" + std::string(asText(files[0].bytes));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Cases as other systems' programs pack and name them.
+// Cases as programs of other systems pack and name them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ TEST(ThirdPartyCase, SeveralCasesInOneArchiveAreRefused) {
 constexpr const char* kComposed = "\xC3\xA4u\xC3\x9F\x65res.stl";     // äußeres
 constexpr const char* kDecomposed = "a\xCC\x88u\xC3\x9F\x65res.stl";  // the same from a Mac
 
-/// Folder and archive, each with the name written in both ways, and asked for in both.
+/// Folder and archive, with composed and decomposed names in the case and in the request.
 TEST(ThirdPartyCase, AComposedNameIsTheSameAsADecomposedOne) {
     for (const char* const written : {kComposed, kDecomposed}) {
         const std::string name = std::string("teeth/") + written;

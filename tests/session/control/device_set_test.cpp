@@ -32,7 +32,7 @@ std::shared_ptr<const Surface> block() {
     return surface;
 }
 
-/// A device whose hand stands where the test wants it.
+/// A device whose pose the test sets.
 class StillDevice final : public HapticDevice {
 public:
     explicit StillDevice(const Pose& hand) {
@@ -281,10 +281,10 @@ TEST(DeviceSet, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {
     EXPECT_TRUE(rig.hands.mirror().position.allFinite());
 }
 
-/// Something that is switched while the hand presses.
+/// A control that is switched while the hand presses.
 struct Switch {
     const char* name;
-    bool isFelt;  ///< it changes the force
+    bool isFelt;  ///< whether it changes the force
     std::function<void(Rig&)> flip;
 };
 

@@ -28,7 +28,7 @@ std::string refusal(const std::string& text) {
     return table ? "accepted" : table.error().message;
 }
 
-/// How deep tables and lists stand in each other, found without recursion.
+/// Nesting depth of tables and lists, computed without recursion.
 std::size_t depthOf(const toml::table& root) {
     std::vector<std::pair<const toml::node*, std::size_t>> open = {{&root, 1}};
     std::size_t deepest = 0;
@@ -120,7 +120,7 @@ TEST(LimitedToml, ReadsAFileAndRefusesALargeOneUnread) {
     EXPECT_THAT(large.error().message, HasSubstr("a.toml: the file holds 8589934592 bytes, and at most 1048576"));
 }
 
-// The guard and the parser have to see the same strings and comments, or a deep key hides in what one takes for text.
+// Limiter and parser must see the same strings and comments, or a deep key may hide in what the limiter takes for text.
 TEST(LimitedToml, WhatIsTakenIsNeverDeep) {
     const std::string deep = "a" + repeated(".a", 17) + " = 1";
     const std::vector<std::string> pieces = {"\"",

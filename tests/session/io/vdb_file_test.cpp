@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What OpenVDB itself reads from the files.
+// OpenVDB itself reads the files.
 #include "session/io/vdb_file.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr double kBlock = 48;  // mm^3
 constexpr double kCore = 6.8;  // mm^3
 constexpr double kVoxelVolume = test::kVoxel * test::kVoxel * test::kVoxel;
 
-/// A file as the library reads it: the grids by name.
+/// A file read by the library: the grids by name.
 struct Read {
     explicit Read(const std::filesystem::path& path) {
         openvdb::initialize();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The same path in steps of 1 and of 4 kHz: what is removed must not depend on how finely a path is told.
+// The same path sampled at 1 and 4 kHz: the removed volume must not depend on the sampling.
 #include "session/scripts/cut_run.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ CutOutcome sweptRigidly(const Slot& slot, double tick) {
     return CutOutcome(piece);
 }
 
-/// By a bur that keeps up with its hand.
+/// With a bur that does not lag behind the device.
 CutOutcome cutOutByLaw(const Slot& slot, double tick) {
     CutModel piece(block(), slot.voxel);
     const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};

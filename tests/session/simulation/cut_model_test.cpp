@@ -40,8 +40,8 @@ struct Drilled {
     double force = 0;     // N, mean
 };
 
-/// Presses a flat bur straight down with a constant force for `ticks` ticks, as a hand that gives way would. The bur
-/// goes in small steps, so all is counted from the first step to the last.
+/// Presses a flat bur straight down with a constant force for `ticks` ticks, as a compliant hand does. The bur moves in
+/// small steps, so everything is counted from the first step to the last.
 Drilled drill(CutModel& piece, const Instrument& bur, double newton, double pedal, int ticks) {
     HapticSimulation simulation(bur.shape, test::kBurRadius, piece.surface(), electric());
     for (int i = 0; i < 400; ++i) simulation.step({at(0.01, 0.02, 0.1), pedal, true}, kTick);
@@ -135,7 +135,7 @@ TEST(CutModel, HalfTheSharpnessIsHalfTheRate) {
     EXPECT_NEAR(rate(drillBlock(test::kDentin, 0.6, 1, 0.5)) / sharp, 0.5, 0.025);
 }
 
-/// A block beside the one on the bench, a hair's breadth away and as high.
+/// A block of the same height beside the model, with a narrow gap.
 Surroundings neighbour() {
     return {std::make_shared<const SurfacePart>(test::box(Vec3(1.55, -1.5, -3), Vec3(4.5, 1.5, 0)),
                                                 std::vector<SurfaceTag>{}, 0)};
@@ -309,7 +309,7 @@ TEST(CutModel, TheSurfaceKeepsUpWithEachCut) {
     EXPECT_TRUE(before->patches.empty());  // a snapshot never changes
 }
 
-/// Every bit of what can be seen.
+/// All bits of the visible surface.
 void expectSameSurface(const Surface& surface, const TaggedMesh& expected) {
     const TaggedMesh mesh = visibleMesh(surface);
     ASSERT_EQ(mesh.mesh.triangles, expected.mesh.triangles);

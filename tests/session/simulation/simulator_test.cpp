@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using test::at;
 using Clock = std::chrono::steady_clock;
 
-/// A hand of the test's own: its pose, its cable and its force may be looked at from outside while the servo runs.
+/// A simulated device. The test reads its pose, connection and force while the servo thread runs.
 class SpyDevice final : public HapticDevice {
 public:
     explicit SpyDevice(std::vector<DeviceKeyframe> script) : script_(std::move(script)) { info_ = script_.info(); }
@@ -99,7 +99,7 @@ SimulatorControls cutting() {
     return controls;
 }
 
-/// Waits until something is so; the machine may be busy.
+/// Waits until a condition holds; the machine may be busy.
 template <class Condition>
 bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
     const auto end = Clock::now() + limit;
@@ -134,7 +134,7 @@ TEST(Simulator, CutsABlockLive) {
     EXPECT_GT(heard, 100U);
     EXPECT_FALSE(device.wasForceTooLarge());
     EXPECT_GT(device.strongest(), 0.05);
-    EXPECT_EQ(device.force(), 0);  // the last that a device hears is zero
+    EXPECT_EQ(device.force(), 0);  // the last force sent to a device is zero
     ASSERT_GT(ticks.size(), 100U);
     for (std::size_t i = 1; i < ticks.size(); ++i) ASSERT_GE(ticks[i].time, ticks[i - 1].time);
     EXPECT_GT(ticks.back().speedRpm, 10000);
@@ -191,7 +191,7 @@ Instrument thickBur() {
     return {std::make_shared<const ToolShape>(mesh), {*RevolutionEnvelope::make(mesh), 1}};
 }
 
-/// What the window does for another bur, tooth or drive: one simulator ends, and the next begins with the same device.
+/// As the window does for another bur, tooth or drive: one simulator ends, and the next begins with the same device.
 TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
     SpyDevice device(dipping());
     auto piece = test::blockOnTheBench();

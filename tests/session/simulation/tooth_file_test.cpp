@@ -126,7 +126,7 @@ TEST(ToothFile, OfTheSecondVersionIsSavedAgainAsTheNewOne) {
     EXPECT_EQ(parsed->cuts.size(), opened->piece->volume().cutBricks().size());
 }
 
-/// Version 1 ended its surfaces with the material of the rest.
+/// In version 1 the material of the rest was the last value before the volume.
 TEST(ToothFile, OfTheFirstVersionIsStillRead) {
     const auto file = readFile(oldFile());
     ASSERT_TRUE(file);

@@ -121,6 +121,9 @@ ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id, const MaterialReg
     }
     const QString title = materialTitle(materials[id]);
     row.title->setText(title);
+    for (QLabel* label : {row.title, row.value}) {
+        if (label->testAttribute(Qt::WA_WState_ExplicitShowHide)) label->show();  // it was hidden for another tooth
+    }
     row.value->setAccessibleName(tr("%1 removed").arg(title));
     return row;
 }
@@ -148,6 +151,11 @@ void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const M
                          const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
     values_[kTime]->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
+    for (std::size_t i = materials.size(); i < removed_.size(); ++i) {  // of a tooth before
+        if (removed_[i].value == nullptr) continue;
+        removed_[i].title->hide();
+        removed_[i].value->hide();
+    }
     for (const MaterialId id : materials.ids()) {
         const double volume = removed[static_cast<std::size_t>(id)];
         const bool isShown = volume > 0 || removed_[static_cast<std::size_t>(id)].value != nullptr;
