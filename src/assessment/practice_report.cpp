@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "assessment/metric_table.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -21,10 +22,9 @@ std::string line(std::string_view quantity, double value, std::string_view unit)
 }
 
 std::string linesOf(const CavityProgress& cavity) {
-    constexpr double kPercent = 100;
-    return line("ideal cavity", cavity.planned, "mm^3") + line("of it cut", cavity.cleared, "mm^3") +
-           line("of it cut", kPercent * cavity.clearedFraction(), "%") + line("cut beyond it", cavity.beyond, "mm^3") +
-           line("deepest beyond it", cavity.maxOverPreparation, "mm") + line("likeness", kPercent * cavity.dice(), "%");
+    std::string lines;
+    for (const Metric& metric : metricTable()) lines += line(metric.quantity, metric.shown(cavity), metric.shownUnit());
+    return lines;
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     for (QDockWidget* dock : window_->findChildren<QDockWidget*>())
         if (dock->windowTitle() == "Exercise") dock->raise();
     QVERIFY(!cleared->isEnabled());
-    QCOMPARE(fact("Likeness"), QString(QChar(0x2013)));
+    QCOMPARE(fact("Overlap (Dice)"), QString(QChar(0x2013)));
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_Down);
     QVERIFY(task->text().contains("1.5 mm deep"));
@@ -76,7 +76,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTest::keyRelease(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
     QTRY_VERIFY(fact("enamel removed") != "0.00 mm\u00b3");
-    QTRY_VERIFY(fact("Cut beyond") != "0.00 mm\u00b3" || cleared->value() > 0);
+    QTRY_VERIFY(fact("Over-preparation") != "0.00 mm\u00b3" || cleared->value() > 0);
     const auto report = folder_ / "report.csv";
     window_->exercise().exportReport(QString::fromStdString(report.string()));
     std::ifstream file(report);
@@ -86,7 +86,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
 
     QTest::mouseClick(window_->findChild<QToolButton*>("startAgain"), Qt::LeftButton);
     QTRY_COMPARE(removed(), 0.0);
-    QTRY_COMPARE(fact("Cut beyond"), "0.00 mm\u00b3");
+    QTRY_COMPARE(fact("Over-preparation"), "0.00 mm\u00b3");
     QTRY_COMPARE(fact("Time"), "0:00");
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_Up);

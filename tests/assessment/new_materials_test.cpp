@@ -98,10 +98,10 @@ TEST_F(NewMaterials, AreCutByTheirOwnRemovalAndCountedApart) {
     EXPECT_NEAR(removed(volumes, "amalgam"), slot + end, 0.05 * slot);
     EXPECT_NEAR(removed(volumes, "enamel"), 0, 0.05 * slot);
     const double work = workFor(volumes, MaterialTable(materials_), 1);
-    EXPECT_NEAR(work,
-                removed(volumes, "composite") / 0.02 + removed(volumes, "amalgam") / 0.012 +
-                    removed(volumes, "enamel") / 0.01,
-                1e-9);
+    EXPECT_NEAR(
+        work,
+        removed(volumes, "composite") / 0.02 + removed(volumes, "amalgam") / 0.012 + removed(volumes, "enamel") / 0.01,
+        1e-9);
 }
 
 TEST_F(NewMaterials, AreThereAgainInASavedTooth) {

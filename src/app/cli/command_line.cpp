@@ -22,6 +22,7 @@
 #include "app/cli/terminal/number_range.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "assessment/metric_table.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 #include "sound/voices/drill_sound_state.h"
@@ -316,7 +317,8 @@ struct ManualOptions {
 
 int runManual(const ManualOptions& options) {
     const CLI::App& program = *options.program;
-    print("{}", options.form == "bash"       ? bashCompletion(program)
+    print("{}", options.form == "metrics"    ? metricsPage()
+                : options.form == "bash"     ? bashCompletion(program)
                 : options.form == "markdown" ? commandsPage(program)
                                              : manPage(program, TACTOOTH_VERSION));
     return kExitOk;
@@ -328,9 +330,10 @@ void addManual(CLI::App& program, CommandAction& chosen) {
     addCommand(program, chosen, "manual", "Prints the manual of all commands in one of several forms.", options,
                runManual)
         ->add_option("FORM", options->form,
-                     "man: a man page; bash: a completion script for bash; markdown: the page docs/user/commands.md")
+                     "man: a man page; bash: a completion script for bash; markdown: the page docs/user/commands.md; "
+                     "metrics: the page docs/user/metrics.md")
         ->required()
-        ->check(CLI::IsMember({"man", "bash", "markdown"}))
+        ->check(CLI::IsMember({"man", "bash", "markdown", "metrics"}))
         ->type_name("");
 }
 

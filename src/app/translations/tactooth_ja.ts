@@ -3276,30 +3276,6 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>最初の接触から</translation>
     </message>
     <message>
-        <source>Cut beyond</source>
-        <translation>余分な削除</translation>
-    </message>
-    <message>
-        <source>Volume that was cut outside of the ideal cavity</source>
-        <translation>理想窩洞の外で削った体積</translation>
-    </message>
-    <message>
-        <source>Deepest beyond</source>
-        <translation>最大の削りすぎ</translation>
-    </message>
-    <message>
-        <source>How far the cut goes beyond the ideal walls at its worst</source>
-        <translation>理想の壁を越えて削った深さの最大値</translation>
-    </message>
-    <message>
-        <source>Likeness</source>
-        <translation>一致度</translation>
-    </message>
-    <message>
-        <source>Twice what your cavity and the ideal one have in common over the sum of both: 100 % is the ideal cavity, no more and no less</source>
-        <translation>あなたの窩洞と理想窩洞の共通部分の 2 倍を両者の和で割った値。100 % は過不足のない理想窩洞です</translation>
-    </message>
-    <message>
         <source>Share of the ideal cavity that is cut</source>
         <translation>理想窩洞のうち削った割合</translation>
     </message>

@@ -11,13 +11,12 @@
 #include "app/common/exit_code.h"
 #include "assessment/cavity_metrics.h"
 #include "assessment/ideal_shape.h"
+#include "assessment/metric_table.h"
 #include "geometry/files/file_bytes.h"
 #include "session/simulation/tooth_file.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kPercent = 100;
 
 Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem::path& target) {
     std::vector<ImportNote> importNotes;
@@ -36,14 +35,8 @@ Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem
 std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, const CutModel& piece) {
     const ToothLoss& loss = piece.loss();
     const MaterialRegistry& materials = piece.tooth().materials();
-    nlohmann::ordered_json json = {{"tooth", displayName(options.tooth)},
-                                   {"target", displayName(options.target)},
-                                   {"ideal_mm3", cavity.planned},
-                                   {"cleared_mm3", cavity.cleared},
-                                   {"cleared_share", cavity.clearedFraction()},
-                                   {"beyond_mm3", cavity.beyond},
-                                   {"deepest_beyond_mm", cavity.maxOverPreparation},
-                                   {"likeness", cavity.dice()}};
+    nlohmann::ordered_json json = {{"tooth", displayName(options.tooth)}, {"target", displayName(options.target)}};
+    for (const Metric& metric : metricTable()) json[std::string(metric.key)] = metric.compute(cavity);
     for (const MaterialId id : materials.ids())
         json["removed_mm3"][materials.nameOf(id)] = loss.removed[static_cast<std::size_t>(id)];
     json["removed_beside_mm3"] = loss.beside;
@@ -54,17 +47,15 @@ std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, c
     const ToothLoss& loss = piece.loss();
     const MaterialRegistry& materials = piece.tooth().materials();
     std::string text = fmt::format("{} against {}\n", displayName(options.tooth), displayName(options.target));
-    text += fmt::format("  ideal cavity   {:8.2f} mm3\n", cavity.planned);
-    text +=
-        fmt::format("  of it cut      {:8.2f} mm3, {:.0f} %\n", cavity.cleared, kPercent * cavity.clearedFraction());
-    text += fmt::format("  cut beyond it  {:8.2f} mm3, {:.2f} mm deep at worst\n", cavity.beyond,
-                        cavity.maxOverPreparation);
-    text += fmt::format("  likeness       {:8.0f} %\n", kPercent * cavity.dice());
+    for (const Metric& metric : metricTable()) {
+        text += fmt::format("  {:<18} {:8.{}f} {}\n", metric.quantity, metric.shown(cavity),
+                            metric.isFraction() ? 0 : 2, metric.shownUnit());
+    }
     for (const MaterialId id : materials.ids()) {
         const double removed = loss.removed[static_cast<std::size_t>(id)];
-        if (removed > 0) text += fmt::format("  {:<14} {:8.2f} mm3 removed\n", materials.nameOf(id), removed);
+        if (removed > 0) text += fmt::format("  {:<18} {:8.2f} mm^3\n", materials.nameOf(id) + " removed", removed);
     }
-    if (loss.beside > 0) text += fmt::format("  of it          {:8.2f} mm3 beside the tooth\n", loss.beside);
+    if (loss.beside > 0) text += fmt::format("  {:<18} {:8.2f} mm^3\n", "of it beside", loss.beside);
     return text;
 }
 

@@ -74,12 +74,6 @@ QWidget* ExercisePanel::makeChoice() {
 }
 
 QWidget* ExercisePanel::makeNumbers() {
-    const std::array<std::pair<QString, QString>, kMetricCount> facts = {
-        {{tr("Time"), tr("Since the first contact")},
-         {tr("Cut beyond"), tr("Volume that was cut outside of the ideal cavity")},
-         {tr("Deepest beyond"), tr("How far the cut goes beyond the ideal walls at its worst")},
-         {tr("Likeness"), tr("Twice what your cavity and the ideal one have in common over the sum of both: 100 % is "
-                             "the ideal cavity, no more and no less")}}};
     auto* numbers = new QWidget;
     auto* grid = numbers_ = new QGridLayout(numbers);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -90,15 +84,12 @@ QWidget* ExercisePanel::makeNumbers() {
     cleared_->setToolTip(cleared_->accessibleName());
     cleared_->setRange(0, kPercent);
     grid->addWidget(cleared_, 0, 0, 1, 4);
-    for (int fact = 0; fact < kMetricCount; ++fact) {
-        const auto& [name, tip] = facts[static_cast<std::size_t>(fact)];
-        auto* title = new QLabel(name);
-        title->setToolTip(tip);
-        auto* value = values_[static_cast<std::size_t>(fact)] = new QLabel;
-        value->setAccessibleName(name);
-        value->setToolTip(tip);
-        grid->addWidget(title, fact + 1, 0);
-        grid->addWidget(value, fact + 1, 1, Qt::AlignRight);
+    int row = 0;
+    time_ = addFact(*grid, ++row, tr("Time"), tr("Since the first contact"));
+    for (const Metric& metric : metricTable()) {
+        if (metric.titleEn.empty()) continue;
+        metrics_.emplace_back(&metric, addFact(*grid, ++row, inWindowLanguage(metric.titleEn, metric.titleJa),
+                                               inWindowLanguage(metric.tipEn, metric.tipJa)));
     }
     // The main materials of a tooth; each other material gets a row when some of it is removed.
     const MaterialRegistry& materials = builtinMaterials();
@@ -108,6 +99,17 @@ QWidget* ExercisePanel::makeNumbers() {
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     return numbers;
+}
+
+QLabel* ExercisePanel::addFact(QGridLayout& grid, int row, const QString& title, const QString& tip) {
+    auto* label = new QLabel(title);
+    label->setToolTip(tip);
+    auto* value = new QLabel;
+    value->setAccessibleName(title);
+    value->setToolTip(tip);
+    grid.addWidget(label, row, 0);
+    grid.addWidget(value, row, 1, Qt::AlignRight);
+    return value;
 }
 
 ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id, const MaterialRegistry& materials) {
@@ -150,7 +152,7 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
 void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
                          const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
-    values_[kTime]->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
+    time_->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
     for (std::size_t i = materials.size(); i < removed_.size(); ++i) {  // of a tooth before
         if (removed_[i].value == nullptr) continue;
         removed_[i].title->hide();
@@ -164,10 +166,14 @@ void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const M
     cleared_->setEnabled(cavity.has_value());
     cleared_->setValue(cavity ? static_cast<int>(std::floor(kPercent * cavity->clearedFraction())) : 0);
     cleared_->setFormat(cavity ? tr("%p % of the cavity") : tr("no ideal cavity"));
-    const QString none = QStringLiteral("–");
-    values_[kOverPreparation]->setText(cavity ? tr("%1 mm³").arg(number(cavity->beyond, 2)) : none);
-    values_[kMaxOverPreparation]->setText(cavity ? tr("%1 mm").arg(number(cavity->maxOverPreparation, 2)) : none);
-    values_[kDice]->setText(cavity ? tr("%1 %").arg(number(kPercent * cavity->dice(), 0)) : none);
+    for (const auto& [metric, label] : metrics_) {
+        if (!cavity) {
+            label->setText(QStringLiteral("–"));
+            continue;
+        }
+        const QString unit = metric->isFraction() ? "%" : metric->unit == "mm^3" ? "mm³" : "mm";
+        label->setText(number(metric->shown(*cavity), metric->isFraction() ? 0 : 2) + ' ' + unit);
+    }
 }
 
 }  // namespace tactooth

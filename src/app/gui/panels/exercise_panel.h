@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "assessment/cavity_metrics.h"
+#include "assessment/metric_table.h"
 #include "tooth/volume/cut_volume.h"
 
 class QGridLayout;
@@ -43,17 +43,17 @@ signals:
     void exportRequested();
 
 private:
-    enum Metric { kTime, kOverPreparation, kMaxOverPreparation, kDice, kMetricCount };
-
     [[nodiscard]] QWidget* makeChoice();
     [[nodiscard]] QWidget* makeNumbers();
+    QLabel* addFact(QGridLayout& grid, int row, const QString& title, const QString& tip);
     [[nodiscard]] QString number(double value, int digits) const;
 
     std::vector<std::shared_ptr<const Exercise>> known_;  // in the order of the list; the first: free practice
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;
-    std::array<QLabel*, kMetricCount> values_{};
+    QLabel* time_ = nullptr;
+    std::vector<std::pair<const Metric*, QLabel*>> metrics_;  // those that have a row
     struct RemovedRow {
         QLabel* title = nullptr;
         QLabel* value = nullptr;

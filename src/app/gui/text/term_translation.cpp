@@ -104,9 +104,14 @@ QString translated(std::string_view word) {
     return translatedBur(word);
 }
 
-QString materialTitle(const MaterialDefinition& material) {
+QString inWindowLanguage(std::string_view english, std::string_view japanese) {
     const bool isJapanese = QCoreApplication::translate("Words", kLanguage) == "ja";
-    return QString::fromStdString(isJapanese ? material.titleJa : material.titleEn);
+    const std::string_view text = isJapanese ? japanese : english;
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString materialTitle(const MaterialDefinition& material) {
+    return inWindowLanguage(material.titleEn, material.titleJa);
 }
 
 QString materialLabel(const MaterialDefinition& material) {

@@ -13,6 +13,9 @@ namespace tactooth {
 /// the window; the word itself if it has no translation, as a file's name.
 [[nodiscard]] QString translated(std::string_view word);
 
+/// The text of a table that has both languages, in that of the window. UTF-8.
+[[nodiscard]] QString inWindowLanguage(std::string_view english, std::string_view japanese);
+
 /// The title of a material in the language of the window.
 [[nodiscard]] QString materialTitle(const MaterialDefinition& material);
 /// The same with a capital letter, to begin a label with.
