@@ -77,11 +77,8 @@ void PadSessionTest::press(SDL_GameControllerButton button, int times) {
     }
 }
 
-/// Until the program has read the pad, each 4 ms, and the window has made a step with it.
-void PadSessionTest::waitForPad() const {
-    QTest::qWait(5);
-    waitForSteps(2);
-}
+/// Until the program has read the pad (each 4 ms), and the window has made a step with it.
+void PadSessionTest::waitForPad() const { waitForSteps(2); }
 
 /// Presses and waits until the effect is visible, at most a second: then the press seems lost.
 void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen) {

@@ -45,10 +45,12 @@ Environment homeIn(const TemporaryFolder& home) {
 
 bool hasThread(pid_t process, const std::string& name) {
     std::error_code ended;
-    for (const auto& task : fs::directory_iterator("/proc/" + std::to_string(process) + "/task", ended)) {
+    fs::directory_iterator task("/proc/" + std::to_string(process) + "/task", ended);
+    while (!ended && task != fs::directory_iterator()) {
         std::string found;
-        std::getline(std::ifstream(task.path() / "comm"), found);
+        std::getline(std::ifstream(task->path() / "comm"), found);
         if (found == name) return true;
+        task.increment(ended);
     }
     return false;
 }

@@ -228,7 +228,7 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
         return view().pictures() == before;
     };
     QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
-    QVERIFY(isQuietFor(300));
+    QVERIFY(isQuietFor(200));
     key(Qt::Key_C);
     pedal->setChecked(true);
     const std::uint64_t before = view().pictures();

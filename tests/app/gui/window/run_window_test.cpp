@@ -20,8 +20,8 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLook = 100;        // ms between two checks of the window
-constexpr int kLooksBefore = 40;  // checks in which a second message could come
+constexpr int kLook = 20;        // ms between two checks of the window
+constexpr int kLooksBefore = 5;  // checks of the loaded window in which a second message could come
 
 std::vector<std::string> messages;
 
@@ -34,15 +34,21 @@ void takeMessages() {
     }
 }
 
-/// Reads the messages and closes the window after a while.
+MainWindow* mainWindow() {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        if (auto* const window = qobject_cast<MainWindow*>(widget)) return window;
+    }
+    return nullptr;
+}
+
+/// Reads the messages and closes the window when all is loaded.
 void visitWindow() {
     auto* const timer = new QTimer(QCoreApplication::instance());
     QObject::connect(timer, &QTimer::timeout, timer, [looks = 0]() mutable {
         takeMessages();
-        if (++looks < kLooksBefore) return;
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (qobject_cast<MainWindow*>(widget) != nullptr) widget->close();
-        }
+        MainWindow* const window = mainWindow();
+        if (window == nullptr || window->isBusy() || window->model().simulator() == nullptr) return;
+        if (++looks >= kLooksBefore) window->close();
     });
     timer->start(kLook);
 }
