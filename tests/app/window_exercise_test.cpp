@@ -146,13 +146,13 @@ void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
 void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     WindowOwner holder(*qApp, *sound_);
     MainWindow* window = &holder.open(window_->settings());
-    window->loadBuiltinTooth(kBuiltinTeeth.front());
+    window->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->model().isBusy() && window->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, 60000);
     const Box3 box = window->model().tooth()->box();
     const auto file = folder_ / "kept.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
-    window->openTarget(QString::fromStdString(file.string()));
+    window->exercise().openTarget(QString::fromStdString(file.string()));
     const auto find = [&](const char* name) { return holder.window().findChild<QCheckBox*>(name); };
     QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), 60000);
     find("ghost")->click();
@@ -172,7 +172,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     const auto* now = holder.window().findChild<ToothView*>("toothView");
     QVERIFY((now->camera().cameraInWorld.position - eye).norm() < 1e-9);
 
-    holder.window().startExercise(exercises()[0]);
+    holder.window().exercise().start(exercises()[0]);
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("臼歯")), 60000);
     QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), 60000);
     choose(1);
@@ -180,7 +180,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     QTRY_VERIFY(find("ghost")->isChecked());
     QCOMPARE(holder.window().findChild<QComboBox*>("exercise")->currentIndex(), 1);
     const auto report = folder_ / "kept.csv";
-    holder.window().exportReportTo(QString::fromStdString(report.string()));
+    holder.window().exercise().exportReport(QString::fromStdString(report.string()));
     QVERIFY(test::readText(report).find("task,\"Pit in the molar\"") != std::string::npos);
     choose(0);
     QTRY_COMPARE(holder.window().settings().language, std::string());

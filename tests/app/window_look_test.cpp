@@ -288,9 +288,9 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     WindowSettings settings = window_->settings();
     settings.bur = "245";
     MainWindow* window = &holder.open(settings);
-    window->loadBuiltinTooth(kBuiltinTeeth[1]);
+    window->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->model().isBusy() && window->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, 60000);
     const CutModel* piece = window->model().tooth()->piece.get();
     const auto languages = [&] { return holder.window().findChild<QMenu*>("language")->actions(); };
     const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
