@@ -24,6 +24,8 @@ RAW_NAME = re.compile(r"(\.|->)string\(\)")
 # A hostile text of 100 kB overflows the stack of the parser; one place guards it.
 BARE_TOML = re.compile(r"\btoml::parse(_file)?\s*\(")
 TOML_GUARD = "src/session/io/limited_toml.cpp"
+# What the program says to people is a row of a catalogue (messages.h), in both languages.
+BARE_SENTENCE = re.compile(r'\b(unexpected|fail|failAt|reportError|refuse)\(\s*\{?\s*"|\bverbatim\(\s*"')
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 
 
@@ -54,6 +56,8 @@ def offences(path, name):
             yield f"{name}:{number}: show a path by displayName; where its bytes are meant, use native()"
         if name.startswith("src/") and name != TOML_GUARD and BARE_TOML.search(line):
             yield f"{name}:{number}: TOML is read by parseToml of session/io/limited_toml.h alone"
+        if name.startswith("src/") and BARE_SENTENCE.search(line):
+            yield f"{name}:{number}: make it a row of messages.h, which has both languages"
         if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):
             yield f"{name}:{number}: this layer may know no screen, sound or device"
 

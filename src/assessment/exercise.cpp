@@ -7,8 +7,10 @@
 #include <string>
 
 #include "assessment/ideal_shape.h"
+#include "assessment/messages.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "geometry/util/pose.h"
 #include "instruments/bur_shape.h"
@@ -47,20 +49,14 @@ std::vector<std::shared_ptr<const Exercise>> makeExercises() {
         1.1,
         false,
         {{{-1.2, 0, 1.4}, {1.2, 0, 1.4}}, {{1.2, 0, 1.8}, {-1.2, 0, 1.8}}, {{-1.2, 0, 2.2}, {1.2, 0, 2.2}}}};
-    const auto exercise = [](const char* name, const char* task, BuiltinToothKind tooth, const char* bur,
+    const auto exercise = [](const MessageText& name, const MessageText& task, BuiltinToothKind tooth, const char* bur,
                              const PreparationPlan& plan) {
-        return std::make_shared<const Exercise>(Exercise{name, task, sound(tooth), std::string(bur), plan});
+        return std::make_shared<const Exercise>(
+            Exercise{std::string(name.english), std::string(task.english), sound(tooth), std::string(bur), plan});
     };
-    return {exercise("Pit in the molar",
-                     "Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.",
-                     BuiltinToothKind::lowerFirstMolar, "330", pit),
-            exercise("Class I cavity in the molar",
-                     "Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both "
-                     "ridges.",
-                     BuiltinToothKind::lowerFirstMolar, "245", fissure),
-            exercise("Class V cavity at the neck of the canine",
-                     "At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.",
-                     BuiltinToothKind::upperCanine, "330", neck)};
+    return {exercise(msg::kPitInMolar, msg::kPitTask, BuiltinToothKind::lowerFirstMolar, "330", pit),
+            exercise(msg::kClassOne, msg::kClassOneTask, BuiltinToothKind::lowerFirstMolar, "245", fissure),
+            exercise(msg::kClassFive, msg::kClassFiveTask, BuiltinToothKind::upperCanine, "330", neck)};
 }
 
 /// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere
@@ -95,8 +91,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
         for (const Vec3& place : path) {
             const auto height = heightOf(outer, place, plan.outward);
             if (!height) {
-                return unexpected("stroke " + std::to_string(paths.size() + 1) +
-                                  " of the cavity goes past the tooth; give places over it, in its frame, mm.");
+                return unexpected(msg::kStrokePastTooth, paths.size() + 1);
             }
             heights.push_back(*height + plan.outward.dot(place));
         }
@@ -120,7 +115,7 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
     }
     const std::string& number = std::get<std::string>(exercise.bur);
     const std::optional<BurSpec> bur = findBur(number);
-    if (!bur) return unexpected("there is no bur " + quotedWord(number) + " in the catalogue.");
+    if (!bur) return unexpected(msg::kBurNotInCatalogue, quotedWord(number));
     return makeCuttingTool(makeBur(*bur).surface);
 }
 
@@ -166,7 +161,7 @@ Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<cons
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
     Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));
-    if (!ideal) return unexpected(displayName(exercise.file) + ": " + ideal.error().message);
+    if (!ideal) return unexpected(msg::kNamedSentence, displayName(exercise.file), ideal.error());
     return ideal;
 }
 

@@ -12,6 +12,7 @@
 #include "devices/haply/haply_connection.h"
 #include "devices/haply/haply_device.h"
 #include "devices/haply/haply_enumeration.h"
+#include "devices/messages.h"
 #include "devices/mouse_device.h"
 #include "devices/open_device.h"
 #include "devices/openhaptics/hd_library.h"
@@ -99,7 +100,7 @@ DetectedDevice survey(const std::string& name, const char* backend, const std::s
     const auto text = inChildProcess([&probe] { return packed(probe()); }, kConnectTimeout);
     const std::optional<Answer> answer = text ? unpacked(*text) : std::nullopt;
     if (answer) return {name, backend, answer->state, answer->text, answer->capabilities};
-    const std::string end = text ? "it ends the program that uses it" : text.error().message;
+    const std::string end = text ? std::string(msg::kEndsTheProgram.english) : text.error().message();
     return {name, backend, DeviceState::Unusable, library + " is broken, " + end + ": " + remedy};
 }
 
@@ -109,8 +110,8 @@ Answer tryPen(const std::string& name, const std::string& library) {
     const auto opened = pen.open();
     if (opened) return {DeviceState::Ready, textOf(pen.info()), capabilitiesOf(pen.info())};
     const bool isInstalled = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
-    const bool isUnplugged = opened.error().message.ends_with(hdErrorText(hd::kLinkFault));
-    return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message};
+    const bool isUnplugged = opened.error().contains(msg::kHdLinkFault);
+    return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message()};
 }
 
 /// One line for each pen that is set up; without any, one for the default pen, which says what to do.
@@ -129,10 +130,10 @@ std::vector<DetectedDevice> enumeratePens() {
 }
 
 /// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
-DetectedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
-    const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
-    const bool isServed = why != noneFound && HaplyConnection::open(address, kLinkTimeout).has_value();
-    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
+DetectedDevice noInverse3(const char* backend, const std::string& address, const Error& why) {
+    const bool isServed =
+        !why.contains(msg::kHaplyNoInverse3) && HaplyConnection::open(address, kLinkTimeout).has_value();
+    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why.message()};
 }
 
 /// One line for each Inverse3; one that says why not if there is none.
@@ -140,13 +141,13 @@ std::vector<DetectedDevice> enumerateInverse3() {
     constexpr const char* kBackend = "Haply Inverse3";
     const std::string address = HaplyDevice::defaultAddress();
     const auto found = enumerateHaply(address);
-    if (!found) return {noInverse3(kBackend, address, found.error().message)};
+    if (!found) return {noInverse3(kBackend, address, found.error())};
     std::vector<DetectedDevice> devices;
     for (const HaplyNames& names : *found) {
         HaplyDevice device(names.device);
         const auto opened = device.open();
         devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::Unusable,
-                           opened ? textOf(device.info()) : opened.error().message,
+                           opened ? textOf(device.info()) : opened.error().message(),
                            opened ? capabilitiesOf(device.info()) : DeviceCapabilities()});
     }
     return devices;
@@ -161,7 +162,7 @@ std::string describe(const JoystickState& joystick) {
 /// which the first one's are told.
 Answer tryJoysticks(bool padsOnly, DeviceCapabilities can, const std::string& none) {
     const auto joysticks = SdlJoysticks::shared();
-    if (!joysticks) return {DeviceState::Unusable, joysticks.error().message};
+    if (!joysticks) return {DeviceState::Unusable, joysticks.error().message()};
     std::string found;
     for (const JoystickState& joystick : (*joysticks)->states()) {
         if (padsOnly && !joystick.isPad) continue;
@@ -175,7 +176,7 @@ Answer tryJoysticks(bool padsOnly, DeviceCapabilities can, const std::string& no
 Answer trySpaceMouse() {
     SpaceMouseDevice device;
     const auto opened = device.open();
-    if (!opened) return {DeviceState::NotFound, opened.error().message};
+    if (!opened) return {DeviceState::NotFound, opened.error().message()};
     return {DeviceState::Ready, "the driver runs; six axes steer by speed, no force", capabilitiesOf(device.info())};
 }
 
@@ -194,8 +195,7 @@ std::vector<DetectedDevice> enumerateDevices() {
     for (DetectedDevice& device : enumeratePens()) devices.push_back(std::move(device));
     for (DetectedDevice& device : enumerateInverse3()) devices.push_back(std::move(device));
     devices.push_back(survey("gamepad", "gamepad (SDL)", kSdl, kMendSdl, [] {
-        return tryJoysticks(true, capabilitiesOf(GamepadDevice("").info()),
-                            "There is no gamepad: plug one in or switch it on, and see that you may read /dev/input.");
+        return tryJoysticks(true, capabilitiesOf(GamepadDevice("").info()), std::string(msg::kNoGamepad.english));
     }));
     devices.push_back(survey("spacemouse", "SpaceMouse (spacenavd)", "The SpaceMouse's library (libspnav)",
                              "install the package libspnav0 anew, and use no SpaceMouse until then.", trySpaceMouse));

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "devices/haply/haply_device.h"
+#include "devices/messages.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "devices/sdl/gamepad_device.h"
@@ -18,11 +19,11 @@ constexpr const char* kNoDevice = "none";  // for the second hand
 constexpr double kDefaultRate = 1000;      // Hz
 
 constexpr std::array<DeviceKind, 5> kKinds = {{
-    {kMouse, "Mouse and keyboard"},
-    {"pen", "Haptic pen (OpenHaptics)"},
-    {"inverse3", "Haply Inverse3"},
-    {"gamepad", "Gamepad"},
-    {"spacemouse", "SpaceMouse"},
+    {kMouse, msg::kMouseAndKeyboard},
+    {"pen", msg::kHapticPen},
+    {"inverse3", msg::kHaplyInverse3},
+    {"gamepad", msg::kGamepad},
+    {"spacemouse", msg::kSpaceMouse},
 }};
 
 /// `own`: what stands behind the colon.
@@ -46,9 +47,7 @@ struct DeviceName {
 Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
     std::string kinds = isSecond ? "none" : kMouse;
     for (const DeviceKind& each : deviceKinds().subspan(1)) kinds += ", " + std::string(each.name);
-    return {option + " takes " + kinds +
-            ", pen:NAME, inverse3:ID or gamepad:NAME for one of several, or replay:FILE.csv, not '" + name +
-            "'; 'tactooth devices' shows what is there."};
+    return {msg::kUnknownDevice, option, kinds, name};
 }
 
 }  // namespace

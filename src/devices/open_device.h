@@ -8,13 +8,14 @@
 #include <string_view>
 
 #include "devices/haptic_device.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// A kind of device that can move the tool.
 struct DeviceKind {
-    const char* name;   ///< as openDevice takes it
-    const char* title;  ///< for people
+    const char* name;          ///< as openDevice takes it
+    const MessageText& title;  ///< for people
 };
 /// The mouse, which is always there and needs no opening, comes first.
 [[nodiscard]] std::span<const DeviceKind> deviceKinds();

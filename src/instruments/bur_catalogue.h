@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/util/message.h"
+
 namespace tactooth {
 
 /// The shape of a bur's head. "Taper" widens toward the shank.
@@ -36,7 +38,8 @@ struct BurEdge {
 /// One line of the catalogue: what a dentist orders. Lengths in mm.
 struct BurSpec {
     std::string number;  ///< US number ("4"), or the makers' shape and ISO size of a diamond ("856-016")
-    std::string name;    ///< for people
+    std::string name;    ///< for people and files, in English
+    Message title;       ///< the name in any language; empty for burs that are not of the catalogue
     BurKind kind = BurKind::round;
     BurMaterial material = BurMaterial::carbide;
     double headDiameter = 1;     ///< the largest diameter of the head

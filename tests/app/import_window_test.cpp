@@ -140,7 +140,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
     QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
     const auto kept = openCase(folder_ / "molar.ttcase");
-    QVERIFY2(kept.has_value(), kept ? "" : kept.error().message.c_str());
+    QVERIFY2(kept.has_value(), kept ? "" : kept.error().message().c_str());
     QVERIFY(kept->description.teeth.front().isModelled);
 }
 
@@ -202,7 +202,7 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
         QVERIFY(writeStl(core, folder_ / std::string("scans/").append(name).append("_dentin.stl")).has_value());
     }
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
-    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
     drop({folder_ / "blocks.ttcase"});
     waitForToothNamed("Blocks, L6");

@@ -26,11 +26,11 @@ TEST(PoseMonitor, AFaultIsSaidForThreeSecondsAndTheNewestOne) {
     PoseMonitor monitor;
     monitor.update(PoseFault::Jump, kTick);
     ASSERT_NE(monitor.faultMessage(), nullptr);
-    EXPECT_THAT(monitor.faultMessage(), HasSubstr("has jumped"));
+    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("has jumped"));
     for (int i = 0; i < 2990; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_NE(monitor.faultMessage(), nullptr);
     monitor.update(PoseFault::NotANumber, kTick);
-    EXPECT_THAT(monitor.faultMessage(), HasSubstr("is no number"));
+    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("is no number"));
     for (int i = 0; i < 3010; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_EQ(monitor.faultMessage(), nullptr);
 }

@@ -58,10 +58,10 @@ struct ExaminedSolid {
 [[nodiscard]] ExaminedSolid examineSolid(TriangleMesh mesh, const SolidOptions& options = {});
 
 /// What was done, and what is assumed, in sentences that begin with `what` ("outer").
-[[nodiscard]] std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& what);
+[[nodiscard]] std::vector<ImportNote> notesOn(const SolidReport& report, const Message& what);
 
 /// Why `what` ("the surface of the tooth") is no solid, and what to do: a sentence without its full stop; empty if it
 /// is one.
-[[nodiscard]] std::string flawSentence(const SolidReport& report, const std::string& what);
+[[nodiscard]] Message flawSentence(const SolidReport& report, const Message& what);
 
 }  // namespace tactooth

@@ -13,12 +13,12 @@ namespace tactooth {
 
 /// `mesh`, which came from `name`, as a solid. Fails with one sentence, in which `what` ("the surface of the tooth") is
 /// its subject. `importNotes`, if given, gets what was done.
-[[nodiscard]] Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const std::string& what,
+[[nodiscard]] Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const Message& what,
                                                const SolidOptions& options = {},
                                                std::vector<ImportNote>* importNotes = nullptr);
 
 /// The same of a mesh file. Fails also if it cannot be read.
-[[nodiscard]] Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
+[[nodiscard]] Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const Message& what,
                                                const SolidOptions& options = {},
                                                std::vector<ImportNote>* importNotes = nullptr);
 

@@ -3,6 +3,7 @@
 #include "devices/haply/haply_enumeration.h"
 
 #include "devices/haply/haply_connection.h"
+#include "devices/messages.h"
 
 namespace tactooth {
 
@@ -12,7 +13,7 @@ Expected<std::vector<HaplyNames>> enumerateHaply(const std::string& address) {
     if (!link) return Unexpected{link.error()};
     std::string first;
     if ((*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message) {
-        return unexpected("The Haply Inverse Service at " + address + " does not say who is there: restart it.");
+        return unexpected(msg::kHaplySaysNothing, address);
     }
     return haplyDevices(first);
 }

@@ -3,19 +3,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// What a remark on a scanned surface is about.
 enum class ImportNoteTopic { File, Units, Orientation, Closedness, Layers };
 
-/// Something that the program has assumed or mended, in words: a sentence with the places %1, %2 ... for `values`, so
-/// that a window can show it in another language.
+/// Something that the program has assumed or mended.
 struct ImportNote {
     ImportNoteTopic topic;
-    const char* text;
-    std::vector<std::string> values = {};
+    Message message;
 };
 
 /// The sentence in English.

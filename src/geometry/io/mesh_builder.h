@@ -14,6 +14,7 @@
 #include "geometry/mesh/position_rounding.h"
 #include "geometry/mesh/vertex_welder.h"
 #include "geometry/util/expected.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -40,7 +41,7 @@ public:
     void addCorner(std::size_t vertex) { corners_.push_back(vertices_[vertex]); }
     [[nodiscard]] std::size_t corners() const { return corners_.size(); }
     /// Takes the corners as a polygon (one of fewer than three gives nothing). Null, or what is wrong with it.
-    const char* endFace() {
+    const MessageText* endFace() {
         if (corners_.size() == 3) {
             mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
             return nullptr;

@@ -7,14 +7,20 @@
 #include <variant>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// Why something that depends on the outside world (a file, a device, a number typed by a person) did not work:
 /// one complete sentence for the person who has to mend it. It names the file and the position, what was
 /// expected and what to do.
-struct Error {
-    std::string message;
+struct Error : Message {
+    using Message::Message;
+    Error() = default;
+    Error(Message message) : Message(std::move(message)) {}
+
+    /// In English, as the commands print it.
+    [[nodiscard]] std::string message() const { return in(Language::English); }
 };
 
 /// Marks an Error on its way into an Expected, as std::unexpected does in C++23.
@@ -22,7 +28,11 @@ struct Unexpected {
     Error error;
 };
 
-[[nodiscard]] inline Unexpected unexpected(std::string message) { return {Error{std::move(message)}}; }
+template <class... Arguments>
+[[nodiscard]] Unexpected unexpected(const MessageText& text, Arguments&&... arguments) {
+    return {Error(text, std::forward<Arguments>(arguments)...)};
+}
+[[nodiscard]] inline Unexpected unexpected(Message message) { return {Error(std::move(message))}; }
 
 /// A value, or the reason why there is none. Member names follow std::expected (C++23).
 template <class T>

@@ -16,10 +16,10 @@ struct GingivaCandidate {
 };
 
 /// The gum of the coarsest of a few finenesses from `cell`, mm, on that does not cross itself: the first for nearly
-/// every mouth. `ofMouth` says in a sentence whose gum it is: "The upper gum of the mouth with seed 5". Fails if each
-/// of them crosses itself: such a gum is never given.
+/// every mouth. `ofMouth` says as the subject of a sentence whose gum it is: "The upper gum of the mouth with seed 5".
+/// Fails if each of them crosses itself: such a gum is never given.
 [[nodiscard]] Expected<TriangleMesh> firstValidGingiva(double cell,
                                                        const std::function<GingivaCandidate(double cell)>& gingivaAt,
-                                                       const std::string& ofMouth);
+                                                       const Message& ofMouth);
 
 }  // namespace tactooth

@@ -7,9 +7,11 @@
 #include <string>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "session/cases/case_store.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 #include "sound/files/recording_file.h"
 
 namespace tactooth {
@@ -17,8 +19,6 @@ namespace {
 
 constexpr double kSlowest = 100, kFastest = 1e6;  // rev/min at which somebody may have recorded a bur
 constexpr double kSoftest = -40, kLoudest = 20;   // dB
-constexpr std::string_view kParts = "motor, cutting, water and suction";
-constexpr std::string_view kKeys = "file, speed_rpm and gain_db";
 
 using Part = std::optional<RecordedPart>;
 
@@ -40,21 +40,17 @@ private:
         if (key.str() == "motor") return readPart(key.str(), node, true, kit_.motor);
         if (key.str() == "water") return readPart(key.str(), node, false, kit_.water);
         if (key.str() == "suction") return readPart(key.str(), node, false, kit_.suction);
-        return fail(key.source(),
-                    "there is no part " + quotedWord(key.str()) + "; the parts are " + std::string(kParts));
+        return fail(key.source(), {msg::kSoundPartUnknown, quotedWord(key.str()), msg::kSoundParts});
     }
 
     bool readCutting(const toml::node& node) {
         const toml::table* materials = node.as_table();
-        if (materials == nullptr) return fail(node.source(), "'cutting' needs a material: write [cutting.enamel]");
+        if (materials == nullptr) return fail(node.source(), msg::kCuttingNeedsMaterial);
         const auto names = soundMaterialNames();
         for (auto&& [key, part] : *materials) {
             const auto found = std::find(names.begin(), names.end(), key.str());
             if (found == names.end()) {
-                return fail(key.source(),
-                            "there is no material " + quotedWord(key.str()) +
-                                "; write enamel, dentin, pulp, caries, amalgam, restoration, composite or "
-                                "other");
+                return fail(key.source(), {msg::kSoundMaterialUnknown, quotedWord(key.str())});
             }
             if (!readPart(key.str(), part, false, kit_.cutting[static_cast<std::size_t>(found - names.begin())]))
                 return false;
@@ -64,29 +60,23 @@ private:
 
     bool readPart(std::string_view part, const toml::node& node, bool needsSpeed, Part& into) {
         const toml::table* table = node.as_table();
-        if (table == nullptr)
-            return fail(node.source(), quotedWord(part) + " must be a table with the keys " + std::string(kKeys));
+        if (table == nullptr) return fail(node.source(), {msg::kSoundPartNotTable, quotedWord(part), msg::kSoundKeys});
         RecordedPart read;
         for (auto&& [key, value] : *table) {
             if (!readKey(key, value, read)) return false;
         }
         const toml::node* file = table->get("file");
-        if (file == nullptr)
-            return fail(node.source(), quotedWord(part) + " has no recording; add file = \"NAME.wav\"");
-        if (needsSpeed && read.speedRpm == 0)
-            return fail(node.source(), quotedWord(part) +
-                                           " needs the speed of the bur when it was recorded, whose pitch it "
-                                           "follows; add speed_rpm = 400000 or what it was");
+        if (file == nullptr) return fail(node.source(), {msg::kSoundPartNoRecording, quotedWord(part)});
+        if (needsSpeed && read.speedRpm == 0) return fail(node.source(), {msg::kSoundPartNoSpeed, quotedWord(part)});
         return readFile(*file, read) && (into = std::move(read), true);
     }
 
     bool readKey(const toml::key& key, const toml::node& node, RecordedPart& part) {
         double decibel = 0;
-        if (key.str() == "file") return node.is_string() || fail(node.source(), "'file' must be a name in quotes");
+        if (key.str() == "file") return node.is_string() || fail(node.source(), msg::kSoundFileNotText);
         if (key.str() == "speed_rpm") return readNumber(key.str(), node, kSlowest, kFastest, part.speedRpm);
         if (key.str() != "gain_db") {
-            return fail(key.source(),
-                        "a recording has no key " + quotedWord(key.str()) + "; the keys are " + std::string(kKeys));
+            return fail(key.source(), {msg::kUnknownKey, msg::kARecording, quotedWord(key.str()), msg::kSoundKeys});
         }
         if (!readNumber(key.str(), node, kSoftest, kLoudest, decibel)) return false;
         part.gain = std::pow(10, decibel / 20);
@@ -96,8 +86,7 @@ private:
     bool readNumber(std::string_view key, const toml::node& node, double low, double high, double& value) {
         const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
         if (!number || !(*number >= low && *number <= high)) {
-            return fail(node.source(), quotedWord(key) + " must be a number from " + std::to_string(std::lround(low)) +
-                                           " to " + std::to_string(std::lround(high)));
+            return fail(node.source(), {msg::kKeyTakesNumber, quotedWord(key), std::lround(low), std::lround(high)});
         }
         value = *number;
         return true;
@@ -106,22 +95,16 @@ private:
     bool readFile(const toml::node& file, RecordedPart& part) {
         const auto entry = *file.value<std::string>();
         if (!isSafeEntry(entry)) {
-            return fail(file.source(), quotedWord(entry) +
-                                           " must lie beside this file or below it, named with '/' and without "
-                                           "'..'");
+            return fail(file.source(), {msg::kMustLieBeside, quotedWord(entry)});
         }
         auto recording = readNamed_(entry);
-        if (!recording) {
-            std::string reason = recording.error().message;
-            reason.pop_back();  // fail() ends the sentence
-            return fail(file.source(), reason);
-        }
+        if (!recording) return fail(file.source(), recording.error());
         part.recording = std::make_shared<const Recording>(std::move(*recording));
         return true;
     }
 
-    bool fail(const toml::source_region& where, const std::string& what) {
-        error_ = {name_ + ", line " + std::to_string(where.begin.line) + ": " + what + "."};
+    bool fail(const toml::source_region& where, const Message& what) {
+        error_ = {msg::kAtLine, name_, where.begin.line, what};
         return false;
     }
 
@@ -136,8 +119,7 @@ Expected<SoundKit> readPreset(const std::filesystem::path& path) {
     if (!file) return Unexpected{file.error()};
     const auto readSibling = [&](const std::string& name) -> Expected<Recording> {
         if (!isWithinFolder(path.parent_path(), name)) {
-            return unexpected(quotedWord(name) +
-                              " is a link that leads out of the folder of this file; put a copy there instead.");
+            return unexpected(msg::kSoundLinkLeadsOut, quotedWord(name));
         }
         return readRecording(path.parent_path() / name);
     };

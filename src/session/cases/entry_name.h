@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/util/message.h"
+
 namespace tactooth {
 
 /// What may be wrong with the name of a file in a case.
@@ -25,7 +27,7 @@ struct EntryName {
 [[nodiscard]] bool isSafeEntry(std::string_view path);
 
 /// What is wrong with `name`, as a sentence without its full stop.
-[[nodiscard]] std::string inWords(EntryFault fault, const std::string& name);
+[[nodiscard]] Message inWords(EntryFault fault, const std::string& name);
 
 /// Whether a file is none of its owner's but put beside others by a system: hidden (a name that begins with '.', as the
 /// Mac's "._36.stl"), or "Thumbs.db" and the like. `name` is that of the file alone.

@@ -28,7 +28,7 @@ public:
         return words_[row * wordColumns_ + column];
     }
     /// "poses.csv, line 12": where a row stands, to begin a message about it with.
-    [[nodiscard]] std::string where(std::size_t row) const;
+    [[nodiscard]] Message where(std::size_t row) const;
 
 private:
     friend class CsvParser;

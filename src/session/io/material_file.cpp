@@ -8,8 +8,10 @@
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -48,17 +50,17 @@ std::string keyNames() {
 }
 
 /// What a message says that it found.
-std::string described(const toml::node& node) {
-    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+Message described(const toml::node& node) {
+    if (const auto* integer = node.as_integer()) return Message::verbatim(std::to_string(integer->get()));
     if (const auto* number = node.as_floating_point()) {
-        if (!std::isfinite(number->get())) return "not a finite number";
-        return numberText(number->get());
+        if (!std::isfinite(number->get())) return msg::kNotFiniteNumber;
+        return Message::verbatim(numberText(number->get()));
     }
-    if (node.is_string()) return "a text in quotes";
-    if (node.is_boolean()) return "true or false";
-    if (node.is_array()) return "a list";
-    if (node.is_table()) return "a table";
-    return "a date or a time";
+    if (node.is_string()) return msg::kTextInQuotes;
+    if (node.is_boolean()) return msg::kTrueOrFalse;
+    if (node.is_array()) return msg::kAList;
+    if (node.is_table()) return msg::kATable;
+    return msg::kDateOrTime;
 }
 
 /// Takes over what a file says into a table of materials, until something is wrong.
@@ -77,13 +79,11 @@ private:
     bool readMaterial(const toml::key& name, const toml::node& node) {
         const std::optional<MaterialId> id = materialFromName(name.str());
         if (!id) {
-            return fail(name.source(),
-                        "there is no material " + quotedWord(name.str()) + "; the materials are " + materialNames());
+            return fail(name.source(), {msg::kMaterialUnknown, quotedWord(name.str()), materialNames()});
         }
         const toml::table* entries = node.as_table();
         if (!entries) {
-            return fail(node.source(), "expected the keys of " + std::string(name.str()) + " below a line [" +
-                                           std::string(name.str()) + "], but found " + described(node));
+            return fail(node.source(), {msg::kMaterialNotTable, name.str(), name.str(), described(node)});
         }
         for (auto&& [key, value] : *entries) {
             if (!readKey(table_[*id], key, value)) return false;
@@ -95,8 +95,7 @@ private:
         if (key.str() == kColourKey) return readColour(material, node);
         const auto known = std::ranges::find(kNumberKeys, key.str(), &NumberKey::name);
         if (known == kNumberKeys.end()) {
-            return fail(key.source(),
-                        "a material has no key " + quotedWord(key.str()) + "; the keys are " + keyNames());
+            return fail(key.source(), {msg::kUnknownKey, msg::kAMaterial, quotedWord(key.str()), keyNames()});
         }
         double value = 0;
         if (!readNumber(node, known->name, known->highest, value)) return false;
@@ -107,8 +106,8 @@ private:
     bool readColour(Material& material, const toml::node& node) {
         const toml::array* parts = node.as_array();
         if (!parts || parts->size() != material.colour.size()) {
-            return fail(node.source(), "'colour' must be three numbers in brackets (red, green, blue), but is " +
-                                           (parts ? "a list of " + std::to_string(parts->size()) : described(node)));
+            return fail(node.source(),
+                        {msg::kColourNotThree, parts ? Message(msg::kListOf, parts->size()) : described(node)});
         }
         for (std::size_t i = 0; i < material.colour.size(); ++i) {
             double value = 0;
@@ -121,15 +120,14 @@ private:
     bool readNumber(const toml::node& node, std::string_view key, double highest, double& value) {
         const std::optional<double> number = node.is_number() ? node.value<double>() : std::nullopt;
         if (!number || !std::isfinite(*number) || *number < 0 || *number > highest) {
-            return fail(node.source(), quotedWord(key) + " must be a number from 0 to " + numberText(highest) +
-                                           ", but is " + described(node));
+            return fail(node.source(), {msg::kMaterialNumber, quotedWord(key), numberText(highest), described(node)});
         }
         value = *number;
         return true;
     }
 
-    bool fail(const toml::source_region& where, const std::string& what) {
-        error_ = {name_ + ", line " + std::to_string(where.begin.line) + ": " + what + "."};
+    bool fail(const toml::source_region& where, const Message& what) {
+        error_ = {msg::kAtLine, name_, where.begin.line, what};
         return false;
     }
 

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] toml::table parse(std::string_view text);
 
     /// Refuses every key that is not in the list. `what`: "a tooth".
-    void allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys);
+    void allow(const toml::table& table, const MessageText& what, std::initializer_list<std::string_view> keys);
 
     [[nodiscard]] std::string text(const toml::table& table, std::string_view key, bool isNeeded);
     [[nodiscard]] std::vector<std::string> texts(const toml::table& table, std::string_view key);
@@ -42,12 +42,12 @@ public:
     [[nodiscard]] const toml::table* table(const toml::table& table, std::string_view key);
 
     /// Keeps a mistake, if it is the first.
-    void fail(const toml::node& where, const std::string& what);
+    void fail(const toml::node& where, const Message& what);
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
 private:
-    void failAt(toml::source_index line, const std::string& what);
+    void failAt(toml::source_index line, const Message& what);
 
     std::string name_;
     std::optional<Error> error_;

@@ -6,6 +6,8 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
+#include "session/io/messages.h"
 #include "session/io/run_metadata.h"
 
 namespace tactooth {
@@ -25,7 +27,7 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
     if (!saved) return Unexpected{saved.error()};
     auto tooth =
         LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->toothContext);
-    if (!tooth) return unexpected(displayName(path) + ": " + tooth.error().message + ".");
+    if (!tooth) return unexpected(msg::kNamed, displayName(path), tooth.error());
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
     return OpenedTooth{std::move(piece), std::move(saved->provenance)};
@@ -34,12 +36,11 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path) {
 Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double defaultVoxel) {
     if (isToothFile(source.outer)) {
         const std::string name = displayName(source.outer);
-        if (!source.layers.empty()) return unexpected(name + ": a saved tooth has its own layers; give no others.");
+        if (!source.layers.empty()) return unexpected(msg::kSavedToothHasLayers, name);
         auto opened = openTooth(source.outer);
         if (opened && voxel && *voxel != opened->piece->volume().lattice().spacing()) {
-            return unexpected(name + ": a saved tooth keeps the spacing that it was cut with, " +
-                              std::to_string(std::lround(1e3 * opened->piece->volume().lattice().spacing())) +
-                              " um; give no other.");
+            return unexpected(msg::kSavedToothHasSpacing, name,
+                              std::lround(1e3 * opened->piece->volume().lattice().spacing()));
         }
         return opened;
     }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "tooth/model/messages.h"
+
 namespace tactooth {
 namespace {
 
@@ -22,9 +24,7 @@ Expected<RevolutionEnvelope> RevolutionEnvelope::make(const TriangleMesh& bur) {
     std::vector<ProfilePoint> profile = revolutionProfile(bur);
     const auto reaches = [](const ProfilePoint& point) { return point.radius > 0; };
     if (profile.size() < 3 || std::none_of(profile.begin(), profile.end(), reaches)) {
-        return unexpected(
-            "the tool's surface has no extent along its axis (z of the tool frame): give the bur's closed "
-            "STL with its tip at the origin and its shaft along +z");
+        return unexpected(msg::kToolWithoutExtent);
     }
     return RevolutionEnvelope(std::move(profile));
 }

@@ -31,13 +31,13 @@ void expectEqual(const MaterialTable& got, const MaterialTable& expected) {
 
 MaterialTable parsed(std::string_view text) {
     const auto table = parseMaterials(text, "m.toml", {});
-    EXPECT_TRUE(table) << table.error().message;
+    EXPECT_TRUE(table) << table.error().message();
     return table ? *table : MaterialTable();
 }
 
 std::string refusal(std::string_view text) {
     const auto table = parseMaterials(text, "m.toml", {});
-    return table ? "accepted" : table.error().message;
+    return table ? "accepted" : table.error().message();
 }
 
 TEST(MaterialFile, TheBuiltInTextNamesEachNumberOfTheProgramsDefaults) {
@@ -46,7 +46,7 @@ TEST(MaterialFile, TheBuiltInTextNamesEachNumberOfTheProgramsDefaults) {
         other[static_cast<MaterialId>(i)] = {-1, -1, -1, -1, {-1, -1, -1}, -1, -1, -1};
     }
     const auto table = parseMaterials(defaultMaterialsText(), "data/materials.toml", other);
-    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_TRUE(table) << table.error().message();
     expectEqual(*table, MaterialTable());
     expectEqual(defaultMaterials(), MaterialTable());
 }
@@ -65,7 +65,7 @@ TEST(MaterialFile, AFileOverridesOnlyWhatItNames) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "mine.toml", "[caries]\nstiffness = 0.4\ncolour = [0, 0.5, 1]\n\n[pulp]\nremoval = 2\n");
     const auto table = readMaterials(folder / "mine.toml");
-    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_TRUE(table) << table.error().message();
     MaterialTable expected;
     expected[MaterialId::Caries].stiffness = 0.4;
     expected[MaterialId::Caries].colour = {0, 0.5F, 1};
@@ -146,7 +146,7 @@ TEST(MaterialFile, SaysWhichFileIsMissing) {
     const test::TemporaryFolder folder;
     const auto table = readMaterials(folder / "none.toml");
     ASSERT_FALSE(table);
-    EXPECT_THAT(table.error().message, HasSubstr("none.toml: there is no such file"));
+    EXPECT_THAT(table.error().message(), HasSubstr("none.toml: there is no such file"));
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     flat.triangles = {{0, 1, 2}};
     const auto envelope = RevolutionEnvelope::make(flat);
     ASSERT_FALSE(envelope);
-    EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
+    EXPECT_NE(envelope.error().message().find("along its axis"), std::string::npos);
 }
 
 // A facet that turns about an axis beside it makes a hollow band: less than half a micrometre deep, it is left out.

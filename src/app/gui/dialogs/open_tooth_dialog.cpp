@@ -10,7 +10,8 @@
 #include <QPushButton>
 #include <array>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
+#include "tooth/model/material_word.h"
 
 namespace tactooth {
 namespace {
@@ -35,7 +36,7 @@ OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(pare
     outer_->setObjectName("outerSurface");
     for (const MaterialId id : kLayers) {
         const std::string name(materialName(id));
-        QString label = translated(name);
+        QString label = translated(materialWord(name));
         label[0] = label[0].toUpper();
         layers_[name] = addRow(*grid, label, tr("Optional"));
     }

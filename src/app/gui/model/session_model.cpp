@@ -86,7 +86,7 @@ void SessionModel::installSecond(std::unique_ptr<HapticDevice> device) {
 }
 
 void SessionModel::reportDeviceTrouble(StepResult& stepResult) {
-    const char* faultMessage = device_ ? device_->faultMessage() : nullptr;
+    const Message* faultMessage = device_ ? device_->faultMessage() : nullptr;
     if (faultMessage == nullptr && second_) faultMessage = second_->faultMessage();
     if (faultMessage != std::exchange(reportedTrouble_, faultMessage)) stepResult.faultMessage = faultMessage;
     if (reportedHeavy_ || !isOverloaded(simulator_->timing(), rate_)) return;
@@ -99,14 +99,14 @@ void SessionModel::collectFinishedTasks(StepResult& stepResult) {
         if (*tooth) {
             install(std::move(**tooth));
         } else {
-            stepResult.failure = tooth->error().message;
+            stepResult.failure = tooth->error();
         }
     }
     if (auto bur = pendingBur_.poll()) {
         if (*bur) {
             install(std::move(**bur));
         } else {
-            stepResult.failure = bur->error().message;
+            stepResult.failure = bur->error();
         }
     }
     if (auto instruments = pendingInstruments_.poll()) {

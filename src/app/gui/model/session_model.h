@@ -12,6 +12,7 @@
 #include "app/gui/model/task.h"
 #include "devices/mouse_device.h"
 #include "devices/workspace_fit.h"
+#include "geometry/util/expected.h"
 #include "session/simulation/cut_events.h"
 #include "session/simulation/spray_particle_system.h"
 #include "sound/output/sound_output.h"
@@ -66,11 +67,11 @@ public:
     /// What has happened since the last step.
     struct StepResult {
         bool newTooth = false;
-        bool newSimulator = false;           ///< time starts at zero again
-        std::optional<std::string> failure;  ///< a sentence; what was on the bench stays
-        std::optional<double> heavyTick;     ///< us, if the scene turns out to be heavy: tickP99
+        bool newSimulator = false;        ///< time starts at zero again
+        std::optional<Error> failure;     ///< what was on the bench stays
+        std::optional<double> heavyTick;  ///< us, if the scene turns out to be heavy: tickP99
         /// What ails a device, if that has changed; null: nothing any more. The session goes on.
-        std::optional<const char*> faultMessage;
+        std::optional<const Message*> faultMessage;
     };
     /// Call at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] StepResult step(double dt);
@@ -150,10 +151,10 @@ private:
     bool autoScaling_ = false;
     MouseManipulator manipulator_;
     MouseDevice mouse_;
-    std::unique_ptr<HapticDevice> device_;   // none: the mouse
-    std::unique_ptr<HapticDevice> second_;   // none: one hand alone
-    const char* reportedTrouble_ = nullptr;  // of the devices, as it was reported last
-    bool reportedHeavy_ = false;             // that the scene is
+    std::unique_ptr<HapticDevice> device_;      // none: the mouse
+    std::unique_ptr<HapticDevice> second_;      // none: one hand alone
+    const Message* reportedTrouble_ = nullptr;  // of the devices, as it was reported last
+    bool reportedHeavy_ = false;                // that the scene is
     std::vector<Tick> ticks_;
     Tick newest_;
     CutEvents events_;

@@ -4,6 +4,7 @@
 
 #include "app/common/mouth_scene.h"
 #include "app/common/spin_blur.h"
+#include "geometry/util/messages.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_catalogue.h"
 #include "instruments/bur_shape.h"
@@ -22,7 +23,7 @@ constexpr int kShownBurTriangles = 6000;  // blades look round at full zoom
 /// `file`: that it came from; empty for one of a case.
 Expected<SessionBur> sessionBurOf(CustomBur own, const std::filesystem::path& file) {
     Expected<CuttingTool> cutting = makeCuttingTool(own.surface, own.sharpness);
-    if (!cutting) return unexpected((file.empty() ? own.name : file.string()) + ": " + cutting.error().message);
+    if (!cutting) return unexpected(msg::kNamedSentence, (file.empty() ? own.name : file.string()), cutting.error());
     auto shown = std::make_shared<const TriangleMesh>(own.surface);
     auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     const BurEdge edge = own.edge();
@@ -107,7 +108,7 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
 
 Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan) {
     Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers);
-    if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
+    if (!layered) return unexpected(msg::kNamed, scan.name, layered.error());
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     SessionTooth tooth{scan.name, std::make_shared<CutModel>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
     for (const ImportNote& importNote : scan.importNotes) tooth.provenance.emplace_back("assumed", inWords(importNote));

@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/common/scene_builder.h"
+#include "app/gui/text/messages.h"
 #include "assessment/exercise.h"
 #include "instruments/builtin_tooth.h"
 #include "patient/scan_import.h"
@@ -55,12 +57,12 @@ struct SessionInstruments {
 /// The built-in teeth as a list shows them.
 struct BuiltinToothEntry {
     BuiltinToothKind kind;
-    const char* name;
+    std::string_view name;
 };
 inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
-    {BuiltinToothKind::lowerFirstMolar, "Lower first molar (46)"},
-    {BuiltinToothKind::upperCentralIncisor, "Upper central incisor (11)"},
-    {BuiltinToothKind::upperCanine, "Upper canine (13)"},
+    {BuiltinToothKind::lowerFirstMolar, msg::kLowerFirstMolar.english},
+    {BuiltinToothKind::upperCentralIncisor, msg::kUpperCentralIncisor.english},
+    {BuiltinToothKind::upperCanine, msg::kUpperCanine.english},
 }};
 
 /// The mouth that a tooth stands in: average teeth, open as for work.

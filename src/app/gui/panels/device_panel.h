@@ -44,9 +44,9 @@ public:
     /// What the fit to the tooth has come to, if it is chosen; none: nothing has a room that could be fitted.
     void showFit(const std::optional<WorkspaceFit>& fit);
     /// How it goes with the device at the moment; an empty name is the mouse.
-    void showState(const QString& device, ForceState force, const char* faultMessage);
+    void showState(const QString& device, ForceState force, const Message* faultMessage);
     /// The same for the other hand; nothing is shown for an empty one.
-    void showSecondState(const QString& device, const char* faultMessage);
+    void showSecondState(const QString& device, const Message* faultMessage);
 
 signals:
     void deviceChosen(const QString& name);

@@ -9,8 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "assessment/exercise.h"
+#include "tooth/model/material_word.h"
 
 namespace tactooth {
 namespace {
@@ -103,7 +104,7 @@ QWidget* ExercisePanel::makeNumbers() {
     // Those that a tooth is made of first; the others would be a column of zeros.
     int row = 1;
     for (const MaterialId id : {MaterialId::Enamel, MaterialId::Dentin, MaterialId::Caries, MaterialId::Pulp}) {
-        const QString name = translated(materialName(id));
+        const QString name = translated(materialWord(materialName(id)));
         auto* value = removed_[static_cast<std::size_t>(id)] = new QLabel;
         value->setAccessibleName(tr("%1 removed").arg(name));
         grid->addWidget(new QLabel(name), row, 2);

@@ -6,7 +6,8 @@
 #include <QLocale>
 #include <cmath>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
+#include "tooth/model/material_word.h"
 
 namespace tactooth {
 namespace {
@@ -17,7 +18,7 @@ QString removedText(const MaterialVolumes& removed) {
         constexpr double kShown = 0.005;  // mm^3: less would be shown as 0.00
         if (removed[i] < kShown) continue;
         const std::string_view name = materialName(static_cast<MaterialId>(i));
-        parts += translated(name) + ' ' + QLocale().toString(removed[i], 'f', 2);
+        parts += translated(materialWord(name)) + ' ' + QLocale().toString(removed[i], 'f', 2);
     }
     if (parts.isEmpty()) return StatusLine::tr("Nothing removed yet");
     return StatusLine::tr("Removed: %1 mm³").arg(parts.join(", "));
@@ -108,8 +109,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
                   .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
     removed_->setText(removedText(simulator.removed()));
-    const std::string_view text = statusText(sound);
-    sound_->setText(translated(text));
+    sound_->setText(translated(statusText(sound)));
 }
 
 }  // namespace tactooth

@@ -139,7 +139,7 @@ struct ParsedSettings : WindowSettings {
 [[nodiscard]] Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::path& file);
 /// Puts the defaults in the place of devices that no Tactooth knows, so that a slip of the pen is not kept for ever.
 /// One sentence that says so and names the file; empty if all are known.
-[[nodiscard]] std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
+[[nodiscard]] std::optional<Error> resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
 /// Makes the folder if need be.
 [[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
 

@@ -32,9 +32,7 @@
 #include "app/gui/panels/status_line.h"
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/error_translation.h"
-#include "app/gui/text/import_note_translation.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "geometry/io/stl_writer.h"
 
 namespace tactooth {
@@ -361,13 +359,12 @@ void MainWindow::showUsualHint() {
 
 void MainWindow::applyStepResult(const SessionModel::StepResult& stepResult) {
     if (stepResult.failure) {
-        showError(Error{*stepResult.failure});
+        showError(*stepResult.failure);
         exercise_->show(activeExercise_);  // the tooth of another one may not have come
     }
     // No message that would take the keys and the pedal from a hand at work.
     if (stepResult.faultMessage) {
-        *stepResult.faultMessage != nullptr ? status_->setHint(translatedError(*stepResult.faultMessage))
-                                            : showUsualHint();
+        *stepResult.faultMessage != nullptr ? status_->setHint(translated(**stepResult.faultMessage)) : showUsualHint();
         deviceHint_ = DeviceHint::None;
     }
     if (stepResult.heavyTick) {
@@ -387,7 +384,7 @@ void MainWindow::applyStepResult(const SessionModel::StepResult& stepResult) {
     setWindowTitle(tr("%1 — Tactooth").arg(translated(model_.tooth()->name)));
     showUsualHint();
     QStringList hints;
-    for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote));
+    for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote.message));
     if (model_.tooth()->materials) {
         hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
     }

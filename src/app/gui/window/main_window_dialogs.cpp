@@ -19,8 +19,7 @@
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/error_translation.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "app/gui/window/main_window.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
@@ -128,7 +127,7 @@ void MainWindow::saveTooth(const QString& file) {
     status_->setHint(tr("The tooth was saved to %1").arg(file));
 }
 
-void MainWindow::showError(const Error& error) { showError(translatedError(error.message)); }
+void MainWindow::showError(const Error& error) { showError(translated(error)); }
 
 void MainWindow::showError(const QString& sentence) {
     status_->setHint(sentence);

@@ -10,7 +10,7 @@
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "app/gui/window/main_window.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
