@@ -54,9 +54,9 @@ std::vector<std::shared_ptr<const Exercise>> makeExercises() {
         return std::make_shared<const Exercise>(
             Exercise{std::string(name.english), std::string(task.english), sound(tooth), std::string(bur), plan});
     };
-    return {exercise(msg::kPitInMolar, msg::kPitTask, BuiltinToothKind::lowerFirstMolar, "330", pit),
-            exercise(msg::kClassOne, msg::kClassOneTask, BuiltinToothKind::lowerFirstMolar, "245", fissure),
-            exercise(msg::kClassFive, msg::kClassFiveTask, BuiltinToothKind::upperCanine, "330", neck)};
+    return {exercise(msg::kPitInMolar, msg::kPitTask, BuiltinToothKind::LowerFirstMolar, "330", pit),
+            exercise(msg::kClassOne, msg::kClassOneTask, BuiltinToothKind::LowerFirstMolar, "245", fissure),
+            exercise(msg::kClassFive, msg::kClassFiveTask, BuiltinToothKind::UpperCanine, "330", neck)};
 }
 
 /// How high the surface stands over `place` along `outward`, by steps that cannot go through it (J. C. Hart, "Sphere

@@ -26,11 +26,11 @@ constexpr std::size_t kMaxStrokes = 200;
 constexpr double kWidestLesion = 4;    // mm, as makeTooth takes it
 constexpr double kDeepestLesion = 10;  // mm
 
-constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::occlusal},
-                                                                            {"mesial", LesionSite::mesial},
-                                                                            {"distal", LesionSite::distal},
-                                                                            {"buccal", LesionSite::buccal},
-                                                                            {"lingual", LesionSite::lingual}}};
+constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::Occlusal},
+                                                                            {"mesial", LesionSite::Mesial},
+                                                                            {"distal", LesionSite::Distal},
+                                                                            {"buccal", LesionSite::Buccal},
+                                                                            {"lingual", LesionSite::Lingual}}};
 
 class ExerciseReader {
 public:
@@ -87,7 +87,7 @@ private:
         if (known == kSites.end() && !site.empty()) {
             toml_.fail(*decay.get("site"), msg::kDecaySite);
         }
-        if (lesion.site == LesionSite::occlusal && isAnteriorTooth(fdi)) {
+        if (lesion.site == LesionSite::Occlusal && isAnteriorTooth(fdi)) {
             toml_.fail(*decay.get("site"), msg::kNoOcclusalSide);
         }
         lesion.width = toml_.number(decay, "width", lesion.width, 0, kWidestLesion);

@@ -25,13 +25,13 @@ Origin originOf(StandardToothKind kind) {
     using enum BuiltinToothKind;
     switch (kind) {
         case StandardToothKind::Front:
-            return {"front tooth", "openmandible/whole/L1_whole.stl", upperCentralIncisor, 10000};
+            return {"front tooth", "openmandible/whole/L1_whole.stl", UpperCentralIncisor, 10000};
         case StandardToothKind::Molar:
-            return {"molar", "openmandible/whole/L6_whole.stl", lowerFirstMolar, 10000};
+            return {"molar", "openmandible/whole/L6_whole.stl", LowerFirstMolar, 10000};
         case StandardToothKind::Canine:
-            return {"dog tooth", "openmandible/whole/L3_whole.stl", upperCanine, 10000};
+            return {"dog tooth", "openmandible/whole/L3_whole.stl", UpperCanine, 10000};
         case StandardToothKind::Large:
-            return {"large tooth", "microct-meshes/tooth_2_outer.stl", lowerFirstMolar, 325312};
+            return {"large tooth", "microct-meshes/tooth_2_outer.stl", LowerFirstMolar, 325312};
     }
     return {};
 }

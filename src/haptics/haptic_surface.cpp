@@ -62,7 +62,7 @@ Vec3 HapticSurfaceBuilder::drift() const {
     return length > kMaxDrift ? Vec3(kMaxDrift / length * displacement) : displacement;
 }
 
-HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& skin) {
+HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& contactMargin) {
     if (free_.empty()) {
         all_.push_back(std::make_unique<HapticSurface>(HapticSurface{nullptr, NeighbourList(*tool_, kRoom)}));
         free_.push_back(all_.back().get());
@@ -71,9 +71,9 @@ HapticSurface* HapticSurfaceBuilder::list(const Pose& at, const ContactMargin& s
     free_.pop_back();
     hapticSurface->surface = surface_;
     hapticSurface->place.reset();
-    hapticSurface->near.buildWithinCapacity(*surface_, at, skin, kAround, longest_);
+    hapticSurface->near.buildWithinCapacity(*surface_, at, contactMargin, kAround, longest_);
     listedAt_ = at;
-    listed_ = hapticSurface->near.skin();
+    listed_ = hapticSurface->near.contactMargin();
     const std::size_t clusters = hapticSurface->near.clusters();
     const double growth = clusters > kUsual ? kShorter : clusters < kLittle ? kLonger : 1;
     longest_ = growth * listed_.length();

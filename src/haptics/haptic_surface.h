@@ -48,7 +48,7 @@ public:
     void recycle(HapticSurface* hapticSurface);
 
 private:
-    [[nodiscard]] HapticSurface* list(const Pose& at, const ContactMargin& skin);
+    [[nodiscard]] HapticSurface* list(const Pose& at, const ContactMargin& contactMargin);
     [[nodiscard]] double ahead() const;
     [[nodiscard]] Vec3 drift() const;
 

@@ -92,7 +92,7 @@ const MouthTooth* BuiltinMouth::find(int fdi) const {
 }
 
 Pose lowerJawPose(JawPose jaw) {
-    if (jaw == JawPose::closed) return {};
+    if (jaw == JawPose::Closed) return {};
     // Between the condyles: Bonwill's triangle of four inches, and 35 mm above the occlusal plane.
     const Vec3 hinge(0, -88, 35);
     constexpr double kOpening = 0.507;  // rad: 40 mm between the edges, a usual opening for work
@@ -101,7 +101,7 @@ Pose lowerJawPose(JawPose jaw) {
     return {hinge + slide - turn * hinge, turn};
 }
 
-TriangleMesh transformed(TriangleMesh mesh, const Pose& pose) {
+TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose) {
     for (Vec3f& vertex : mesh.vertices) vertex = (pose * vertex.cast<double>()).cast<float>();
     return mesh;
 }

@@ -14,14 +14,14 @@
 namespace tactooth {
 
 enum class JawPose {
-    closed,  ///< the teeth bite on each other
-    open,    ///< as wide as for work: 40 mm between the incisors' edges
+    Closed,  ///< the teeth bite on each other
+    Open,    ///< as wide as for work: 40 mm between the incisors' edges
 };
 
 struct MouthRequest {
     int triangles = 20000;   ///< of each tooth's outer surface, about; the gingiva is as fine in proportion
     std::uint32_t seed = 0;  ///< 0: average teeth; any other number: another patient
-    JawPose jaw = JawPose::closed;
+    JawPose jaw = JawPose::Closed;
     std::vector<int> missing;  ///< FDI numbers; their places have healed over
 };
 
@@ -57,7 +57,7 @@ using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 /// How the lower jaw stands.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
 
-/// `mesh` transformed to another frame.
-[[nodiscard]] TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
+/// `mesh` in another frame, rotated by the quaternion itself: its last bits differ from those of `transformed`.
+[[nodiscard]] TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace tactooth

@@ -17,11 +17,11 @@ namespace {
 
 int numberOf(BuiltinToothKind kind) {
     switch (kind) {
-        case BuiltinToothKind::lowerFirstMolar:
+        case BuiltinToothKind::LowerFirstMolar:
             return 46;
-        case BuiltinToothKind::upperCentralIncisor:
+        case BuiltinToothKind::UpperCentralIncisor:
             return 11;
-        case BuiltinToothKind::upperCanine:
+        case BuiltinToothKind::UpperCanine:
             break;
     }
     return 13;
@@ -108,7 +108,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
 ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles, double lesionWidth) {
     TACTOOTH_ASSERT(lesionWidth >= 0 && lesionWidth <= 4);
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
-    if (lesionWidth > 0) request.lesion = Lesion{LesionSite::usual, lesionWidth, {}};
+    if (lesionWidth > 0) request.lesion = Lesion{LesionSite::Usual, lesionWidth, {}};
     return request;
 }
 

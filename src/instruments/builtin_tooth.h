@@ -13,7 +13,7 @@
 
 namespace tactooth {
 
-enum class BuiltinToothKind { lowerFirstMolar, upperCentralIncisor, upperCanine };
+enum class BuiltinToothKind { LowerFirstMolar, UpperCentralIncisor, UpperCanine };
 
 /// A tooth made by the program itself. Tooth frame: origin in the tooth's axis at the height of the cervical line's
 /// lowest (buccal and lingual) points, +z toward the crown, +y buccal, and mesial along x as `mesialX` says; mm.
@@ -48,10 +48,10 @@ inline constexpr double kDefaultLesionWidth = 2.4;
 
 /// Where decay begins. `usual`: in the central fissure of a back tooth, on an incisor's mesial contact, at a canine's
 /// buccal neck.
-enum class LesionSite { usual, occlusal, mesial, distal, buccal, lingual };
+enum class LesionSite { Usual, Occlusal, Mesial, Distal, Buccal, Lingual };
 
 struct Lesion {
-    LesionSite site = LesionSite::usual;
+    LesionSite site = LesionSite::Usual;
     double width = kDefaultLesionWidth;  ///< mm across where it spreads in the dentin, at most 4
     std::optional<double> depth;         ///< mm below the surface; none: as far as its width suggests
 };

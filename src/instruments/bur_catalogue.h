@@ -13,21 +13,21 @@ namespace tactooth {
 
 /// The shape of a bur's head. "Taper" widens toward the shank.
 enum class BurKind {
-    round,            ///< a ball, cut off where the blades end
-    invertedCone,     ///< a flat end, narrowing toward the shank
-    straightFissure,  ///< a cylinder with a flat end
-    domeFissure,      ///< a cylinder with a round end
-    taperedFissure,   ///< a flat-ended taper
-    roundEndTaper,    ///< a round-ended taper
-    pear,             ///< a rounded end, narrowing toward the shank
-    flame,            ///< a pointed bud
-    football,         ///< an egg
-    torpedo,          ///< a cylinder, or a slight taper, with a pointed arch for its end
-    needle,           ///< a long cone with a fine rounded point
-    wheel             ///< a disc with rounded edges
+    Round,            ///< a ball, cut off where the blades end
+    InvertedCone,     ///< a flat end, narrowing toward the shank
+    StraightFissure,  ///< a cylinder with a flat end
+    DomeFissure,      ///< a cylinder with a round end
+    TaperedFissure,   ///< a flat-ended taper
+    RoundEndTaper,    ///< a round-ended taper
+    Pear,             ///< a rounded end, narrowing toward the shank
+    Flame,            ///< a pointed bud
+    Football,         ///< an egg
+    Torpedo,          ///< a cylinder, or a slight taper, with a pointed arch for its end
+    Needle,           ///< a long cone with a fine rounded point
+    Wheel             ///< a disc with rounded edges
 };
 
-enum class BurMaterial { carbide, diamond };
+enum class BurMaterial { Carbide, Diamond };
 
 /// What a bur cuts with.
 struct BurEdge {
@@ -40,8 +40,8 @@ struct BurSpec {
     std::string number;  ///< US number ("4"), or the makers' shape and ISO size of a diamond ("856-016")
     std::string name;    ///< for people and files, in English
     Message title;       ///< the name in any language; empty for burs that are not of the catalogue
-    BurKind kind = BurKind::round;
-    BurMaterial material = BurMaterial::carbide;
+    BurKind kind = BurKind::Round;
+    BurMaterial material = BurMaterial::Carbide;
     double headDiameter = 1;     ///< the largest diameter of the head
     double headLength = 1;       ///< from the tip to the end of the blades or the grit
     double taperDegrees = 0;     ///< full cone angle, positive where the head widens toward the shank

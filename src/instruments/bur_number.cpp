@@ -32,10 +32,10 @@ int gritCode(double micrometres) {
 }
 
 int toothingCode(const BurSpec& spec) {
-    if (spec.material == BurMaterial::diamond) return gritCode(spec.gritMicrometres);
+    if (spec.material == BurMaterial::Diamond) return gritCode(spec.gritMicrometres);
     if (spec.crossCut) return kCrossCutToothing;
     if (spec.flutes >= kFinishingBlades) return kFinishingToothing;
-    return spec.kind == BurKind::round || spec.kind == BurKind::invertedCone ? kRoundToothing : kPlainToothing;
+    return spec.kind == BurKind::Round || spec.kind == BurKind::InvertedCone ? kRoundToothing : kPlainToothing;
 }
 
 std::string threeDigits(long number) {
@@ -57,7 +57,7 @@ std::string digitsOf(std::string_view text) {
 /// The ISO number's digits but for those of the grit, in which a diamond may differ from the catalogue.
 std::string withoutGrit(const BurSpec& spec, std::string digits) {
     constexpr std::size_t kGritAt = 9, kGroup = 3;
-    if (spec.material == BurMaterial::diamond) digits.erase(kGritAt, kGroup);
+    if (spec.material == BurMaterial::Diamond) digits.erase(kGritAt, kGroup);
     return digits;
 }
 
@@ -65,7 +65,7 @@ std::optional<BurSpec> findByIso(const std::string& digits) {
     const std::string grit = digits.substr(9, 3);
     for (BurSpec spec : burCatalogue()) {
         if (withoutGrit(spec, digitsOf(isoNumber(spec))) != withoutGrit(spec, digits)) continue;
-        if (spec.material == BurMaterial::carbide) return spec;
+        if (spec.material == BurMaterial::Carbide) return spec;
         const auto known = std::ranges::find(kGrits, grit, [](const Grit& g) { return threeDigits(g.code); });
         if (known == kGrits.end()) return std::nullopt;
         spec.gritMicrometres = known->micrometres;
@@ -77,7 +77,7 @@ std::optional<BurSpec> findByIso(const std::string& digits) {
 }  // namespace
 
 std::string isoNumber(const BurSpec& spec) {
-    const int material = spec.material == BurMaterial::carbide ? kCarbide : kElectroplatedDiamond;
+    const int material = spec.material == BurMaterial::Carbide ? kCarbide : kElectroplatedDiamond;
     std::string number = threeDigits(material);
     for (const long group :
          {long{kFrictionGrip}, long{spec.isoShape}, long{toothingCode(spec)}, std::lround(10 * spec.headDiameter)}) {

@@ -124,27 +124,27 @@ std::vector<Piece> wheelPieces(const BurSpec& spec) {
 std::vector<Piece> connectedComponents(const BurSpec& spec) {
     const double r = spec.headDiameter / 2;
     switch (spec.kind) {
-        case BurKind::round:
+        case BurKind::Round:
             return roundPieces(spec);
-        case BurKind::invertedCone:
-        case BurKind::straightFissure:
-        case BurKind::taperedFissure:
+        case BurKind::InvertedCone:
+        case BurKind::StraightFissure:
+        case BurKind::TaperedFissure:
             return flatEndPieces(spec);
-        case BurKind::domeFissure:
+        case BurKind::DomeFissure:
             return domePieces(r, r, {r, spec.headLength});
-        case BurKind::roundEndTaper:
+        case BurKind::RoundEndTaper:
             return roundEndTaperPieces(spec);
-        case BurKind::pear:
+        case BurKind::Pear:
             return pearPieces(spec);
-        case BurKind::flame:
+        case BurKind::Flame:
             return flamePieces(spec);
-        case BurKind::football:
+        case BurKind::Football:
             return footballPieces(spec);
-        case BurKind::torpedo:
+        case BurKind::Torpedo:
             return torpedoPieces(spec);
-        case BurKind::needle:
+        case BurKind::Needle:
             return needlePieces(spec);
-        case BurKind::wheel:
+        case BurKind::Wheel:
             break;
     }
     return wheelPieces(spec);

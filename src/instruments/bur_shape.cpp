@@ -69,7 +69,7 @@ double longestStep(const std::vector<Ring>& rings) {
 void cutBlades(std::vector<Ring>& rings, const BurSpec& spec) {
     const double end = rings.back().z;
     const double helix =
-        spec.kind == BurKind::round ? kRoundTwist / spec.headDiameter : std::tan(kHelixAngle) / (spec.headDiameter / 2);
+        spec.kind == BurKind::Round ? kRoundTwist / spec.headDiameter : std::tan(kHelixAngle) / (spec.headDiameter / 2);
     const double twistPerLength = std::min(helix, kMaxTwist / std::max(longestStep(rings), 1e-6));
     for (Ring& ring : rings) {
         constexpr double kRunOut = 0.2;  // of the head's length
@@ -126,10 +126,10 @@ constexpr int kShaftRings = 4;
 void addShaftRings(std::vector<Ring>& rings, const BurSpec& spec) {
     const Ring head = rings.back();
     const double shank = kShankDiameter / 2;
-    const double neck = spec.kind == BurKind::round ? std::min(kNeckPart * spec.headDiameter / 2, shank)
+    const double neck = spec.kind == BurKind::Round ? std::min(kNeckPart * spec.headDiameter / 2, shank)
                                                     : std::min(head.radius * 0.8, shank);
-    const double shoulder = spec.kind == BurKind::wheel ? head.z + 0.02 : head.z + std::abs(head.radius - neck) + 0.1;
-    const double neckEnd = shoulder + (spec.kind == BurKind::round ? kNeckLength : kNeckLength / 2);
+    const double shoulder = spec.kind == BurKind::Wheel ? head.z + 0.02 : head.z + std::abs(head.radius - neck) + 0.1;
+    const double neckEnd = shoulder + (spec.kind == BurKind::Round ? kNeckLength : kNeckLength / 2);
     const double shankStart = std::min(neckEnd + 0.1 + (shank - neck) / std::tan(kNeckAngle), kVisibleLength - 1);
     const double twist = head.twist;
     for (const auto& [z, radius] : {std::pair(shoulder, neck), std::pair(neckEnd, neck), std::pair(shankStart, shank),

@@ -60,9 +60,9 @@ const std::vector<SpindlePreset>& spindlePresets() {
     // time constant of 0.39 s. Electric: 3 N*cm at a 40,000 rev/min motor, geared 1:5 up. Low speed: an air motor with
     // 2 N*cm. Inertias are estimates: no maker publishes them.
     static const std::vector<SpindlePreset> presets = {
-        {std::string(msg::kAirTurbine.english), 400000, 1.4, 1.4, 400000, 1.3e-5, 0.10, 0, PedalCurve::air},
-        {std::string(msg::kElectricSpindle.english), 200000, 6.0, 6.0, 4000, 8.0e-5, 0.05, 20000, PedalCurve::electric},
-        {std::string(msg::kLowSpeedSpindle.english), 25000, 20.0, 20.0, 25000, 1.2e-3, 0.10, 0, PedalCurve::air},
+        {std::string(msg::kAirTurbine.english), 400000, 1.4, 1.4, 400000, 1.3e-5, 0.10, 0, PedalCurve::Air},
+        {std::string(msg::kElectricSpindle.english), 200000, 6.0, 6.0, 4000, 8.0e-5, 0.05, 20000, PedalCurve::Electric},
+        {std::string(msg::kLowSpeedSpindle.english), 25000, 20.0, 20.0, 25000, 1.2e-3, 0.10, 0, PedalCurve::Air},
     };
     return presets;
 }
@@ -70,7 +70,7 @@ const std::vector<SpindlePreset>& spindlePresets() {
 double targetSpeedRpm(const SpindlePreset& preset, double pedal) {
     const double travel = (std::clamp(pedal, 0.0, 1.0) - preset.pedalDeadBand) / (1 - preset.pedalDeadBand);
     if (travel <= 0) return 0;
-    if (preset.pedalCurve == PedalCurve::air) return preset.freeSpeedRpm * std::sqrt(travel);
+    if (preset.pedalCurve == PedalCurve::Air) return preset.freeSpeedRpm * std::sqrt(travel);
     return std::lerp(preset.minSpeedRpm, preset.freeSpeedRpm, travel);
 }
 

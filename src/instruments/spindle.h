@@ -9,8 +9,8 @@ namespace tactooth {
 
 /// How a foot pedal's way becomes the speed that the drive aims at.
 enum class PedalCurve {
-    air,      ///< the pedal throttles the air: speed grows as the root of the pressure above a dead band
-    electric  ///< speed grows linearly from a lowest speed
+    Air,      ///< the pedal throttles the air: speed grows as the root of the pressure above a dead band
+    Electric  ///< speed grows linearly from a lowest speed
 };
 
 /// The drive that turns the bur: a torque that falls linearly with speed between limits. Torque in N*mm.
@@ -23,7 +23,7 @@ struct SpindlePreset {
     double inertia = 0;        ///< rotor and bur, N*mm*s^2 (1 kg*m^2 = 1000 N*mm*s^2)
     double pedalDeadBand = 0;  ///< part of the pedal's way that does nothing
     double minSpeedRpm = 0;    ///< electric: speed just above the dead band
-    PedalCurve pedalCurve = PedalCurve::air;
+    PedalCurve pedalCurve = PedalCurve::Air;
 };
 
 struct SpindleState {

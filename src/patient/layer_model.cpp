@@ -70,7 +70,7 @@ public:
     EnamelDepth(const SurfacePart& surface, const DepthField& depth) : depth_(depth) {
         ExteriorSurface skin = exteriorSurface(surface);
         constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, no pulp space
-        if (skin.pulpWallArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.skin));
+        if (skin.pulpWallArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.exterior));
     }
 
     [[nodiscard]] bool hasHollow() const { return skin_ != nullptr; }

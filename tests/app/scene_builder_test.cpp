@@ -18,7 +18,7 @@ SceneContents modelWithEverything() {
     contents.tooth = surface;
     contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8)),
                               .turbine = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),
-                              .material = BurMaterial::diamond,
+                              .material = BurMaterial::Diamond,
                               .toolInTooth = {Vec3(1, 2, 3), Quat::Identity()},
                               .spin = 0.5};
     contents.mirror = ShownMirror{.mesh = std::make_shared<const TriangleMesh>(test::box(-Vec3::Ones(), Vec3::Ones())),
@@ -48,8 +48,8 @@ TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
     contents.tool->speedRpm = 300000;
     const Scene fast = makeScene(contents);
     EXPECT_EQ(std::get<0>(fast.objects[2].shape), contents.tool->blurred);
-    EXPECT_GT(fast.objects[2].looks.front().opacity, 2 * slow.objects[2].looks.front().opacity);
-    EXPECT_LT(fast.objects[2].looks.front().opacity, 1);
+    EXPECT_GT(fast.objects[2].appearances.front().opacity, 2 * slow.objects[2].appearances.front().opacity);
+    EXPECT_LT(fast.objects[2].appearances.front().opacity, 1);
     // What is seen of the blades does not depend on the moment of the picture any more.
     EXPECT_EQ(slow.objects[1].spin, 0.5);
     EXPECT_EQ(fast.objects[1].spin, 0);
@@ -61,7 +61,7 @@ TEST(SceneBuilder, ManyBladesRunIntoEachOtherSoonerThanFewAndGrainsSoonerStill) 
     contents.tool->speedRpm = 20;
     const auto cover = [&](const BurEdge& edge) {
         contents.tool->edge = edge;
-        return makeScene(contents).objects.at(2).looks.front().opacity;
+        return makeScene(contents).objects.at(2).appearances.front().opacity;
     };
     EXPECT_NEAR(cover({12, 0}), 2 * cover({6, 0}), 1e-6F);
     EXPECT_GT(cover({0, 100}), cover({30, 0}));
@@ -111,7 +111,7 @@ TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
 TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
     SceneContents contents = modelWithEverything();
     contents.materials[MaterialId::Pulp].colour = {0.25F, 0.5F, 0.75F};
-    const std::vector<Appearance> drawn = makeScene(contents).objects[0].looks;
+    const std::vector<Appearance> drawn = makeScene(contents).objects[0].appearances;
     ASSERT_EQ(drawn.size(), kMaterialCount);
     EXPECT_EQ(drawn[static_cast<std::size_t>(MaterialId::Pulp)].colour, Vec3f(0.25F, 0.5F, 0.75F));
 }
@@ -119,7 +119,7 @@ TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
 TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing) {
     const auto ball = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8));
     SceneContents contents;
-    contents.around = {{ball, {}, looks::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
+    contents.around = {{ball, {}, appearances::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
     contents.camera.cameraInWorld = {Vec3(0, 0, 90), Quat::Identity()};  // from above
     EXPECT_EQ(makeScene(contents).objects.size(), 1U);
     contents.camera.cameraInWorld.rotation = shortestRotation(Vec3::UnitZ(), Vec3::UnitY());

@@ -41,7 +41,7 @@ TEST(ExerciseFile, DescribesABuiltInToothABurAndWhatItCuts) {
     const auto& tooth = std::get<ToothRequest>(exercise->tooth);
     EXPECT_EQ(tooth.fdi, 36);
     EXPECT_EQ(tooth.seed, 7U);
-    EXPECT_EQ(tooth.lesion->site, LesionSite::occlusal);
+    EXPECT_EQ(tooth.lesion->site, LesionSite::Occlusal);
     EXPECT_EQ(tooth.lesion->width, 1.5);
     EXPECT_EQ(std::get<std::string>(exercise->bur), "330");
     const auto& plan = std::get<PreparationPlan>(exercise->ideal);

@@ -60,7 +60,7 @@ TEST(Display, WithoutOneTheProgramAndTheDoctorSayTheSameAndWhatToDo) {
 /// A server on a port of this computer that lets everybody connect and then does what `kind` says.
 class FakeServer {
 public:
-    enum Kind { Silent, NeverAccepts, HalfAnAnswer, HalfAnAnswerAndOn, Closes };
+    enum class Kind { Silent, NeverAccepts, HalfAnAnswer, HalfAnAnswerAndOn, Closes };
 
     explicit FakeServer(Kind kind) : kind_(kind), socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
         sockaddr_in address{};
@@ -70,8 +70,8 @@ public:
             address.sin_port = htons(static_cast<std::uint16_t>(kX11Port + display_));
             if (::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) break;
         }
-        ::listen(socket_, kind == NeverAccepts ? 0 : 8);
-        if (kind != NeverAccepts) thread_ = std::thread([this] { serve(); });
+        ::listen(socket_, kind == Kind::NeverAccepts ? 0 : 8);
+        if (kind != Kind::NeverAccepts) thread_ = std::thread([this] { serve(); });
     }
     ~FakeServer() {
         ::shutdown(socket_, SHUT_RDWR);
@@ -92,9 +92,9 @@ private:
             connections_.push_back(connection);
             // The head of a setup that has been accepted; its length counts words of 4 bytes.
             const unsigned char head[8] = {1, 0, 11, 0, 0, 0, 200, 0};
-            if (kind_ == HalfAnAnswer) (void)!::send(connection, head, 3, MSG_NOSIGNAL);
-            if (kind_ == HalfAnAnswerAndOn) (void)!::send(connection, head, sizeof head, MSG_NOSIGNAL);
-            if (kind_ == Closes) ::shutdown(connection, SHUT_RDWR);
+            if (kind_ == Kind::HalfAnAnswer) (void)!::send(connection, head, 3, MSG_NOSIGNAL);
+            if (kind_ == Kind::HalfAnAnswerAndOn) (void)!::send(connection, head, sizeof head, MSG_NOSIGNAL);
+            if (kind_ == Kind::Closes) ::shutdown(connection, SHUT_RDWR);
         }
     }
 
@@ -107,8 +107,8 @@ private:
 
 TEST(Display, OneThatNeverAnswersIsToldWithinThreeSeconds) {
     const TemporaryFolder home;
-    for (const FakeServer::Kind kind :
-         {FakeServer::Silent, FakeServer::NeverAccepts, FakeServer::HalfAnAnswer, FakeServer::HalfAnAnswerAndOn}) {
+    for (const FakeServer::Kind kind : {FakeServer::Kind::Silent, FakeServer::Kind::NeverAccepts,
+                                        FakeServer::Kind::HalfAnAnswer, FakeServer::Kind::HalfAnAnswerAndOn}) {
         const FakeServer server(kind);
         const auto start = std::chrono::steady_clock::now();
         const ProgramRun window = runTactooth({}, displayless(home, {{"DISPLAY", server.display()}}));
@@ -118,7 +118,7 @@ TEST(Display, OneThatNeverAnswersIsToldWithinThreeSeconds) {
                                            "' (DISPLAY) does not answer; start it from a desktop"));
         EXPECT_EQ(std::ranges::count(window.err, '\n'), 1);
     }
-    const FakeServer server(FakeServer::Closes);
+    const FakeServer server(FakeServer::Kind::Closes);
     const ProgramRun window = runTactooth({}, displayless(home, {{"DISPLAY", server.display()}}));
     EXPECT_THAT(window.err, HasSubstr("cannot be reached or lets nobody in")) << "a refusal is an answer";
 }

@@ -26,7 +26,7 @@ std::vector<NamedMesh> loadTeeth() {
         return teeth;
     }
     using enum BuiltinToothKind;
-    for (const BuiltinToothKind kind : {upperCentralIncisor, upperCanine, lowerFirstMolar}) {
+    for (const BuiltinToothKind kind : {UpperCentralIncisor, UpperCanine, LowerFirstMolar}) {
         BuiltinTooth tooth = makeBuiltinTooth(kind);
         teeth.push_back({tooth.name, std::move(tooth.outer)});
     }
@@ -51,7 +51,7 @@ constexpr ToothFile kToothFiles[] = {
 std::vector<NamedMesh> loadEveryTooth() {
     std::vector<NamedMesh> teeth;
     using enum BuiltinToothKind;
-    for (const BuiltinToothKind kind : {upperCentralIncisor, upperCanine, lowerFirstMolar}) {
+    for (const BuiltinToothKind kind : {UpperCentralIncisor, UpperCanine, LowerFirstMolar}) {
         BuiltinTooth tooth = makeBuiltinTooth(kind);
         teeth.push_back({tooth.name, std::move(tooth.outer)});
     }

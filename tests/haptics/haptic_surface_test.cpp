@@ -184,13 +184,14 @@ TEST(HapticSurfaceBuilder, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
     const Pose now{at(0.01).position + 2 * step, Quat::Identity()};
     const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};
     HapticSurface* felt = surfaces.make(blockUpTo(0), now, cut);
-    EXPECT_LE(felt->near.stray(cut.position), felt->near.skin().around);
-    EXPECT_LE(felt->near.stray(now.position + 2 * step), felt->near.skin().around) << "two updates further on";
+    EXPECT_LE(felt->near.deviation(cut.position), felt->near.contactMargin().around);
+    EXPECT_LE(felt->near.deviation(now.position + 2 * step), felt->near.contactMargin().around)
+        << "two updates further on";
     surfaces.recycle(felt);
 
     surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches so far
     felt = surfaces.make(blockUpTo(0), now, now);
-    EXPECT_LT(felt->near.skin().along.norm(), 1);
+    EXPECT_LT(felt->near.contactMargin().along.norm(), 1);
     surfaces.recycle(felt);
 }
 
@@ -258,7 +259,7 @@ TEST(HapticSurfaceBuilder, ReachNoFurtherThanTheToolGoesUntilTheNext) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     HapticSurface* felt = surfaces.make(blockUpTo(0), at(0), at(-0.5));
-    const ContactMargin& skin = felt->near.skin();
+    const ContactMargin& skin = felt->near.contactMargin();
     EXPECT_LT(skin.along.z(), -0.03);
     EXPECT_LT(skin.length(), 0.15);
     EXPECT_EQ(felt->reach, at(-0.5).position);
@@ -274,7 +275,7 @@ TEST(HapticSurfaceBuilder, AreAsShortAsWhatIsNearIsMuch) {
     const Pose from{Vec3::Zero(), Quat::Identity()};
     const auto lengthIn = [&](const std::shared_ptr<const Surface>& surface) {
         HapticSurface* felt = surfaces.make(surface, from, {Vec3(0, 0, -0.1), Quat::Identity()});
-        const double length = felt->near.skin().length();
+        const double length = felt->near.contactMargin().length();
         EXPECT_LE(felt->near.clusters(), 1U << 14);
         surfaces.recycle(felt);
         return length;

@@ -13,7 +13,7 @@ class MolarPictures : public Pictures {
 protected:
     static void SetUpTestSuite() {
         Pictures::SetUpTestSuite();
-        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000);
+        const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000);
         auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
         ASSERT_TRUE(layered) << layered.error().message();
         tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));

@@ -30,9 +30,9 @@ struct Average {
     double crown, root, mesiodistal, faciolingual, cervixMesiodistal, cervixFaciolingual, mesialRise, distalRise;
 };
 
-constexpr Average kAverages[] = {{lowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.0, 9.0, 1.0, 0.0},
-                                 {upperCentralIncisor, 11, 10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5},
-                                 {upperCanine, 13, 10.0, 17.0, 7.5, 8.0, 5.5, 7.0, 2.5, 1.5}};
+constexpr Average kAverages[] = {{LowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.0, 9.0, 1.0, 0.0},
+                                 {UpperCentralIncisor, 11, 10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5},
+                                 {UpperCanine, 13, 10.0, 17.0, 7.5, 8.0, 5.5, 7.0, 2.5, 1.5}};
 
 constexpr std::span<const Average> kJudged = std::span(kAverages).first(test::cases<std::size_t>(3, 1));
 
@@ -220,16 +220,16 @@ INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kJudged.begin(),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
 
 TEST(BuiltinTooth, LesionGrowsWithItsWidthAndZeroMeansSound) {
-    const BuiltinTooth small = makeBuiltinTooth(lowerFirstMolar, 8000, 1.2);
-    const BuiltinTooth large = makeBuiltinTooth(lowerFirstMolar, 8000, 3.0);
+    const BuiltinTooth small = makeBuiltinTooth(LowerFirstMolar, 8000, 1.2);
+    const BuiltinTooth large = makeBuiltinTooth(LowerFirstMolar, 8000, 3.0);
     EXPECT_GT(test::volumeOf(large.caries), 4 * test::volumeOf(small.caries));
-    EXPECT_TRUE(makeBuiltinTooth(lowerFirstMolar, 8000, 0).caries.empty());
+    EXPECT_TRUE(makeBuiltinTooth(LowerFirstMolar, 8000, 0).caries.empty());
 }
 
 TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {
     // A. S. Deutsch, B. L. Musikant 2004, lower molars: chamber ceiling 6.36 +- 0.93 mm and floor 7.95 +- 0.79 mm below
     // the cusp, measured in the chamber's middle.
-    const BuiltinTooth& molar = toothOf(lowerFirstMolar);
+    const BuiltinTooth& molar = toothOf(LowerFirstMolar);
     Box3 middle;
     for (const Vec3f& v : molar.pulp.vertices) {
         if (std::hypot(v.x(), v.y()) < 0.6) middle.extend(v.cast<double>());
@@ -240,7 +240,7 @@ TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {
 }
 
 TEST(BuiltinTooth, MolarHasTwoRootsThatPartBelowTheNeck) {
-    const TriangleMesh& outer = toothOf(lowerFirstMolar).outer;
+    const TriangleMesh& outer = toothOf(LowerFirstMolar).outer;
     const auto isSolid = [&](double z) { return isInside(outer, Vec3(-0.1, 0, z)); };
     EXPECT_TRUE(isSolid(-2.0));
     EXPECT_FALSE(isSolid(-5.0));
@@ -251,7 +251,7 @@ TEST(BuiltinTooth, MolarHasTwoRootsThatPartBelowTheNeck) {
 /// The tips of the molar's cusps.
 std::vector<Vec3f> molarCusps() {
     std::vector<Vec3f> top;
-    for (const Vec3f& v : toothOf(lowerFirstMolar).outer.vertices) {
+    for (const Vec3f& v : toothOf(LowerFirstMolar).outer.vertices) {
         if (v.z() > 5.8) top.push_back(v);
     }
     constexpr float kApart = 1.0;  // mm; nearer heights belong to one cusp
@@ -273,7 +273,7 @@ TEST(BuiltinTooth, MesialIsOnTheSideOfTheMouthThatTheNumberNames) {
 /// right molar points to the front and its cheek side to the right: its own frame must turn into that without a
 /// reflection.
 TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
-    const BuiltinTooth& molar = toothOf(lowerFirstMolar);
+    const BuiltinTooth& molar = toothOf(LowerFirstMolar);
     ASSERT_EQ(molar.fdi, 46);
     // The fifth cusp is the lowest and the farthest to distal; it stands on the cheek side.
     const std::vector<Vec3f> cusps = molarCusps();

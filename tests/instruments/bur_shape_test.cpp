@@ -228,7 +228,7 @@ TEST(BurCatalogue, ADiamondComesInEveryGrit) {
 
 TEST(BurCatalogue, FindsByNumberAndKnowsWhatItLacks) {
     EXPECT_EQ(findBur("4")->headDiameter, 1.4);
-    EXPECT_EQ(findBur("57")->kind, BurKind::straightFissure);
+    EXPECT_EQ(findBur("57")->kind, BurKind::StraightFissure);
     EXPECT_FALSE(findBur("no such bur").has_value());
 }
 

@@ -161,8 +161,8 @@ TEST(PermanentTeeth, UpperMolarsHaveThreeRootsAndLowerOnesTwo) {
 
 TEST(PermanentTeeth, ALesionBeginsWhereItIsAskedForAndIsAsDeep) {
     for (const auto& [site, outward] :
-         {std::pair(LesionSite::mesial, Vec3(1, 0, 0)), std::pair(LesionSite::distal, Vec3(-1, 0, 0)),
-          std::pair(LesionSite::buccal, Vec3(0, 1, 0)), std::pair(LesionSite::lingual, Vec3(0, -1, 0))}) {
+         {std::pair(LesionSite::Mesial, Vec3(1, 0, 0)), std::pair(LesionSite::Distal, Vec3(-1, 0, 0)),
+          std::pair(LesionSite::Buccal, Vec3(0, 1, 0)), std::pair(LesionSite::Lingual, Vec3(0, -1, 0))}) {
         const BuiltinTooth tooth = makeTooth({15, kTriangles, 0, Lesion{site, 2.0, 2.0}});
         const Box3 decay = boundingBox(tooth.caries);
         const double deepest = -decay.center().dot(outward) + decay.sizes().dot(outward.cwiseAbs()) / 2;

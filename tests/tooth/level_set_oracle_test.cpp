@@ -130,7 +130,7 @@ TEST(LevelSetOracle, FindsTheSameLeftOfABlock) {
 }
 
 TEST(LevelSetOracle, FindsTheSameLeftOfATooth) {
-    const TriangleMesh tooth = makeBuiltinTooth(BuiltinToothKind::upperCentralIncisor, 20000).outer;
+    const TriangleMesh tooth = makeBuiltinTooth(BuiltinToothKind::UpperCentralIncisor, 20000).outer;
     const auto isLower = [](const Vec3f& a, const Vec3f& b) { return a.z() < b.z(); };
     const Vec3 top = std::ranges::max_element(tooth.vertices, isLower)->cast<double>();
     expectAsTheLevelSet(tooth, top, ball(), 3);

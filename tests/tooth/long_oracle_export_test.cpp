@@ -47,7 +47,7 @@ std::map<std::string, TriangleMesh> scans() {
     const auto folder = test::realTeethFolder();
     if (!folder) {
         std::printf("The scanned teeth are not there; a built-in one stands in.\n");
-        return {{"built-in", makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 20000).outer}};
+        return {{"built-in", makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 20000).outer}};
     }
     std::map<std::string, TriangleMesh> teeth;
     for (const char* name : {"openmandible/whole/L6_whole.stl", "microct-meshes/tooth_2_outer.stl"}) {
@@ -107,9 +107,9 @@ TEST(LongOracleExport, PlatesAreSoundUntilLittleIsLeft) {
 }
 
 TEST(LongOracleExport, TeethAreSoundThroughHundredsOfStrokes) {
-    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000).outer,
+    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000).outer,
                                 {.seed = 1, .strokes = 300, .check = 100, .leastRemoved = 0.4});
-    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::upperCentralIncisor, 8000).outer,
+    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::UpperCentralIncisor, 8000).outer,
                                 {.seed = 2, .strokes = 200, .check = 100, .leastRemoved = 0.4});
 }
 

@@ -13,7 +13,7 @@ namespace tactooth {
 namespace {
 
 TEST(OracleExport, AnUncutToothIsSound) {
-    const test::ExportCheck verdict = test::judged(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar).outer);
+    const test::ExportCheck verdict = test::judged(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar).outer);
     EXPECT_TRUE(verdict.isValid()) << verdict;
     EXPECT_EQ(verdict.components, 1U);
     EXPECT_TRUE(verdict.crossings.empty()) << verdict;
@@ -67,7 +67,7 @@ TEST(OracleExport, APlateIsSoundThroughRandomCutting) {
 }
 
 TEST(OracleExport, AMolarIsSoundThroughRandomCutting) {
-    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar, 8000).outer,
+    test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000).outer,
                                 {.seed = 5, .strokes = 8, .check = 8, .leastRemoved = 0.02});
 }
 

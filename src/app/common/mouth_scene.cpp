@@ -28,7 +28,7 @@ std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     const auto add = [&](TriangleMesh mesh, const Pose& pose, const Appearance& appearance) {
         bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, appearance, false});
     };
-    const bool upper = jaws != ShownJaws::lower, lower = jaws != ShownJaws::upper;
+    const bool upper = jaws != ShownJaws::Lower, lower = jaws != ShownJaws::Upper;
     if (upper) add(mouth.upperGingiva, {}, appearances::gingiva());
     if (lower) add(mouth.lowerGingiva, mouth.lowerJaw, appearances::gingiva());
     for (const MouthTooth& tooth : mouth.teeth) {

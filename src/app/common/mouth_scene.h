@@ -12,9 +12,9 @@ namespace tactooth {
 /// What is drawn around a tooth that stands in a mouth, in its frame.
 [[nodiscard]] std::vector<ShownBody> shownAround(const ToothInMouth& tooth);
 
-enum class ShownJaws { both, upper, lower };
+enum class ShownJaws { Both, Upper, Lower };
 
 /// A whole mouth, in its own frame.
-[[nodiscard]] std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws = ShownJaws::both);
+[[nodiscard]] std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws = ShownJaws::Both);
 
 }  // namespace tactooth

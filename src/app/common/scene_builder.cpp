@@ -36,7 +36,7 @@ void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
     bur.objectInWorld = tool.toolInTooth;
-    bur.appearances = {tool.material == BurMaterial::diamond ? appearances::diamond() : appearances::carbide()};
+    bur.appearances = {tool.material == BurMaterial::Diamond ? appearances::diamond() : appearances::carbide()};
     bur.moves = true;
     const float blur = tool.blurred != nullptr ? spinBlur(tool.speedRpm, tool.edge) : 0;
     bur.spin = blur < 1 ? tool.spin : 0;

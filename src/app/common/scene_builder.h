@@ -13,7 +13,7 @@ namespace tactooth {
 struct ShownTool {
     std::shared_ptr<const TriangleMesh> bur;
     std::shared_ptr<const TriangleMesh> turbine;  ///< null: the bur alone
-    BurMaterial material = BurMaterial::carbide;
+    BurMaterial material = BurMaterial::Carbide;
     Pose toolInTooth;
     double spin = 0;  ///< of the bur about its axis, rad
     double speedRpm = 0;

@@ -53,16 +53,16 @@ LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
     constexpr double kNeck = 1.4;      // mm above the cervical line
     const double contact = kContact * crownHeight(shape);
     switch (site) {
-        case LesionSite::usual:
-        case LesionSite::occlusal:
+        case LesionSite::Usual:
+        case LesionSite::Occlusal:
             break;
-        case LesionSite::mesial:
+        case LesionSite::Mesial:
             return placeAlong(shape, middleAt(shape, contact), Vec3::UnitX());
-        case LesionSite::distal:
+        case LesionSite::Distal:
             return placeAlong(shape, middleAt(shape, contact), -Vec3::UnitX());
-        case LesionSite::buccal:
+        case LesionSite::Buccal:
             return placeAlong(shape, Vec3(0, 0, kNeck), Vec3::UnitY());
-        case LesionSite::lingual:
+        case LesionSite::Lingual:
             return placeAlong(shape, Vec3(0, 0, kNeck), -Vec3::UnitY());
     }
     return {shape.lesionSite, shape.lesionInward, shape.lesionEnamel};

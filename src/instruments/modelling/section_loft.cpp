@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-enum Column { plusX, minusX, plusY, minusY, squareness, centreX, centreY };
+enum Column { kPlusX, kMinusX, kPlusY, kMinusY, kSquareness, kCentreX, kCentreY };
 
 }  // namespace
 
@@ -49,9 +49,9 @@ SectionLoft::Sample SectionLoft::sample(double z) const {
 
 double SectionLoft::operator()(const Vec3& point) const {
     const auto [value, slope] = sample(point.z());
-    const double dx = point.x() - value[centreX], dy = point.y() - value[centreY];
-    const int alongX = dx >= 0 ? plusX : minusX, alongY = dy >= 0 ? plusY : minusY;
-    const double a = value[alongX], b = value[alongY], n = value[squareness];
+    const double dx = point.x() - value[kCentreX], dy = point.y() - value[kCentreY];
+    const int alongX = dx >= 0 ? kPlusX : kMinusX, alongY = dy >= 0 ? kPlusY : kMinusY;
+    const double a = value[alongX], b = value[alongY], n = value[kSquareness];
     const double u = std::abs(dx) / a, v = std::abs(dy) / b;
     const double un = std::pow(u, n), vn = std::pow(v, n);
     const double g = std::pow(un + vn, 1 / n);
@@ -60,15 +60,15 @@ double SectionLoft::operator()(const Vec3& point) const {
     const double gu = u > 0 ? un / u * g / (un + vn) : 0, gv = v > 0 ? vn / v * g / (un + vn) : 0;
     // Slopes as at the surface: beyond it, those of a thin end would make far points look near.
     const double onto = 1 / std::max(g, 1.0);
-    const double gz = gu * (onto * u * slope[alongX] + std::copysign(slope[centreX], dx)) / a +
-                      gv * (onto * v * slope[alongY] + std::copysign(slope[centreY], dy)) / b;
+    const double gz = gu * (onto * u * slope[alongX] + std::copysign(slope[kCentreX], dx)) / a +
+                      gv * (onto * v * slope[alongY] + std::copysign(slope[kCentreY], dy)) / b;
     const double estimate = (g - 1) / std::sqrt(gu * gu / (a * a) + gv * gv / (b * b) + gz * gz);
     return std::max(estimate, -std::min(a, b));  // no inner point is farther from the outline than that
 }
 
 Section SectionLoft::at(double z) const {
     const Row row = sample(z).value;
-    return {z, row[plusX], row[minusX], row[plusY], row[minusY], row[squareness], row[centreX], row[centreY]};
+    return {z, row[kPlusX], row[kMinusX], row[kPlusY], row[kMinusY], row[kSquareness], row[kCentreX], row[kCentreY]};
 }
 
 }  // namespace tactooth

@@ -14,7 +14,7 @@ constexpr double kMaxGrainier = 0.5;        // of what is missing to separate gr
 }  // namespace
 
 MotorKind motorOf(const SpindlePreset& spindle) {
-    if (spindle.pedalCurve == PedalCurve::electric) return MotorKind::Electric;
+    if (spindle.pedalCurve == PedalCurve::Electric) return MotorKind::Electric;
     return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
 

@@ -35,7 +35,7 @@ Expected<CustomBur> parseCustomBur(std::string_view text, const std::string& nam
     if (file.empty()) file = surface;
     const std::string material = toml.text(root, "material", false);
     if (material == "diamond") {
-        bur.material = BurMaterial::diamond;
+        bur.material = BurMaterial::Diamond;
         bur.flutes = 0;
     } else if (!material.empty() && material != "carbide") {
         toml.fail(*root.get("material"), msg::kBurMaterialUnknown);
@@ -57,7 +57,7 @@ Expected<CustomBur> parseCustomBur(std::string_view text, const std::string& nam
 }
 
 std::string customBurText(const CustomBur& bur, const std::string& surface) {
-    const bool isDiamond = bur.material == BurMaterial::diamond;
+    const bool isDiamond = bur.material == BurMaterial::Diamond;
     return "name = " + tomlText(bur.name) + "\nsurface = " + tomlText(surface) + "\nmaterial = \"" +
            (isDiamond ? "diamond" : "carbide") + "\"\nflutes = " + std::to_string(bur.flutes) +
            "\ngrit_um = " + rounded(bur.gritMicrometres, 1) + "\nsharpness = " + rounded(bur.sharpness, 3) + "\n";

@@ -19,7 +19,7 @@ namespace tactooth {
 struct CustomBur {
     std::string name;
     TriangleMesh surface;  ///< mm, tip at the origin, +z along the shaft
-    BurMaterial material = BurMaterial::carbide;
+    BurMaterial material = BurMaterial::Carbide;
     int flutes = 6;              ///< blades; 0 for a diamond
     double gritMicrometres = 0;  ///< of a diamond: mean grain
     double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut

@@ -188,6 +188,7 @@ Expected<std::vector<CaseBody>> caseBodies(const CaseStore& store, const CaseDes
 
 std::vector<CaseOverlap> overlaps(const std::vector<CaseBody>& bodies) {
     std::vector<SurfacePart> parts;
+    parts.reserve(bodies.size());
     for (const CaseBody& body : bodies) parts.emplace_back(body.surface);
     std::vector<CaseOverlap> found;
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -31,7 +31,7 @@ SpindlePreset constantSpeed(double speedRpm) {
     preset.stallTorque = preset.brakeTorque = 1e6;                       // N*mm: nothing slows it
     preset.droopRpm = 1e-3;
     preset.inertia = 1e-9;
-    preset.pedalCurve = PedalCurve::electric;
+    preset.pedalCurve = PedalCurve::Electric;
     return preset;
 }
 

@@ -15,8 +15,8 @@ namespace tactooth {
     const double folded = std::abs(centred) > 0.25 ? std::copysign(0.5, centred) - centred : centred;
     const double x = -kTwoPi * folded;  // sin(a) = -sin(a - pi)
     const double s = x * x;
-    constexpr double c3 = -1.0 / 6, c5 = 1.0 / 120, c7 = -1.0 / 5040, c9 = 1.0 / 362880, c11 = -1.0 / 39916800;
-    return static_cast<float>(x * (1.0 + s * (c3 + s * (c5 + s * (c7 + s * (c9 + s * c11))))));
+    constexpr double kC3 = -1.0 / 6, kC5 = 1.0 / 120, kC7 = -1.0 / 5040, kC9 = 1.0 / 362880, kC11 = -1.0 / 39916800;
+    return static_cast<float>(x * (1.0 + s * (kC3 + s * (kC5 + s * (kC7 + s * (kC9 + s * kC11))))));
 }
 
 /// Counts a rotation in turns, kept within [0, 1).

@@ -83,22 +83,22 @@ void WallPolygons::addAroundSurface(const BrickNeighbourhood& nodes, double spac
     }
 }
 
-template <int axis>
+template <int kAxis>
 void WallPolygons::add(const BrickNeighbourhood& nodes, int row, const Edges& edges) {
-    constexpr int kU = BrickNeighbourhood::kStep[(axis + 1) % 3];
-    constexpr int kV = BrickNeighbourhood::kStep[(axis + 2) % 3];
+    constexpr int kU = BrickNeighbourhood::kStep[(kAxis + 1) % 3];
+    constexpr int kV = BrickNeighbourhood::kStep[(kAxis + 2) % 3];
     isAtSurface_ |= edges.atSurface != 0;
     for (unsigned left = edges.crossed; left != 0; left &= left - 1) {
         const int x = std::countr_zero(left);
         const int node = row + x;
         WallPolygon& polygon = polygons_[polygonCount_++];
         polygon.node = static_cast<std::uint16_t>(node);
-        polygon.axis = axis;
+        polygon.axis = kAxis;
         polygon.isReversed = nodes.isRemoved(node);
         polygon.isAtSurface = (edges.atSurface >> x & 1) != 0;
         const bool isFirstBehind = (edges.beforeBoundary >> x & 1) != 0;
         polygon.tag =
-            static_cast<SurfaceTag>(nodes.material(isFirstBehind ? node : node + BrickNeighbourhood::kStep[axis]));
+            static_cast<SurfaceTag>(nodes.material(isFirstBehind ? node : node + BrickNeighbourhood::kStep[kAxis]));
         const std::array<int, 4> cells = {node - kU - kV, node - kV, node, node - kU};
         for (int i = 0; i < 4; ++i) polygon.corners[polygon.isReversed ? 3 - i : i] = numberOfCell(cells[i]);
     }

@@ -48,7 +48,7 @@ private:
         unsigned atSurface;       ///< see WallPolygon
         unsigned beforeBoundary;  ///< the material of the polygon is that at the first node
     };
-    template <int axis>
+    template <int kAxis>
     void add(const BrickNeighbourhood& nodes, int row, const Edges& edges);
     [[nodiscard]] std::uint16_t numberOfCell(int cell);
 

@@ -12,7 +12,7 @@ bool Drawable::isTransparent() const {
 }
 
 bool Drawable::cullsBackFaces(bool inSection) const {
-    return object->closed && (!inSection || !object->sectioned || object->filling);
+    return object->closed && (!inSection || !object->sectioned || object->inner);
 }
 
 Mat4 matrixOf(const Pose& pose) {

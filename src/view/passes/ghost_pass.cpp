@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/passes/ghost_pass.h"
 
+#include "view/gl/shaders.h"
 #include "view/passes/appearance_uniforms.h"
-#include "view/shaders.h"
 
 namespace tactooth {
 namespace {

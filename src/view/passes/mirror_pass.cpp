@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "view/gl/messages.h"
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

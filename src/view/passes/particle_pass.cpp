@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/passes/particle_pass.h"
 
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

@@ -8,7 +8,7 @@
 
 #include "geometry/util/pose.h"
 #include "view/gl/messages.h"
-#include "view/shaders.h"
+#include "view/gl/shaders.h"
 
 namespace tactooth {
 

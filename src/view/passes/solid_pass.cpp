@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "view/gl/noise_texture.h"
+#include "view/gl/shaders.h"
 #include "view/passes/appearance_uniforms.h"
-#include "view/shaders.h"
 
 namespace tactooth {
 

@@ -14,9 +14,9 @@
 #include "view/gl/messages.h"
 #include "view/gl/render_target.h"
 #include "view/gl/shader_program.h"
+#include "view/gl/shaders.h"
 #include "view/gl/shape_cache.h"
 #include "view/render/renderer.h"
-#include "view/shaders.h"
 
 namespace tactooth {
 

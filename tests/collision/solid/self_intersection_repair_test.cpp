@@ -116,14 +116,15 @@ double thinWall(const Vec3& p) {
 TEST(SelfIntersectionRepair, TakesACrossingSurfaceBackToWhereItDoesNotCross) {
     const Box3 box(Vec3(-2, -2, -2), Vec3(2, 2, 2));
     RelaxedSurface surface = relaxedIsosurface(thinWall, box, {.cellSize = 0.21});
-    ASSERT_EQ(surface.home.size(), surface.mesh.vertices.size());
+    ASSERT_EQ(surface.restPositions.size(), surface.mesh.vertices.size());
     ASSERT_FALSE(selfIntersections(surface.mesh).empty());
     const TriangleMesh before = surface.mesh;
-    EXPECT_TRUE(repairSelfIntersections(surface.mesh, surface.home));
+    EXPECT_TRUE(repairSelfIntersections(surface.mesh, surface.restPositions));
     EXPECT_TRUE(selfIntersections(surface.mesh).empty());
     EXPECT_EQ(test::unpairedEdges(surface.mesh), 0);
-    for (std::size_t i = 0; i < surface.home.size(); ++i) {
-        EXPECT_TRUE(surface.mesh.vertices[i] == before.vertices[i] || surface.mesh.vertices[i] == surface.home[i]);
+    for (std::size_t i = 0; i < surface.restPositions.size(); ++i) {
+        EXPECT_TRUE(surface.mesh.vertices[i] == before.vertices[i] ||
+                    surface.mesh.vertices[i] == surface.restPositions[i]);
     }
 }
 

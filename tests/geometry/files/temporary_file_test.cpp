@@ -110,7 +110,7 @@ TEST(StagingFolder, BecomesTheFolderOrMovesItsContentUp) {
     auto whole = StagingFolder::make(folder.path());
     ASSERT_TRUE(whole);
     std::ofstream(whole->path() / "file") << "x";
-    ASSERT_TRUE(whole->becomes(folder / "whole"));
+    ASSERT_TRUE(whole->renameTo(folder / "whole"));
     EXPECT_TRUE(fs::exists(folder / "whole/file"));
 
     fs::create_directory(folder / "there");

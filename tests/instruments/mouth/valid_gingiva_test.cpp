@@ -17,7 +17,7 @@ TriangleMesh meshOf(int triangles) {
     return mesh;
 }
 
-TEST(ValidGingiva, IsThatOfTheFirstFinenessThatDoesNotCrossItself) {
+TEST(ValidGingiva, IsThatOfTheFirstResolutionThatDoesNotCrossItself) {
     std::vector<double> cells;
     const auto gum = firstValidGingiva(
         0.4,

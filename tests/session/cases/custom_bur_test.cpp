@@ -25,7 +25,7 @@ TEST_F(CustomBurFiles, ASurfaceAloneIsASharpCarbideBur) {
     const auto bur = readCustomBur(folder_ / "mine.stl");
     ASSERT_TRUE(bur);
     EXPECT_EQ(bur->name, "mine.stl");
-    EXPECT_EQ(bur->material, BurMaterial::carbide);
+    EXPECT_EQ(bur->material, BurMaterial::Carbide);
     EXPECT_EQ(bur->sharpness, 1);
 }
 
@@ -47,7 +47,7 @@ TEST_F(CustomBurFiles, TheDescriptionBesideItCounts) {
 TEST_F(CustomBurFiles, WhatIsWrittenIsRead) {
     CustomBur bur;
     bur.name = "My \"fine\" bur";
-    bur.material = BurMaterial::diamond;
+    bur.material = BurMaterial::Diamond;
     bur.flutes = 0;
     bur.gritMicrometres = 106.5;
     bur.sharpness = 0.725;

@@ -93,7 +93,7 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ((*opened->materials)[MaterialId::Enamel].stiffness, 0.9);
     ASSERT_TRUE(opened->bur);
-    EXPECT_EQ(opened->bur->material, BurMaterial::diamond);
+    EXPECT_EQ(opened->bur->material, BurMaterial::Diamond);
     EXPECT_EQ(opened->bur->flutes, 0);
     EXPECT_EQ(opened->bur->gritMicrometres, 106);
     EXPECT_EQ(opened->bur->sharpness, 0.5);

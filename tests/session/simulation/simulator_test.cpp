@@ -393,7 +393,7 @@ TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
     EXPECT_FALSE(saved->cuts.empty());
 }
 
-TEST(Simulator, AWorkPieceGoesOnFromOneSimulatorToTheNext) {
+TEST(Simulator, ACutModelGoesOnFromOneSimulatorToTheNext) {
     const auto piece = test::blockOnTheBench(MaterialId::Caries);
     for (int round = 0; round < 3; ++round) {
         const double before = total(piece->removed());

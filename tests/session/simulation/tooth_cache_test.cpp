@@ -41,7 +41,7 @@ TEST(ToothCache, GivesBackTheToothBitForBit) {
     expectSame(made, makeTooth(kTooth));
     expectSame(cache.make(kTooth), made);
     ToothRequest decayed = kTooth;
-    decayed.lesion = Lesion{LesionSite::mesial, 1.5, {}};
+    decayed.lesion = Lesion{LesionSite::Mesial, 1.5, {}};
     expectSame(cache.make(decayed), makeTooth(decayed));
     expectSame(cache.make(decayed), makeTooth(decayed));
 }
@@ -59,12 +59,12 @@ TEST(ToothCache, ReadsTheFileInsteadOfMakingTheTooth) {
 
 TEST(ToothCache, OtherRequestsHaveOtherFiles) {
     const ToothCache cache("folder");
-    ToothRequest seed = kTooth, fineness = kTooth, number = kTooth, decayed = kTooth;
+    ToothRequest seed = kTooth, resolution = kTooth, number = kTooth, decayed = kTooth;
     seed.seed = 1;
-    fineness.triangles = 1002;
+    resolution.triangles = 1002;
     number.fdi = 42;
     decayed.lesion = Lesion{};
-    for (const ToothRequest& other : {seed, fineness, number, decayed}) {
+    for (const ToothRequest& other : {seed, resolution, number, decayed}) {
         EXPECT_NE(cache.fileOf(other), cache.fileOf(kTooth));
     }
     EXPECT_EQ(cache.fileOf(kTooth), cache.fileOf(kTooth));
@@ -130,14 +130,14 @@ TEST(ToothCache, GivesBackAMouthBitForBitMakesADamagedOneAnewAndReadsItsGums) {
 
 TEST(ToothCache, OtherMouthsHaveOtherFilesButTheOpenOneIsTheClosedOneMoved) {
     const ToothCache cache("folder");
-    MouthRequest seed = kMouth, fineness = kMouth, gap = kMouth, twoGaps = kMouth, sameGaps = kMouth, open = kMouth;
+    MouthRequest seed = kMouth, resolution = kMouth, gap = kMouth, twoGaps = kMouth, sameGaps = kMouth, open = kMouth;
     seed.seed = 1;
-    fineness.triangles = 1002;
+    resolution.triangles = 1002;
     gap.missing = {46};
     twoGaps.missing = {46, 11};
     sameGaps.missing = {11, 46};
-    open.jaw = JawPose::open;
-    for (const MouthRequest& other : {seed, fineness, gap, twoGaps}) {
+    open.jaw = JawPose::Open;
+    for (const MouthRequest& other : {seed, resolution, gap, twoGaps}) {
         EXPECT_NE(cache.fileOf(other), cache.fileOf(kMouth));
     }
     EXPECT_NE(cache.fileOf(gap), cache.fileOf(twoGaps));

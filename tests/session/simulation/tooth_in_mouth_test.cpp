@@ -15,7 +15,7 @@ namespace {
 const ToothInMouth& premolar() {
     static const ToothInMouth made = *toothInMouth(
         35, std::nullopt,
-        {.triangles = 2000, .jaw = JawPose::open, .missing = test::allTeethExcept({11, 26, 33, 34, 35, 37})});
+        {.triangles = 2000, .jaw = JawPose::Open, .missing = test::allTeethExcept({11, 26, 33, 34, 35, 37})});
     return made;
 }
 
@@ -98,7 +98,7 @@ TEST(ToothInMouth, DecayComesWithTheToothThatIsWorkedOn) {
         return makeTooth(request);
     };
     const ToothInMouth decayed =
-        *toothInMouth(41, Lesion{LesionSite::mesial, 1.5, {}},
+        *toothInMouth(41, Lesion{LesionSite::Mesial, 1.5, {}},
                       {.triangles = 1000, .missing = test::allTeethExcept({31, 41, 42})}, count);
     EXPECT_EQ(made, 1);
     EXPECT_FALSE(decayed.tooth.caries.empty());

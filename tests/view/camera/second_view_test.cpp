@@ -95,13 +95,13 @@ TEST_F(SecondViewTest, StaysAsItWasUntilItIsDrawnAnew) {
     const SecondViewRectangle place = secondViewRectangle(kTestSize);
     const Image before = draw(scene);
     scene.objects[1].objectInWorld.position = Vec3(-4, -2, 0);
-    scene.second->anew = false;
+    scene.second->redraw = false;
     const Image moved = draw(scene);
     EXPECT_NE(moved.pixels, before.pixels);
     EXPECT_EQ(cutOut(moved, place).pixels, cutOut(before, place).pixels);
     const ImageSize larger{400, 300};
     const Image resized = draw(scene, kQuick, larger);
-    scene.second->anew = true;
+    scene.second->redraw = true;
     EXPECT_EQ(draw(scene, kQuick, larger).pixels, resized.pixels) << "in another size the old one is of no use";
     EXPECT_NE(cutOut(draw(scene), place).pixels, cutOut(before, place).pixels);
 }

@@ -97,7 +97,7 @@ TEST(LodTree, StaysWithinThreeTimesTheAllowedError) {
     }
 }
 
-TEST(LodTree, PiecesOfAnyFinenessFitTogether) {
+TEST(LodTree, PiecesOfAnyResolutionFitTogether) {
     const ShadingMesh mesh = shaded(ball());
     const LodTree tree = buildLodTree(mesh);
     const std::size_t pieces = (mesh.triangles.size() + kTrianglesPerLeaf - 1) / kTrianglesPerLeaf;

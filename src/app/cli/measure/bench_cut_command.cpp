@@ -107,7 +107,7 @@ public:
 private:
     static std::string nameOf(const CutCase& c) {
         const char* material = c.removal > 1 ? "" : ", enamel";
-        return fmt::format("{} {:.1f} x {:.1f}{}", c.bur.kind == BurKind::round ? "round" : "fissure",
+        return fmt::format("{} {:.1f} x {:.1f}{}", c.bur.kind == BurKind::Round ? "round" : "fissure",
                            c.bur.headDiameter, c.engagement * c.bur.headLength, material);
     }
 

@@ -11,7 +11,7 @@ namespace tactooth {
 
 Expected<Scene> benchMouth() {
     const ToothCache cache(defaultCacheFolder());
-    const Expected<BuiltinMouth> mouth = cache.makeMouth({.jaw = JawPose::open, .missing = {}});
+    const Expected<BuiltinMouth> mouth = cache.makeMouth({.jaw = JawPose::Open, .missing = {}});
     if (!mouth) return Unexpected{mouth.error()};
     SceneContents contents;
     contents.around = shownMouth(*mouth);

@@ -23,13 +23,13 @@ constexpr double kDegree = std::numbers::pi / 180;
 struct MouthView {
     std::string_view name;
     OrbitCamera::Direction direction;
-    ShownJaws jaws = ShownJaws::both;
+    ShownJaws jaws = ShownJaws::Both;
 };
 constexpr std::array<MouthView, 6> kViews = {{{"front", {90 * kDegree, 0}},
                                               {"right", {25 * kDegree, 0}},
                                               {"left", {155 * kDegree, 0}},
-                                              {"upper", {90 * kDegree, -90 * kDegree}, ShownJaws::upper},
-                                              {"lower", {90 * kDegree, 90 * kDegree}, ShownJaws::lower},
+                                              {"upper", {90 * kDegree, -90 * kDegree}, ShownJaws::Upper},
+                                              {"lower", {90 * kDegree, 90 * kDegree}, ShownJaws::Lower},
                                               {"dentist", {62 * kDegree, 20 * kDegree}}}};
 
 Expected<MouthView> viewOf(const std::string& name) {
@@ -45,7 +45,7 @@ Box3 boxOf(const BuiltinMouth& mouth, ShownJaws jaws) {
     Box3 crowns;
     for (const MouthTooth& tooth : mouth.teeth) {
         const bool upper = tooth.tooth.fdi < 30;
-        if (jaws == (upper ? ShownJaws::lower : ShownJaws::upper)) continue;
+        if (jaws == (upper ? ShownJaws::Lower : ShownJaws::Upper)) continue;
         const Pose pose = mouth.poseOf(tooth);
         for (const Vec3f& vertex : tooth.tooth.enamel.vertices) crowns.extend(pose * vertex.cast<double>());
     }

@@ -54,7 +54,7 @@ struct DemoInputs {
 /// The lower first molar in an open mouth.
 Expected<ToothInMouth> makeDemoMouth(DemoInputs& cast) {
     const ToothCache cache(defaultCacheFolder());
-    Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::open, .missing = {}}, cache);
+    Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::Open, .missing = {}}, cache);
     if (!made) return made;
     cast.props.around = shownAround(*made);
     cast.surroundings = surroundingsOf(*made);
@@ -83,7 +83,7 @@ Expected<void> loadDemoTooth(const DemoOptions& options, DemoInputs& cast) {
     }
     const Expected<ToothInMouth> molar =
         options.mouth ? makeDemoMouth(cast)
-                      : Expected<ToothInMouth>({.tooth = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar)});
+                      : Expected<ToothInMouth>({.tooth = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar)});
     if (!molar) return Unexpected{molar.error()};
     auto tooth = layeredTooth(*molar);
     if (!tooth) return Unexpected{tooth.error()};

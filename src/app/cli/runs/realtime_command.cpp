@@ -138,7 +138,7 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 }  // namespace
 
 int runRealtime(const RealtimeOptions& options) {
-    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::lowerFirstMolar);
+    const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar);
     auto tooth = layeredTooth(molar);
     if (!tooth) return reportError(tooth.error());
     const BurSpec spec = findBur("57").value();

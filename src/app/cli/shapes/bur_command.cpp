@@ -19,7 +19,7 @@ namespace tactooth {
 namespace {
 
 std::string edgeOf(const BurSpec& spec) {
-    if (spec.material == BurMaterial::diamond) return fmt::format("{:.0f} um", spec.gritMicrometres);
+    if (spec.material == BurMaterial::Diamond) return fmt::format("{:.0f} um", spec.gritMicrometres);
     return fmt::format("{} blades", spec.flutes);
 }
 

@@ -21,15 +21,15 @@ namespace tactooth {
 namespace {
 
 LesionSite siteOf(const std::string& word) {
-    static constexpr std::array<std::pair<const char*, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::occlusal},
-                                                                                  {"mesial", LesionSite::mesial},
-                                                                                  {"distal", LesionSite::distal},
-                                                                                  {"buccal", LesionSite::buccal},
-                                                                                  {"lingual", LesionSite::lingual}}};
+    static constexpr std::array<std::pair<const char*, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::Occlusal},
+                                                                                  {"mesial", LesionSite::Mesial},
+                                                                                  {"distal", LesionSite::Distal},
+                                                                                  {"buccal", LesionSite::Buccal},
+                                                                                  {"lingual", LesionSite::Lingual}}};
     for (const auto& [name, site] : kSites) {
         if (word == name) return site;
     }
-    return LesionSite::usual;
+    return LesionSite::Usual;
 }
 
 void printSize(const BuiltinTooth& tooth) {

@@ -72,7 +72,7 @@ Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& e
 
 Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth) {
     constexpr int kNeighbourTriangles = 20000;
-    const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::open, .missing = {}};
+    const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
     const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
     const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
     if (!made) return Unexpected{made.error()};

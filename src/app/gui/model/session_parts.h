@@ -25,7 +25,7 @@ struct SessionBur {
     Instrument instrument;
     std::shared_ptr<const TriangleMesh> shown;
     std::shared_ptr<const TriangleMesh> blurred;  ///< as it is seen turning fast
-    BurMaterial material = BurMaterial::carbide;
+    BurMaterial material = BurMaterial::Carbide;
     std::filesystem::path file;  ///< that it came from; empty for a bur of the catalogue
 };
 
@@ -60,9 +60,9 @@ struct BuiltinToothEntry {
     std::string_view name;
 };
 inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
-    {BuiltinToothKind::lowerFirstMolar, msg::kLowerFirstMolar.english},
-    {BuiltinToothKind::upperCentralIncisor, msg::kUpperCentralIncisor.english},
-    {BuiltinToothKind::upperCanine, msg::kUpperCanine.english},
+    {BuiltinToothKind::LowerFirstMolar, msg::kLowerFirstMolar.english},
+    {BuiltinToothKind::UpperCentralIncisor, msg::kUpperCentralIncisor.english},
+    {BuiltinToothKind::UpperCanine, msg::kUpperCanine.english},
 }};
 
 /// The mouth that a tooth stands in: average teeth, open as for work.
