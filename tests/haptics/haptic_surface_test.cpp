@@ -185,8 +185,7 @@ TEST(HapticSurfaceBuilder, CoverTheWayThatTheToolSlidesBesidesThatOfTheCut) {
     const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};
     HapticSurface* felt = surfaces.make(blockUpTo(0), now, cut);
     EXPECT_LE(felt->near.deviation(cut.position), felt->near.contactMargin().around);
-    EXPECT_LE(felt->near.deviation(now.position + 2 * step), felt->near.contactMargin().around)
-        << "two updates further on";
+    EXPECT_LE(felt->near.deviation(now.position + 2 * step), felt->near.contactMargin().around) << "two updates further on";
     surfaces.recycle(felt);
 
     surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches so far

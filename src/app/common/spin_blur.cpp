@@ -12,7 +12,7 @@ TriangleMesh spinEnvelopeMesh(const RevolutionEnvelope& envelope) {
     std::vector<OutlinePoint> outline;
     for (const auto& [radius, z] : envelope.profile()) outline.push_back({radius, z});
     constexpr int kSides = 48;
-    return turned(outline, kSides);
+    return revolved(outline, kSides);
 }
 
 float spinBlur(double speedRpm, const BurEdge& edge) {

@@ -74,7 +74,7 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from) {
             named.isAdjacent ? surfaces.aroundImportNotes[named.body] : byName[named.body].importNotes;
         importNotes.insert(importNotes.end(), read->importNotes.begin(), read->importNotes.end());
         const bool isNew = named.isAdjacent ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
-                                            : addSurface(byName[named.body], named.material, std::move(read->mesh));
+                                            : addLayer(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
             return unexpected(msg::kCaseSurfaceTwice, displayName(file));
         }

@@ -55,7 +55,7 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
     auto unfinished = StagingFolder::make(folder.parent_path());
     if (!unfinished) return cannotMake(to, unfinished.error());
     if (auto done = writeFiles(files, unfinished->path(), to); !done) return done;
-    if (auto done = unfinished->becomes(folder); !done) return cannotMake(to, done.error());
+    if (auto done = unfinished->renameTo(folder); !done) return cannotMake(to, done.error());
     return {};
 }
 

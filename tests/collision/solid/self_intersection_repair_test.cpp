@@ -123,8 +123,7 @@ TEST(SelfIntersectionRepair, TakesACrossingSurfaceBackToWhereItDoesNotCross) {
     EXPECT_TRUE(selfIntersections(surface.mesh).empty());
     EXPECT_EQ(test::unpairedEdges(surface.mesh), 0);
     for (std::size_t i = 0; i < surface.restPositions.size(); ++i) {
-        EXPECT_TRUE(surface.mesh.vertices[i] == before.vertices[i] ||
-                    surface.mesh.vertices[i] == surface.restPositions[i]);
+        EXPECT_TRUE(surface.mesh.vertices[i] == before.vertices[i] || surface.mesh.vertices[i] == surface.restPositions[i]);
     }
 }
 
