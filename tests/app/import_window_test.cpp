@@ -146,7 +146,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
 
 void ImportWindowTest::theImportCanBeCancelled() {
     window_->loadBuiltinTooth(kBuiltinTeeth.front());
-    waitForToothNamed(kBuiltinTeeth.front().name);
+    waitForToothNamed(std::string(kBuiltinTeeth.front().name));
     drop({scan_});
     waitForImportNotes("Units taken as cm");
     importButton()->click();
@@ -218,7 +218,7 @@ void ImportWindowTest::cleanupTestCase() { closeWindow(); }
 
 bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
     initTestCase();
-    waitForToothNamed(kBuiltinTeeth.front().name);
+    waitForToothNamed(std::string(kBuiltinTeeth.front().name));
     drop({scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString())});
     QElapsedTimer since;
     for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);

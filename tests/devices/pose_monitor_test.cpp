@@ -39,11 +39,12 @@ TEST(PoseMonitor, EachFaultHasASentenceOfItsOwn) {
     std::set<std::string> sentences;
     for (const PoseFault fault : {PoseFault::NotANumber, PoseFault::InvalidRotation, PoseFault::Jump,
                                   PoseFault::TooFast, PoseFault::RotatesTooFast, PoseFault::Stale, PoseFault::Force}) {
-        ASSERT_NE(poseFaultText(fault), nullptr);
-        EXPECT_THAT(poseFaultText(fault), EndsWith("."));
-        EXPECT_TRUE(sentences.insert(poseFaultText(fault)).second);
+        const Message* const message = poseFaultMessage(fault);
+        ASSERT_NE(message, nullptr);
+        EXPECT_THAT(message->in(Language::English), EndsWith("."));
+        EXPECT_TRUE(sentences.insert(message->in(Language::English)).second);
     }
-    EXPECT_EQ(poseFaultText(PoseFault::None), nullptr);
+    EXPECT_EQ(poseFaultMessage(PoseFault::None), nullptr);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ public:
                                            std::vector<Triangle>& triangles);
 
 private:
-    [[nodiscard]] const char* triangulateAnyShape(std::span<const Vec3f> positions, const Vec3& normal,
-                                                  std::vector<Triangle>& triangles);
+    [[nodiscard]] const MessageText* triangulateAnyShape(std::span<const Vec3f> positions, const Vec3& normal,
+                                                         std::vector<Triangle>& triangles);
     void takeDistinct(std::span<const std::uint32_t> corners);
 
     std::vector<std::uint32_t> distinct_;

@@ -10,6 +10,7 @@
 #include "collision/solid/self_intersection.h"
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/mesh_extent.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/parallel_for.h"
 #include "tooth/model/messages.h"
 

@@ -49,7 +49,7 @@ Expected<SessionTooth> builtinSessionTooth(const ToothRequest& request, const st
 }  // namespace
 
 Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
-    return builtinSessionTooth(builtinToothRequest(entry.kind), entry.name, "");
+    return builtinSessionTooth(builtinToothRequest(entry.kind), std::string(entry.name), "");
 }
 
 Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {

@@ -15,6 +15,7 @@
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
 #include "devices/workspace_fit.h"
+#include "geometry/util/message.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
 

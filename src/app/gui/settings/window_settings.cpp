@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "app/gui/text/messages.h"
 #include "devices/open_device.h"

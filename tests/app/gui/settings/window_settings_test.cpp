@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/settings/window_settings.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -187,8 +186,11 @@ TEST(WindowSettings, ADeviceThatNobodyKnowsIsForgottenWithOneSentence) {
     EXPECT_EQ(hand.secondDevice, unusual().hand.secondDevice);
     hand.device = "joystick";
     hand.secondDevice = "bogus";
-    EXPECT_THAT(resetUnknownDevices(hand, "window.toml").value().message(),
-                testing::HasSubstr("'joystick' (device) and no 'bogus' (second_device)"));
+    EXPECT_NE(resetUnknownDevices(hand, "window.toml")
+                  .value()
+                  .message()
+                  .find("'joystick' (device) and no 'bogus' (second_device)"),
+              std::string::npos);
     EXPECT_EQ(hand.secondDevice, "none");
 }
 
