@@ -76,7 +76,7 @@ protected:
         for (std::size_t i = 0; i < runs; ++i) {
             const Kind& kind = kinds[i % kinds.size()];
             std::string bytes = kind.seeds[below(random, kind.seeds.size())];
-            for (std::size_t changes = 1 + below(random, 3); changes > 0; --changes) damage(bytes, kind.seeds, random);
+            for (std::size_t changes = 1 + below(random, 3); changes > 0; --changes) mutate(bytes, kind.seeds, random);
             const std::string name = "in/hostile" + kind.ending;
             const std::filesystem::path file = folder_.input("hostile" + kind.ending);
             std::filesystem::create_directories(file.parent_path());

@@ -178,7 +178,7 @@ TEST(HostileNumbers, EndInOneSentenceOrAResult) {
     for (std::size_t i = 0; i < hostileRuns(cases<std::size_t>(100, 30)); ++i) {
         const Attack attack = completed(kOptions[i % kOptions.size()]);
         std::string number = kAbsurd[below(random, kAbsurd.size())];
-        if (random() % 4 == 0) damage(number.empty() ? number = "1" : number, kAbsurd, random);
+        if (random() % 4 == 0) mutate(number.empty() ? number = "1" : number, kAbsurd, random);
         if (const auto end = number.find('\0'); end != std::string::npos) number.resize(end);  // no argument holds one
         const std::string fault = folder.tried(attack, number);
         EXPECT_EQ(fault, "") << shownAttack(attack, number);

@@ -159,7 +159,7 @@ TEST(CaseStore, DamagedArchivesAreOpenedOrRefused) {
     int refused = 0;
     for (int round = 0; round < 200; ++round) {
         std::string bytes = sound;
-        for (int change = 0; change < 3; ++change) test::damage(bytes, seeds, random);
+        for (int change = 0; change < 3; ++change) test::mutate(bytes, seeds, random);
         const auto raw = bytesOf(bytes);
         const auto store = CaseStore::openArchive(raw, "mutant");
         const auto opened = store ? openCase(*store) : Expected<OpenedCase>(Unexpected{store.error()});
