@@ -102,7 +102,7 @@ bool timeFile(const std::filesystem::path& file, int runs) {
         mark(1);
         const auto mesh = bytes ? parseStl(bytes->bytes(), "tooth") : Expected<TriangleMesh>(Unexpected{bytes.error()});
         mark(2);
-        if (!mesh) return std::fprintf(stderr, "%s\n", mesh.error().message.c_str()), false;
+        if (!mesh) return std::fprintf(stderr, "%s\n", mesh.error().message().c_str()), false;
         const AabbTree tree(*mesh);
         mark(3);
         const bool isSolid = examineSolid(*mesh).report.isSolid();
@@ -146,7 +146,7 @@ int runBench(int runs) {
         const TriangleMesh mesh =
             count < whole.triangles.size() ? simplified(whole, count) : subdividedTo(whole, count);
         if (const auto written = writeStl(mesh, file); !written) {
-            std::fprintf(stderr, "%s\n", written.error().message.c_str());
+            std::fprintf(stderr, "%s\n", written.error().message().c_str());
             return 1;
         }
         if (!timeFile(file, runs)) return 1;

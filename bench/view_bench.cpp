@@ -113,7 +113,7 @@ void measure(Renderer& renderer, const std::string& name, const std::shared_ptr<
             scene.camera = cameraAt(box, i);
             if (lightFollows) scene.lighting = operatingLight(scene.camera);
             if (const auto done = renderer.render(scene, target->framebuffer(), kSize, settings); !done) {
-                std::fprintf(stderr, "%s\n", done.error().message.c_str());
+                std::fprintf(stderr, "%s\n", done.error().message().c_str());
             }
         };
     };
@@ -129,16 +129,16 @@ void measure(Renderer& renderer, const std::string& name, const std::shared_ptr<
 
 int run(int count, char** arguments) {
     const auto context = EglContext::create();
-    if (!context) return std::fprintf(stderr, "%s\n", context.error().message.c_str()), 1;
+    if (!context) return std::fprintf(stderr, "%s\n", context.error().message().c_str()), 1;
     auto renderer = Renderer::create();
-    if (!renderer) return std::fprintf(stderr, "%s\n", renderer.error().message.c_str()), 1;
+    if (!renderer) return std::fprintf(stderr, "%s\n", renderer.error().message().c_str()), 1;
     std::printf("# %s\ncase,triangles,best_ms,median_ms,worst_ms\n",
                 reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     measure(*renderer, "ball 20k", std::make_shared<const TriangleMesh>(wrinkledBall(144, 72)));
     measure(*renderer, "ball 325k", std::make_shared<const TriangleMesh>(wrinkledBall(570, 286)));
     if (count < 2) return 0;
     auto tooth = readStl(arguments[1]);
-    if (!tooth) return std::fprintf(stderr, "%s\n", tooth.error().message.c_str()), 2;
+    if (!tooth) return std::fprintf(stderr, "%s\n", tooth.error().message().c_str()), 2;
     measure(*renderer, "tooth", std::make_shared<const TriangleMesh>(std::move(*tooth)));
     return 0;
 }

@@ -107,7 +107,7 @@ int run(const std::string& only) {
 #endif
     for (const StandardToothKind kind : kStandardTeeth) {
         const auto tooth = standardTooth(kind);
-        if (!tooth) return std::fprintf(stderr, "%s\n", tooth.error().message.c_str()), 2;
+        if (!tooth) return std::fprintf(stderr, "%s\n", tooth.error().message().c_str()), 2;
         if (tooth->name.find(only) == std::string::npos) continue;
         for (const double speed : {kSlowSpeed, kFastSpeed}) compare(*tooth, speed);
     }

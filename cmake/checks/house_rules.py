@@ -14,6 +14,8 @@ RAW_NAME = re.compile(r"(\.|->)string\(\)")
 # A hostile text of 100 kB overflows the stack of the parser; one place guards it.
 BARE_TOML = re.compile(r"\btoml::parse(_file)?\s*\(")
 TOML_GUARD = "src/session/io/limited_toml.cpp"
+# What the program says to people is a row of a catalogue (messages.h), in both languages.
+BARE_SENTENCE = re.compile(r'\b(unexpected|fail|failAt|reportError|refuse)\(\s*\{?\s*"|\bverbatim\(\s*"')
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 THIS_FILE = "cmake/checks/house_rules.py"  # names the words that it looks for
 
@@ -49,5 +51,7 @@ def line_offences(name, line):
         yield "show a path by displayName; where its bytes are meant, use native()"
     if name != TOML_GUARD and BARE_TOML.search(line):
         yield "TOML is read by parseToml of session/io/limited_toml.h alone"
+    if BARE_SENTENCE.search(line):
+        yield "make it a row of messages.h, which has both languages"
     if name.startswith(PURE_LAYERS) and IMPURE_INCLUDE.search(line):
         yield "this layer may know no screen, sound or device"

@@ -9,6 +9,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/terminal/too_large_message.h"
 #include "app/common/exit_code.h"
+#include "app/common/messages.h"
 #include "app/common/termination.h"
 
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using namespace tactooth;
 
 int refuseTooLarge(int argc, char** argv) {
-    return reportError({tooLargeMessage(std::span<const char* const>(argv, static_cast<std::size_t>(argc)))});
+    return reportError(tooLargeMessage(std::span<const char* const>(argv, static_cast<std::size_t>(argc))));
 }
 
 int run(int argc, char** argv) {
@@ -27,7 +28,7 @@ int run(int argc, char** argv) {
     } catch (const std::length_error&) {  // more than any memory
         return refuseTooLarge(argc, argv);
     } catch (const std::exception& exception) {
-        return reportError({std::string("this should not have happened: ") + exception.what() + "; please report it."});
+        return reportError({msg::kUnforeseen, exception.what()});
     }
 }
 

@@ -7,8 +7,10 @@
 #include <string>
 
 #include "assessment/ideal_shape.h"
+#include "assessment/messages.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "geometry/util/pose.h"
 #include "instruments/bur_shape.h"
@@ -58,8 +60,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
         for (const Vec3& place : path) {
             const auto height = heightOf(outer, place, plan.outward);
             if (!height) {
-                return unexpected("stroke " + std::to_string(paths.size() + 1) +
-                                  " of the cavity goes past the tooth; give places over it, in its frame, mm.");
+                return unexpected(msg::kStrokePastTooth, paths.size() + 1);
             }
             heights.push_back(*height + plan.outward.dot(place));
         }
@@ -83,7 +84,7 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
     }
     const std::string& number = std::get<std::string>(exercise.bur);
     const std::optional<BurSpec> bur = findBur(number);
-    if (!bur) return unexpected("there is no bur " + quotedWord(number) + " in the catalogue.");
+    if (!bur) return unexpected(msg::kBurNotInCatalogue, quotedWord(number));
     return makeCuttingTool(makeBur(*bur).surface);
 }
 
@@ -124,7 +125,7 @@ Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<cons
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
     Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));
-    if (!ideal) return unexpected(displayName(exercise.file) + ": " + ideal.error().message);
+    if (!ideal) return unexpected(msg::kNamedSentence, displayName(exercise.file), ideal.error());
     return ideal;
 }
 

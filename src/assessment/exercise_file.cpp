@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "assessment/messages.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/case_store.h"
+#include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 
 namespace tactooth {
@@ -43,7 +46,7 @@ public:
 
 private:
     void readAll(const toml::table& root) {
-        toml_.allow(root, "an exercise",
+        toml_.allow(root, msg::kAnExercise,
                     {"name", "task", "tooth", "patient", "decay", "layers", "bur", "ideal", "cavity"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
@@ -55,41 +58,38 @@ private:
     /// The path of a file that the text names.
     std::filesystem::path beside(const toml::node& where, const std::string& entry) {
         if (!entry.empty() && !isSafeEntry(entry)) {
-            toml_.fail(where, quotedWord(entry) +
-                                  " must lie beside this file or below it, named with '/' and without "
-                                  "'..'");
+            toml_.fail(where, {msg::kMustLieBeside, quotedWord(entry)});
         }
         return folder_ / entry;
     }
 
     void readTooth(const toml::table& root) {
         const toml::node* node = root.get("tooth");
-        if (node == nullptr) return toml_.fail(root, "the key 'tooth' is missing");
+        if (node == nullptr) return toml_.fail(root, {msg::kKeyMissing, "tooth"});
         if (node->is_string()) return readCustomTooth(root, *node);
         ToothRequest request;
         request.fdi = toml_.integer(root, "tooth", request.fdi, 0, 99);
         if (!isPermanentTooth(request.fdi)) {
-            toml_.fail(*node, std::to_string(request.fdi) +
-                                  " is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48");
+            toml_.fail(*node, {msg::kNoPermanentTooth, request.fdi});
         }
         request.seed = static_cast<std::uint32_t>(toml_.integer(root, "patient", 0, 0, 1'000'000));
         if (const toml::table* decay = toml_.table(root, "decay")) request.lesion = lesion(*decay, request.fdi);
-        if (root.get("layers") != nullptr) toml_.fail(*root.get("layers"), "a built-in tooth brings its own layers");
+        if (root.get("layers") != nullptr) toml_.fail(*root.get("layers"), msg::kBuiltinToothHasLayers);
         mesialX_ = mesialX(request.fdi);
         exercise_.tooth = request;
     }
 
     Lesion lesion(const toml::table& decay, int fdi) {
-        toml_.allow(decay, "decay", {"site", "width", "depth"});
+        toml_.allow(decay, msg::kDecay, {"site", "width", "depth"});
         Lesion lesion;
         const std::string site = toml_.text(decay, "site", false);
         const auto* const known = std::ranges::find(kSites, site, &std::pair<std::string_view, LesionSite>::first);
         if (known != kSites.end()) lesion.site = known->second;
         if (known == kSites.end() && !site.empty()) {
-            toml_.fail(*decay.get("site"), "'site' must be occlusal, mesial, distal, buccal or lingual");
+            toml_.fail(*decay.get("site"), msg::kDecaySite);
         }
         if (lesion.site == LesionSite::Occlusal && isAnteriorTooth(fdi)) {
-            toml_.fail(*decay.get("site"), "a front tooth has no occlusal side; choose another site");
+            toml_.fail(*decay.get("site"), msg::kNoOcclusalSide);
         }
         lesion.width = toml_.number(decay, "width", lesion.width, 0, kWidestLesion);
         if (decay.get("depth") != nullptr) lesion.depth = toml_.number(decay, "depth", 1, 0, kDeepestLesion);
@@ -101,13 +101,12 @@ private:
         source.outer = beside(node, toml_.text(root, "tooth", true));
         for (const std::string_view key : {"patient", "decay"}) {
             if (root.get(key) == nullptr) continue;
-            toml_.fail(*root.get(key), quotedWord(key) + " belongs to a built-in tooth, one by its number");
+            toml_.fail(*root.get(key), {msg::kKeyOfBuiltinTooth, quotedWord(key)});
         }
         if (const toml::table* layers = toml_.table(root, "layers")) {
             for (auto&& [name, entry] : *layers) {
                 if (!builtinMaterials().find(name.str())) {
-                    toml_.fail(entry, "there is no material " + quotedWord(name.str()) + "; the materials are " +
-                                          builtinMaterials().names());
+                    toml_.fail(entry, {msg::kMaterialUnknown, quotedWord(name.str()), builtinMaterials().names()});
                 }
                 source.layers.push_back(
                     {std::string(name.str()), beside(entry, toml_.text(*layers, name.str(), true))});
@@ -124,18 +123,14 @@ private:
         }
         exercise_.bur = bur;
         if (!bur.empty() && !findBur(bur)) {
-            toml_.fail(*root.get("bur"), "there is no bur " + quotedWord(bur) +
-                                             " in the catalogue ('tactooth gallery' shows them); a bur of your own is "
-                                             "named by its file, .stl or .toml");
+            toml_.fail(*root.get("bur"), {msg::kBurUnknown, quotedWord(bur)});
         }
     }
 
     void readIdeal(const toml::table& root) {
         const toml::table* cavity = toml_.table(root, "cavity");
         if ((root.get("ideal") != nullptr) == (cavity != nullptr)) {
-            return toml_.fail(root,
-                              "give the ideal shape either by a file, ideal = \"FILE.stl\", or by what the bur cuts, "
-                              "below a line [cavity]");
+            return toml_.fail(root, msg::kIdealShapeUnclear);
         }
         if (cavity != nullptr) {
             exercise_.ideal = plan(*cavity);
@@ -145,19 +140,19 @@ private:
     }
 
     PreparationPlan plan(const toml::table& cavity) {
-        toml_.allow(cavity, "a cavity", {"side", "depth", "floor", "strokes"});
+        toml_.allow(cavity, msg::kACavity, {"side", "depth", "floor", "strokes"});
         PreparationPlan plan;
         plan.outward = side(cavity);
-        if (cavity.get("depth") == nullptr) toml_.fail(cavity, "the key 'depth' is missing");
+        if (cavity.get("depth") == nullptr) toml_.fail(cavity, {msg::kKeyMissing, "depth"});
         plan.depth = toml_.number(cavity, "depth", 1, kMinDepth, kMaxDepth);
         const std::string floor = toml_.text(cavity, "floor", false);
         plan.isFlat = floor != "surface";
         if (!floor.empty() && floor != "flat" && floor != "surface") {
-            toml_.fail(*cavity.get("floor"), "'floor' must be flat, or surface to follow that of the tooth");
+            toml_.fail(*cavity.get("floor"), msg::kFloorUnknown);
         }
         const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
-        if (strokes.empty()) toml_.fail(cavity, "there are no strokes; give at least one, [[cavity.strokes]]");
-        if (strokes.size() > kMaxStrokes) toml_.fail(cavity, "there are too many strokes");
+        if (strokes.empty()) toml_.fail(cavity, msg::kNoStrokes);
+        if (strokes.size() > kMaxStrokes) toml_.fail(cavity, msg::kTooManyStrokes);
         for (const toml::table* stroke : strokes) plan.strokes.push_back(this->stroke(*stroke));
         return plan;
     }
@@ -169,7 +164,7 @@ private:
             Vec3 outward = Vec3::Zero();
             toml_.numbers(cavity, "side", {outward.data(), 3});
             if (outward.norm() > 0) return outward.normalized();
-            toml_.fail(*node, "'side' has no direction");
+            toml_.fail(*node, msg::kSideWithoutDirection);
             return Vec3::UnitZ();
         }
         const std::string name = toml_.text(cavity, "side", false);
@@ -178,20 +173,20 @@ private:
         if (name == "lingual") return -Vec3::UnitY();
         if (name == "mesial") return mesialX_ * Vec3::UnitX();
         if (name == "distal") return -mesialX_ * Vec3::UnitX();
-        toml_.fail(*node, "'side' must be occlusal, buccal, lingual, mesial, distal, or a direction of three numbers");
+        toml_.fail(*node, msg::kSideUnknown);
         return Vec3::UnitZ();
     }
 
     PreparationPlan::Stroke stroke(const toml::table& table) {
-        toml_.allow(table, "a stroke", {"from", "to"});
-        if (table.get("from") == nullptr) toml_.fail(table, "the key 'from' is missing");
+        toml_.allow(table, msg::kAStroke, {"from", "to"});
+        if (table.get("from") == nullptr) toml_.fail(table, {msg::kKeyMissing, "from"});
         PreparationPlan::Stroke stroke{Vec3::Zero(), Vec3::Zero()};
         toml_.numbers(table, "from", {stroke.from.data(), 3});
         stroke.to = stroke.from;  // a pit
         toml_.numbers(table, "to", {stroke.to.data(), 3});
         const bool isNear = std::max(stroke.from.cwiseAbs().maxCoeff(), stroke.to.cwiseAbs().maxCoeff()) <= kFarthest;
         if (!isNear || (stroke.to - stroke.from).norm() > kLongestStroke) {
-            toml_.fail(table, "this stroke is longer or farther away than any tooth; places are in mm");
+            toml_.fail(table, msg::kStrokeTooLong);
         }
         return stroke;
     }

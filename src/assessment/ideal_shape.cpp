@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/ideal_shape.h"
 
+#include "assessment/messages.h"
 #include "collision/solid/solid_file.h"
 #include "geometry/mesh/vertex_welder.h"
 #include "session/simulation/tooth_file.h"
@@ -19,8 +20,7 @@ TriangleMesh asReadFromFile(const Surface& tooth) {
 }
 
 Expected<TriangleMesh> loadIdealShape(const std::filesystem::path& file, std::vector<ImportNote>* importNotes) {
-    if (!isToothFile(file))
-        return loadSolid(file, "the ideal shape, the whole tooth with its cavity,", {}, importNotes);
+    if (!isToothFile(file)) return loadSolid(file, msg::kIdealShape, {}, importNotes);
     const Expected<OpenedTooth> opened = openTooth(file);
     if (!opened) return Unexpected{opened.error()};
     return asReadFromFile(*opened->piece->surface());

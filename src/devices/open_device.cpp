@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
+#include "devices/base/messages.h"
 #include "devices/probe/device_backend.h"
+#include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
@@ -24,14 +26,8 @@ const DeviceBackend* backendOf(const DeviceName& name) {
     return isKnown && (name.own.empty() || backend->unitWord != nullptr) ? backend : nullptr;
 }
 
-Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
-    return {option + " takes " + deviceNames(isSecond) + ", or replay:FILE.csv, not '" + name +
-            "'; 'tactooth devices' shows what is there."};
-}
-
-}  // namespace
-
-std::string deviceNames(bool isSecond) {
+/// The names that a device option takes.
+Message deviceChoice(bool isSecond) {
     const auto backends = deviceBackends();
     std::string names = isSecond ? kNoDevice : backends.front().name;
     std::vector<std::string> units;
@@ -39,9 +35,19 @@ std::string deviceNames(bool isSecond) {
         names += std::string(", ") + each.name;
         if (each.unitWord != nullptr) units.push_back(std::string(each.name) + ':' + each.unitWord);
     }
-    for (std::size_t i = 0; i < units.size(); ++i) names += (i + 1 < units.size() ? ", " : " or ") + units[i];
-    return names + " for one of several";
+    TACTOOTH_ASSERT(units.size() > 1);
+    std::string firstUnits = units.front();
+    for (std::size_t i = 1; i + 1 < units.size(); ++i) firstUnits += ", " + units[i];
+    return {msg::kDeviceChoice, names, firstUnits, units.back()};
 }
+
+Error unknownDevice(const std::string& name, const std::string& option, bool isSecond) {
+    return {msg::kUnknownDevice, option, deviceChoice(isSecond), name};
+}
+
+}  // namespace
+
+std::string deviceNames(bool isSecond) { return deviceChoice(isSecond).in(Language::English); }
 
 Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond) {
     const bool isKnown = name == (isSecond ? kNoDevice : deviceBackends().front().name) || isReplay(name) ||

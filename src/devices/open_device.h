@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "devices/base/haptic_device.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 

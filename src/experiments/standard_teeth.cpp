@@ -6,6 +6,7 @@
 
 #include "geometry/io/mesh_file.h"
 #include "geometry/mesh/simplify.h"
+#include "geometry/util/messages.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 
@@ -64,7 +65,7 @@ Expected<StandardTooth> customTooth(const std::filesystem::path& file) {
 
 Expected<std::shared_ptr<const LayeredTooth>> uncut(const StandardTooth& tooth) {
     auto layered = LayeredTooth::make(tooth.mesh);
-    if (!layered) return unexpected(tooth.source + ": " + layered.error().message + ".");
+    if (!layered) return unexpected(msg::kNamed, tooth.source, layered.error());
     return std::make_shared<const LayeredTooth>(std::move(*layered));
 }
 

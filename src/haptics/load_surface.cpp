@@ -10,6 +10,8 @@
 #include "geometry/io/mesh_file.h"
 #include "geometry/mesh/mesh_extent.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
+#include "tooth/model/messages.h"
 
 namespace tactooth {
 
@@ -17,9 +19,9 @@ namespace {
 
 /// Fails if the surface is empty or too far away to touch.
 Expected<void> checkNear(const TriangleMesh& mesh, const std::filesystem::path& path) {
-    const auto reach = checkExtent(mesh, "the surface");
+    const auto reach = checkExtent(mesh, msg::kTheSurface);
     if (reach) return {};
-    return unexpected(displayName(path) + ": " + reach.error().message + ".");
+    return unexpected(msg::kNamed, displayName(path), reach.error());
 }
 
 }  // namespace
@@ -33,10 +35,12 @@ Expected<std::shared_ptr<const Surface>> loadSurface(const std::filesystem::path
     const SolidFlaw flaw = examined.report.flaw;
     // An open surface can still be touched.
     if (flaw != SolidFlaw::None && flaw != SolidFlaw::Open && flaw != SolidFlaw::NonOrientable) {
-        return unexpected(displayName(path) + ": " + flawSentence(examined.report, "the surface of the tooth") + ".");
+        return unexpected(msg::kNamed, displayName(path),
+                          flawSentence(examined.report, {msg::kSurfaceOf, msg::kTheTooth}));
     }
     if (importNotes != nullptr) {
-        std::ranges::move(notesOn(examined.report, displayName(path)), std::back_inserter(*importNotes));
+        std::ranges::move(notesOn(examined.report, Message::verbatim(displayName(path))),
+                          std::back_inserter(*importNotes));
     }
     auto surface = std::make_shared<Surface>();
     surface->closed = examined.report.isSolid();

@@ -48,9 +48,9 @@ private:
 std::unique_ptr<Touch> Touch::load(const std::filesystem::path& tooth, const std::filesystem::path& tool,
                                    const TouchSettings& settings, std::string& error) {
     const auto surface = loadSurface(tooth);
-    if (!surface) return error = surface.error().message, nullptr;
+    if (!surface) return error = surface.error().message(), nullptr;
     const auto shape = loadTool(tool);
-    if (!shape) return error = shape.error().message, nullptr;
+    if (!shape) return error = shape.error().message(), nullptr;
     return std::unique_ptr<Touch>(new Touch(std::make_unique<Impl>(*surface, *shape, settings)));
 }
 

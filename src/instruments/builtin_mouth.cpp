@@ -11,6 +11,7 @@
 #include "geometry/util/assert.h"
 #include "geometry/util/disjoint_sets.h"
 #include "geometry/util/parallel_for.h"
+#include "instruments/messages.h"
 #include "instruments/mouth/gingiva.h"
 #include "instruments/mouth/tooth_arrangement.h"
 #include "instruments/mouth/valid_gingiva.h"
@@ -71,10 +72,9 @@ GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
 
 Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {
     const GingivaBody body = gingivaBody(places, upper, request.missing);
-    return firstValidGingiva(
-        gingivaCell(request.triangles), [&](double cell) { return gingivaMesh(body, upper, cell); },
-        std::string(upper ? "The upper" : "The lower") + " gum of the mouth with seed " + std::to_string(request.seed) +
-            " and " + std::to_string(request.triangles) + " triangles a tooth");
+    return firstValidGingiva(gingivaCell(request.triangles),
+                             [&](double cell) { return gingivaMesh(body, upper, cell); },
+                             {upper ? msg::kUpperGingiva : msg::kLowerGingiva, request.seed, request.triangles});
 }
 
 /// Position in a dental chart: 18 to 28 above, 38 to 48 below.

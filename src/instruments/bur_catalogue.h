@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/util/message.h"
+
 namespace tactooth {
 
 /// The shape of a bur's head. "Taper" widens toward the shank.
@@ -36,7 +38,8 @@ struct BurEdge {
 /// One entry of the catalogue, as a dentist orders it. Lengths in mm.
 struct BurSpec {
     std::string number;  ///< US number ("4"), or the manufacturer's shape and ISO size of a diamond ("856-016")
-    std::string name;    ///< name to show
+    std::string name;    ///< name in English, for lists and files
+    Message title;       ///< the name in any language; empty for a bur that is not of the catalogue
     BurKind kind = BurKind::Round;
     BurMaterial material = BurMaterial::Carbide;
     double headDiameter = 1;     ///< the largest diameter of the head

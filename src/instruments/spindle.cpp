@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "geometry/util/assert.h"
+#include "instruments/messages.h"
 
 namespace tactooth {
 namespace {
@@ -59,9 +60,9 @@ const std::vector<SpindlePreset>& spindlePresets() {
     // time constant of 0.39 s. Electric: 3 N*cm at a 40,000 rev/min motor, geared 1:5 up. Low speed: an air motor with
     // 2 N*cm. Inertias are estimates: no maker publishes them.
     static const std::vector<SpindlePreset> presets = {
-        {"Air turbine, 400,000 rev/min", 400000, 1.4, 1.4, 400000, 1.3e-5, 0.10, 0, PedalCurve::Air},
-        {"Electric 1:5, 200,000 rev/min", 200000, 6.0, 6.0, 4000, 8.0e-5, 0.05, 20000, PedalCurve::Electric},
-        {"Low-speed contra-angle, 25,000 rev/min", 25000, 20.0, 20.0, 25000, 1.2e-3, 0.10, 0, PedalCurve::Air},
+        {std::string(msg::kAirTurbine.english), 400000, 1.4, 1.4, 400000, 1.3e-5, 0.10, 0, PedalCurve::Air},
+        {std::string(msg::kElectricSpindle.english), 200000, 6.0, 6.0, 4000, 8.0e-5, 0.05, 20000, PedalCurve::Electric},
+        {std::string(msg::kLowSpeedSpindle.english), 25000, 20.0, 20.0, 25000, 1.2e-3, 0.10, 0, PedalCurve::Air},
     };
     return presets;
 }

@@ -7,6 +7,7 @@
 #include "geometry/mesh/mesh_specks.h"
 #include "patient/dental_arch.h"
 #include "patient/length_unit.h"
+#include "patient/messages.h"
 
 namespace tactooth {
 namespace {
@@ -33,7 +34,7 @@ Expected<JawFrame> findJawFrame(std::span<const Scan> teeth, std::optional<doubl
     std::vector<Vec3> crowns;
     for (const Scan& scan : teeth) {
         const Box3 box = boxOf(scan);
-        if (box.isEmpty() || box.sizes().maxCoeff() <= 0) return unexpected(scan.name + ": there is no surface.");
+        if (box.isEmpty() || box.sizes().maxCoeff() <= 0) return unexpected(msg::kNoSurface, scan.name);
         longest.push_back(box.sizes().maxCoeff());
         crowns.push_back(crownOf(scan, box));
     }

@@ -11,6 +11,7 @@
 #include "geometry/field/isosurface.h"
 #include "geometry/mesh/mesh_repair.h"
 #include "patient/exterior_surface.h"
+#include "patient/messages.h"
 #include "patient/pulp_segments.h"
 #include "patient/tooth_sections.h"
 
@@ -99,14 +100,8 @@ TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {
 }
 
 std::vector<ImportNote> notesOn(double enamel, bool hasHollow, bool hasPulp) {
-    const char* const pulp = hasHollow ? "The surface encloses a hollow: it is taken as the pulp space, which is empty."
-                             : hasPulp ? "The pulp is a model, too: a chamber at the neck and a canal down each root."
-                                       : "There is no room for a pulp: the tooth has none.";
-    return {{ImportNoteTopic::Layers,
-             "Only the outer surface is known: enamel and dentin are a model, with enamel up to %1 mm thick "
-             "that thins to nothing at the neck. They are no measurement of this tooth.",
-             {rounded(enamel, 1)}},
-            {ImportNoteTopic::Layers, pulp}};
+    const MessageText& pulp = hasHollow ? msg::kNotePulpHollow : hasPulp ? msg::kNotePulpModelled : msg::kNoteNoPulp;
+    return {{ImportNoteTopic::Layers, {msg::kNoteModelled, rounded(enamel, 1)}}, {ImportNoteTopic::Layers, pulp}};
 }
 
 }  // namespace
@@ -120,17 +115,17 @@ Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& prog
     };
     const SurfacePart surface(outer);
     const DepthField depth = [&](const Vec3& point) { return -signedDistance(surface, point); };
-    if (!goesOn(0.1)) return unexpected("stopped");
+    if (!goesOn(0.1)) return unexpected(msg::kStopped);
     const EnamelDepth enamel(surface, depth);
-    if (!goesOn(0.3)) return unexpected("stopped");
+    if (!goesOn(0.3)) return unexpected(msg::kStopped);
     TriangleMesh dentin = dentinOf(outer, enamel);
     std::vector<PulpSegment> segments;
     if (!enamel.hasHollow()) {
         segments = pulpSegments(depth, surface.tree().box(), [&](double part) { return goesOn(0.5 + 0.3 * part); });
     }
-    if (!goesOn(0.8)) return unexpected("stopped");
+    if (!goesOn(0.8)) return unexpected(msg::kStopped);
     TriangleMesh pulp = pulpFrom(segments, depth);
-    if (!goesOn(1)) return unexpected("stopped");
+    if (!goesOn(1)) return unexpected(msg::kStopped);
     LayerModel model;
     model.how = notesOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
     const auto add = [&](MaterialRole role, TriangleMesh mesh) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "geometry/util/assert.h"
+#include "patient/messages.h"
 
 namespace tactooth {
 namespace {
@@ -29,20 +30,19 @@ std::optional<LengthUnit> lengthUnitFromName(std::string_view name) {
 
 ScaleGuess guessScale(double longest) {
     TACTOOTH_ASSERT(longest > 0);
-    const char* const tooth = "Units taken as %1, because the longest side would be %2 mm, as that of a whole tooth.";
-    const char* const crown = "Units taken as %1, because the longest side would be %2 mm, as that of a crown.";
-    if (kCrownLength.holds(longest)) return {1, {ImportNoteTopic::Units, crown, {"mm", rounded(longest, 1)}}};
-    for (const auto& [range, words] : {std::pair(kToothLength, tooth), std::pair(kCrownLength, crown)}) {
+    if (kCrownLength.holds(longest))
+        return {1, {ImportNoteTopic::Units, {msg::kNoteUnitOfCrown, "mm", rounded(longest, 1)}}};
+    for (const auto& [range, text] :
+         {std::pair(kToothLength, &msg::kNoteUnitOfTooth), std::pair(kCrownLength, &msg::kNoteUnitOfCrown)}) {
         for (const LengthUnit& unit : kLengthUnits) {
             if (!range.holds(longest * unit.mm)) continue;
-            return {unit.mm, {ImportNoteTopic::Units, words, {unit.name, rounded(longest * unit.mm, 1)}}};
+            return {unit.mm, {ImportNoteTopic::Units, {*text, unit.name, rounded(longest * unit.mm, 1)}}};
         }
     }
     const double scale = kAverageTooth / longest;
     return {scale,
             {ImportNoteTopic::Units,
-             "No unit of length makes this a tooth (longest side %1): scaled by %2 to the %3 mm of an average tooth.",
-             {rounded(longest, 2), rounded(scale, 5), rounded(kAverageTooth, 0)}}};
+             {msg::kNoteNoUnit, rounded(longest, 2), rounded(scale, 5), rounded(kAverageTooth, 0)}}};
 }
 
 void scaleToMm(TriangleMesh& mesh, double mmPerUnit) {

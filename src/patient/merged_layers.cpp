@@ -14,6 +14,7 @@
 #include "geometry/mesh/mesh_repair.h"
 #include "geometry/mesh/mesh_report.h"
 #include "geometry/mesh/near_weld.h"
+#include "patient/messages.h"
 
 namespace tactooth {
 namespace {
@@ -73,8 +74,7 @@ TriangleMesh mergedByDistance(const std::vector<LayerMesh>& layers) {
 
 Expected<MergedLayers> mergeLayers(const std::vector<LayerMesh>& layers) {
     if (layers.size() == 1) {
-        return MergedLayers{layers.front().mesh,
-                            {ImportNoteTopic::Layers, "There is one layer: its surface is the tooth's."}};
+        return MergedLayers{layers.front().mesh, {ImportNoteTopic::Layers, msg::kNoteOneLayer}};
     }
     TriangleMesh all;
     for (const LayerMesh& layer : layers) append(all, layer.mesh);
@@ -82,21 +82,16 @@ Expected<MergedLayers> mergeLayers(const std::vector<LayerMesh>& layers) {
     for (const double tolerance : kTolerances) {
         if (auto outer = welded(all, tolerance, volume)) {
             return MergedLayers{std::move(*outer),
-                                {ImportNoteTopic::Layers,
-                                 "The outer surface was welded from the layers: vertices within %1 mm became one, and "
-                                 "faces in common fell away.",
-                                 {rounded(tolerance, 3)}}};
+                                {ImportNoteTopic::Layers, {msg::kNoteLayersWelded, rounded(tolerance, 3)}}};
         }
     }
     TriangleMesh outer = mergedByDistance(layers);
     if (!reportOn(outer).watertight()) {
-        return unexpected("the layers give no closed surface together; give the tooth's outer surface as a file, too");
+        return unexpected(msg::kLayersNotClosed);
     }
-    return MergedLayers{std::move(outer),
-                        {ImportNoteTopic::Layers,
-                         "The layers do not fit within %1 mm: the outer surface was made anew around all of them, with "
-                         "triangles of %2 mm.",
-                         {rounded(kTolerances.back(), 2), rounded(kNewTriangles, 1)}}};
+    return MergedLayers{
+        std::move(outer),
+        {ImportNoteTopic::Layers, {msg::kNoteLayersMerged, rounded(kTolerances.back(), 2), rounded(kNewTriangles, 1)}}};
 }
 
 }  // namespace tactooth

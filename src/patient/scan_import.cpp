@@ -5,12 +5,24 @@
 #include <algorithm>
 #include <iterator>
 
+#include "collision/solid/messages.h"
 #include "collision/solid/solid.h"
+#include "geometry/util/messages.h"
 #include "patient/length_unit.h"
 #include "patient/merged_layers.h"
+#include "patient/messages.h"
 
 namespace tactooth {
 namespace {
+
+constexpr const char* kOuter = "outer";  // the outer surface's name in messages
+
+/// The word for a layer in an import note.
+Message wordFor(const std::string& name, const MaterialRegistry& materials) {
+    if (name == kOuter) return msg::kOuterSurface;
+    const auto material = materials.find(name);
+    return material ? Message::bilingual(name, materials[*material].titleJa) : Message::verbatim(name);
+}
 
 Vec3 middleOf(const TriangleMesh& mesh) { return boundingBox(mesh).center(); }
 
@@ -26,7 +38,7 @@ public:
     }
 
     Expected<ExaminedScan> run() && {
-        if (result_.outer.empty() && result_.layers.empty()) return unexpected(result_.name + ": there is no surface.");
+        if (result_.outer.empty() && result_.layers.empty()) return unexpected(msg::kNoSurface, result_.name);
         // Before the unit is guessed: a distant speck says nothing about the size of the tooth.
         for (LayerMesh& layer : result_.layers) mended_.push_back(mend(layer.mesh));
         if (!result_.outer.empty()) mended_.push_back(mend(result_.outer));
@@ -38,10 +50,10 @@ public:
         }
         if (result_.outer.empty()) {
             auto joined = mergeLayers(result_.layers);
-            if (!joined) return unexpected(result_.name + ": " + joined.error().message + ".");
+            if (!joined) return unexpected(msg::kNamed, result_.name, joined.error());
             result_.outer = std::move(joined->outer);
             result_.importNotes.push_back(std::move(joined->how));
-        } else if (auto done = makeSolid(result_.outer, "outer", mended_.back(), true); !done) {
+        } else if (auto done = makeSolid(result_.outer, kOuter, mended_.back(), true); !done) {
             return Unexpected{done.error()};
         }
         makeUpright();
@@ -57,8 +69,7 @@ private:
             result_.mmPerUnit = *options_.mmPerUnit;
             result_.importNotes.push_back(
                 {ImportNoteTopic::Units,
-                 "Scaled by %1, as chosen: the longest side is %2 mm.",
-                 {rounded(*options_.mmPerUnit, 5), rounded(longest * *options_.mmPerUnit, 1)}});
+                 {msg::kNoteScaled, rounded(*options_.mmPerUnit, 5), rounded(longest * *options_.mmPerUnit, 1)}});
         } else if (longest > 0) {
             ScaleGuess guess = guessScale(longest);
             result_.mmPerUnit = guess.mmPerUnit;
@@ -68,8 +79,9 @@ private:
         for (LayerMesh& layer : result_.layers) scaleToMm(layer.mesh, result_.mmPerUnit);
     }
 
-    void importNote(const char* text, std::vector<std::string> values) {
-        result_.importNotes.push_back({ImportNoteTopic::Closedness, text, std::move(values)});
+    template <class... Values>
+    void importNote(const MessageText& text, const Values&... values) {
+        result_.importNotes.push_back({ImportNoteTopic::Closedness, {text, values...}});
     }
 
     [[nodiscard]] RepairReport mend(TriangleMesh& mesh) const {
@@ -79,51 +91,35 @@ private:
     }
 
     /// `done` is in the file's unit, `now` in mm.
-    void addNotes(const RepairReport& done, const SolidReport& now, const std::string& what, std::size_t triangles) {
-        const auto number = [](std::size_t count) { return std::to_string(count); };
+    void addNotes(const RepairReport& done, const SolidReport& now, const std::string& name, std::size_t triangles) {
+        const Message what = wordFor(name, *result_.materials);
         if (done.cracks.moved > 0) {
-            importNote("%1: %2 corners that differ in their last digits were welded, within %3 mm.",
-                       {what, number(done.cracks.moved), rounded(done.cracks.tolerance * result_.mmPerUnit, 6)});
+            importNote(msg::kNoteWelded, what, done.cracks.moved,
+                       rounded(done.cracks.tolerance * result_.mmPerUnit, 6));
         }
-        if (done.droppedDegenerate + done.droppedDuplicates > 0) {
-            importNote("%1: %2 empty or doubled triangles were dropped.",
-                       {what, number(done.droppedDegenerate + done.droppedDuplicates)});
-        }
-        if (done.droppedPieces > 0)
-            importNote("%1: %2 crumbs beside the surface were dropped.", {what, number(done.droppedPieces)});
-        if (done.flippedTriangles > 0)
-            importNote("%1: %2 triangles were turned to look outward.", {what, number(done.flippedTriangles)});
+        if (const std::size_t dropped = done.droppedDegenerate + done.droppedDuplicates; dropped > 0)
+            importNote(msg::kNoteDegenerate, what, dropped);
+        if (done.droppedPieces > 0) importNote(msg::kNoteCrumbs, what, done.droppedPieces);
+        if (done.flippedTriangles > 0) importNote(msg::kNoteTurnedOutward, what, done.flippedTriangles);
         if (done.filledHoles > 0) {
-            importNote("%1: %2 holes were filled, the largest with a rim of %3 mm.",
-                       {what, number(done.filledHoles), rounded(done.longestFilledRim * result_.mmPerUnit, 2)});
+            importNote(msg::kNoteHolesFilled, what, done.filledHoles,
+                       rounded(done.longestFilledRim * result_.mmPerUnit, 2));
         }
         std::vector<ImportNote> solid = notesOn(now, what);
-        if (!done.changedAnything() && solid.empty())
-            importNote("%1: closed and sound as it came, %2 triangles.", {what, number(triangles)});
+        if (!done.changedAnything() && solid.empty()) importNote(msg::kNoteSound, what, triangles);
         std::ranges::move(solid, std::back_inserter(result_.importNotes));
-        if (now.shells > 1) importNote("%1: consists of %2 separate shells.", {what, number(now.shells)});
+        if (now.shells > 1) importNote(msg::kNoteShells, what, now.shells);
     }
 
     /// A sentence on why a repaired surface is not a solid.
-    [[nodiscard]] std::string refusal(const RepairReport& done, const SolidReport& now, const std::string& what) const {
+    [[nodiscard]] Message refusal(const RepairReport& done, const SolidReport& now, const std::string& what) const {
         const std::string& name = result_.name;
-        const std::string edges = std::to_string(now.openEdges);
-        if (now.flaw == SolidFlaw::Open && done.openHoles > 0 && options_.holes != HolesToFill::All) {
-            return name + ": the surface '" + what + "' has " + std::to_string(done.openHoles) +
-                   " holes that are too wide to be filled unasked (" + edges +
-                   " open edges); ask for all holes to be filled, or close it in a mesh program.";
-        }
-        if (now.flaw == SolidFlaw::Open) {
-            return name + ": the surface '" + what + "' cannot be closed (" + edges +
-                   " open edges): walls meet inside it, or pieces hang together with nothing; close it in a mesh "
-                   "program.";
-        }
-        if (now.flaw == SolidFlaw::Overlapping && done.filledHoles > 0) {
-            return name + ": the surface '" + what + "' crosses itself by " + rounded(now.overlap, 2) +
-                   " mm once its " + std::to_string(done.filledHoles) +
-                   " holes are filled; close it in a mesh program.";
-        }
-        return name + ": " + flawSentence(now, "the surface '" + what + "'") + ".";
+        if (now.flaw == SolidFlaw::Open && done.openHoles > 0 && options_.holes != HolesToFill::All)
+            return {msg::kHolesTooWide, name, what, done.openHoles, now.openEdges};
+        if (now.flaw == SolidFlaw::Open) return {msg::kHolesNotClosed, name, what, now.openEdges};
+        if (now.flaw == SolidFlaw::Overlapping && done.filledHoles > 0)
+            return {msg::kFilledCrossing, name, what, rounded(now.overlap, 2), done.filledHoles};
+        return {msg::kNamed, name, flawSentence(now, {msg::kTheSurfaceNamed, what})};
     }
 
     Expected<void> makeSolid(TriangleMesh& mesh, const std::string& what, const RepairReport& done, bool dropsSpecks) {
@@ -190,7 +186,7 @@ Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& option
         scan.layersAreModelled = scan.enamelIsOuter = true;
         std::ranges::move(model->how, std::back_inserter(scan.importNotes));
     } else if (scan.layers.empty()) {
-        scan.importNotes.push_back({ImportNoteTopic::Layers, "The whole tooth is taken as enamel, as chosen."});
+        scan.importNotes.push_back({ImportNoteTopic::Layers, msg::kNoteAllEnamel});
     }
     const bool hasEnamel = std::ranges::any_of(scan.layers, [&](const LayerMesh& layer) {
         return scan.materials->hasRole(layer.material, MaterialRole::Enamel);
@@ -199,11 +195,10 @@ Expected<ExaminedScan> finishScan(ExaminedScan scan, const ImportOptions& option
         const MaterialId enamel = scan.materials->withRole(MaterialRole::Enamel);
         scan.layers.insert(scan.layers.begin(), {scan.materials->nameOf(enamel), enamel, scan.outer});
         scan.enamelIsOuter = true;
-        scan.importNotes.push_back(
-            {ImportNoteTopic::Layers, "No enamel is given: what no other layer holds is taken as enamel."});
+        scan.importNotes.push_back({ImportNoteTopic::Layers, msg::kNoteNoEnamel});
     }
     const auto tooth = LayeredTooth::make(scan.outer, scan.layers, {}, {}, *scan.materials);
-    if (!tooth) return unexpected(scan.name + ": " + tooth.error().message + ".");
+    if (!tooth) return unexpected(msg::kNamed, scan.name, tooth.error());
     return scan;
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "geometry/util/pose.h"
+#include "patient/messages.h"
 #include "patient/tooth_sections.h"
 
 namespace tactooth {
@@ -64,40 +65,37 @@ struct Orientation {
 
 Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape,
                     std::vector<ImportNote>& why) {
-    const auto add = [&](const char* text) { why.push_back({ImportNoteTopic::Orientation, text}); };
+    const auto add = [&](const MessageText& text) { why.push_back({ImportNoteTopic::Orientation, text}); };
     Vec3 axis = shape.isClear ? shape.axis : Vec3::UnitZ();
     if (!shape.isClear) {
-        add("The surface is about as long as wide: +z of the file is taken as the crown's side.");
+        add(msg::kNoteNoLongAxis);
     } else if (hints.crown) {
         if (axis.dot(*hints.crown) < 0) axis = -axis;
-        add("The crown is where the enamel is.");
+        add(msg::kNoteCrownAtEnamel);
     } else {
         if (volumeImbalance(outer, shortestRotation(axis, Vec3::UnitZ())) < 0) axis = -axis;
-        add("The thicker end of the long axis is taken as the crown.");
+        add(msg::kNoteCrownThicker);
     }
     return axis;
 }
 
 Orientation orientationOf(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape) {
     Orientation orientation;
-    const auto add = [&](const char* text, std::vector<std::string> values = {}) {
-        orientation.why.push_back({ImportNoteTopic::Orientation, text, std::move(values)});
+    const auto add = [&](Message message) {
+        orientation.why.push_back({ImportNoteTopic::Orientation, std::move(message)});
     };
     const Vec3 crown = crownDirection(outer, hints, shape, orientation.why);
     const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
     constexpr double kClear = 0.2;  // sine of the angle to the long axis: a smaller one gives no buccal direction
     if (hints.buccal && hints.buccal->cross(crown).norm() > kClear * hints.buccal->norm()) {
         orientation.upright = uprightRotation(crown, *hints.buccal);
-        add("The cheek's side is the one that looks away from the middle of the arch.");
+        add(msg::kNoteCheekOutward);
     } else if (tilt < kUprightTolerance) {
         orientation.upright = Quat::Identity();
-        add("It stands crown up as it came (%1 degrees from +z): its axes are kept, with the cheek at +y.",
-            {rounded(tilt * 180 / std::numbers::pi, 0)});
+        add({msg::kNoteUpright, rounded(tilt * 180 / std::numbers::pi, 0)});
     } else {
         orientation.upright = shortestRotation(crown, Vec3::UnitZ());
-        add("Turned by %1 degrees to stand crown up; the cheek's side cannot be seen from one surface and is taken to "
-            "be +y of the file.",
-            {rounded(tilt * 180 / std::numbers::pi, 0)});
+        add({msg::kNoteTurnedUpright, rounded(tilt * 180 / std::numbers::pi, 0)});
     }
     return orientation;
 }
@@ -110,13 +108,12 @@ FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints) {
     Quat upright = orientation.upright;
     if (hints.isFlipped) {
         upright = Quat(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitY())) * upright;
-        orientation.why.push_back({ImportNoteTopic::Orientation, "Turned upside down, as chosen."});
+        orientation.why.push_back({ImportNoteTopic::Orientation, msg::kNoteUpsideDown});
     }
     if (hints.turn != 0) {
         upright = Quat(Eigen::AngleAxisd(hints.turn, Vec3::UnitZ())) * upright;
-        orientation.why.push_back({ImportNoteTopic::Orientation,
-                                   "Turned by %1 degrees about the long axis, as chosen.",
-                                   {rounded(hints.turn * 180 / std::numbers::pi, 0)}});
+        orientation.why.push_back(
+            {ImportNoteTopic::Orientation, {msg::kNoteTurnedAbout, rounded(hints.turn * 180 / std::numbers::pi, 0)}});
     }
     const TriangleMesh turned = transformed(outer, {Vec3::Zero(), upright});
     Vec3 origin = upright * shape.middle;

@@ -136,13 +136,13 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     QVERIFY(tooth.box().sizes().z() > 15 && tooth.box().sizes().z() < 30);
     QCOMPARE(tooth.piece->tooth().layers().size(), std::size_t{3});
     const auto kept = openCase(folder_ / "molar.ttcase");
-    QVERIFY2(kept.has_value(), kept ? "" : kept.error().message.c_str());
+    QVERIFY2(kept.has_value(), kept ? "" : kept.error().message().c_str());
     QVERIFY(kept->description.teeth.front().isModelled);
 }
 
 void ImportWindowTest::theImportCanBeCancelled() {
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
-    waitForToothNamed(kBuiltinTeeth.front().name);
+    waitForToothNamed(std::string(kBuiltinTeeth.front().name));
     drop({scan_});
     waitForImportNotes("Units taken as cm");
     importButton()->click();
@@ -199,7 +199,7 @@ void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
         QVERIFY(writeStl(core, folder_ / std::string("scans/").append(name).append("_dentin.stl")).has_value());
     }
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
-    QVERIFY2(made.has_value(), made ? "" : made.error().message.c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());
     drop({folder_ / "blocks.ttcase"});
     waitForToothNamed("Blocks, L6");
@@ -215,7 +215,7 @@ void ImportWindowTest::cleanupTestCase() { closeWindow(); }
 
 bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) {
     initTestCase();
-    waitForToothNamed(kBuiltinTeeth.front().name);
+    waitForToothNamed(std::string(kBuiltinTeeth.front().name));
     drop({scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString())});
     QElapsedTimer since;
     for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);

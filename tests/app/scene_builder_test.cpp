@@ -121,12 +121,12 @@ TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
 
 TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
     const auto registry = parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\n", "mine.toml");
-    ASSERT_TRUE(registry) << registry.error().message;
+    ASSERT_TRUE(registry) << registry.error().message();
     const auto amalgam = static_cast<std::size_t>((*registry)->find("amalgam").value());
     TriangleMesh outer = test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     auto tooth = LayeredTooth::make(outer, {{"amalgam", static_cast<MaterialId>(amalgam), outer}},
                                     static_cast<MaterialId>(amalgam), {}, **registry);
-    ASSERT_TRUE(tooth) << tooth.error().message;
+    ASSERT_TRUE(tooth) << tooth.error().message();
     SceneContents contents = modelWithEverything();
     contents.materials = MaterialTable(**registry);
     Scene scene = makeScene(contents);

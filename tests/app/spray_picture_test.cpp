@@ -25,7 +25,7 @@ protected:
         MolarPictures::SetUpTestSuite();
         bur_ = makeBur(*findBur("4"), 3000).surface;
         auto cutting = makeCuttingTool(bur_);
-        ASSERT_TRUE(cutting) << cutting.error().message;
+        ASSERT_TRUE(cutting) << cutting.error().message();
         tool_.emplace(std::move(*cutting));
         turbine_ = std::make_shared<const TriangleMesh>(makeTurbine(6000));
     }

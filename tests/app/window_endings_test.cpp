@@ -90,7 +90,7 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
     }
     ASSERT_TRUE(isClosed);
     const auto kept = readWindowSettings(settings);
-    ASSERT_TRUE(kept) << kept.error().message;
+    ASSERT_TRUE(kept) << kept.error().message();
     EXPECT_TRUE(kept->refused.empty()) << "it was written anew";
     EXPECT_EQ(kept->hand.motionScaling, 2);
 }

@@ -353,7 +353,7 @@ void WindowMenuTest::everySettingIsThereAfterARestart() {
     const auto file = folder_ / "settings/window.toml";
     QVERIFY(writeWindowSettings(wanted, file).has_value());
     const auto read = readWindowSettings(file);
-    QVERIFY2(read.has_value(), read.has_value() ? "" : read.error().message.c_str());
+    QVERIFY2(read.has_value(), read.has_value() ? "" : read.error().message().c_str());
     {
         MainWindow again(*sound_);
         again.apply(*read);

@@ -275,7 +275,7 @@ void WindowTest::theToothIsSavedAndUndoTakesBackACut() {
     const auto file = folder_ / "cut.tactooth";
     window_->teeth().saveTooth(QString::fromStdString(file.string()));
     const Expected<OpenedTooth> saved = openTooth(file);
-    QVERIFY2(saved.has_value(), saved ? "" : saved.error().message.c_str());
+    QVERIFY2(saved.has_value(), saved ? "" : saved.error().message().c_str());
     QCOMPARE(total(saved->piece->removed()), cut);
     QVERIFY(!saved->provenance.empty());
     key(Qt::Key_Z, Qt::ControlModifier);

@@ -35,7 +35,7 @@ Expected<Exercise> parsed(const std::string& text) { return parseExercise(text, 
 TEST(ExerciseFile, DescribesABuiltInToothABurAndWhatItCuts) {
     const auto exercise =
         parsed(exerciseWith("tooth = 36", "tooth = 36\npatient = 7\ndecay = {site = \"occlusal\", width = 1.5}"));
-    ASSERT_TRUE(exercise) << exercise.error().message;
+    ASSERT_TRUE(exercise) << exercise.error().message();
     EXPECT_EQ(exercise->name, "Pit");
     EXPECT_EQ(exercise->task, "Drill.");
     const auto& tooth = std::get<ToothRequest>(exercise->tooth);
@@ -57,7 +57,7 @@ TEST(ExerciseFile, NamesFilesBesideIt) {
     const auto exercise = parsed(
         "name = \"Own\"\ntask = \"Cut.\"\ntooth = \"teeth/own.stl\"\nlayers = {dentin = \"dentin.stl\"}\n"
         "bur = \"bur.stl\"\nideal = \"ideal.stl\"\n");
-    ASSERT_TRUE(exercise) << exercise.error().message;
+    ASSERT_TRUE(exercise) << exercise.error().message();
     const auto& source = std::get<ToothSource>(exercise->tooth);
     EXPECT_EQ(source.outer, "/somewhere/teeth/own.stl");
     ASSERT_EQ(source.layers.size(), 1U);
@@ -107,8 +107,8 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
     for (const auto& [line, change, words] : mistakes) {
         const auto exercise = parsed(exerciseWith(line, change));
         ASSERT_FALSE(exercise) << words;
-        EXPECT_THAT(exercise.error().message, HasSubstr(words));
-        EXPECT_THAT(exercise.error().message, HasSubstr("pit.toml, line "));
+        EXPECT_THAT(exercise.error().message(), HasSubstr(words));
+        EXPECT_THAT(exercise.error().message(), HasSubstr("pit.toml, line "));
     }
 }
 
@@ -117,7 +117,7 @@ TEST(ExerciseFile, AStrokeBesideTheToothIsRefused) {
     ASSERT_TRUE(exercise);
     const auto ideal = idealShape(*exercise, *exerciseTooth(*exercise));
     ASSERT_FALSE(ideal);
-    EXPECT_THAT(ideal.error().message, HasSubstr("stroke 1 of the cavity goes past the tooth"));
+    EXPECT_THAT(ideal.error().message(), HasSubstr("stroke 1 of the cavity goes past the tooth"));
 }
 
 TEST(ExerciseFile, AnIdealShapeOfOnesOwnIsTakenAsItIsAndMustBeClosed) {
@@ -133,24 +133,24 @@ TEST(ExerciseFile, AnIdealShapeOfOnesOwnIsTakenAsItIsAndMustBeClosed) {
     test::writeText(folder / "open.toml",
                     "name = \"Open\"\ntask = \"Grind.\"\ntooth = \"block.stl\"\nbur = \"330\"\nideal = \"open.stl\"\n");
     const auto lower = readExercise(folder / "lower.toml");
-    ASSERT_TRUE(lower) << lower.error().message;
+    ASSERT_TRUE(lower) << lower.error().message();
     EXPECT_EQ(lower->file, folder / "lower.toml");
     const auto tooth = exerciseTooth(*lower);
-    ASSERT_TRUE(tooth) << tooth.error().message;
+    ASSERT_TRUE(tooth) << tooth.error().message();
     const auto ideal = idealShape(*lower, *tooth);
-    ASSERT_TRUE(ideal) << ideal.error().message;
+    ASSERT_TRUE(ideal) << ideal.error().message();
     EXPECT_NEAR(*reportOn(*ideal).volume(), 32, 1e-3);
     const auto open = readExercise(folder / "open.toml");
     ASSERT_TRUE(open);
     const auto refused = idealShape(*open, *tooth);
     ASSERT_FALSE(refused);
-    EXPECT_THAT(refused.error().message, HasSubstr("is open (3 edges without a neighbour)"));
+    EXPECT_THAT(refused.error().message(), HasSubstr("is open (3 edges without a neighbour)"));
 }
 
 TEST(ExerciseFile, AFileThatIsNotThereIsRefused) {
     const auto missing = readExercise("/nowhere/pit.toml");
     ASSERT_FALSE(missing);
-    EXPECT_THAT(missing.error().message, HasSubstr("/nowhere/pit.toml"));
+    EXPECT_THAT(missing.error().message(), HasSubstr("/nowhere/pit.toml"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ protected:
 
 TEST_P(EachExercise, HasAClosedIdealShapeThatABeginnerCouldCut) {
     const auto ideal = idealShape(*GetParam(), tooth_);
-    ASSERT_TRUE(ideal) << ideal.error().message;
+    ASSERT_TRUE(ideal) << ideal.error().message();
     const MeshReport report = reportOn(*ideal);
     ASSERT_TRUE(report.watertight());
     const auto target = std::make_shared<const SurfacePart>(*ideal);

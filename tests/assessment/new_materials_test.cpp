@@ -109,7 +109,7 @@ TEST_F(NewMaterials, AreThereAgainInASavedTooth) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
     const auto opened = openTooth(folder / "filled.tactooth", &materials_);
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_TRUE(opened->importNotes.empty());
     EXPECT_EQ(&opened->piece->tooth().materials(), &materials_);
     EXPECT_EQ(opened->piece->removed(), before);
@@ -124,7 +124,7 @@ TEST_F(NewMaterials, AreFoundByNameWhereTheirCodesHaveChanged) {
     const auto others = parseMaterials("[gold]\n[amalgam]\n[composite]\n", "others.toml");
     ASSERT_TRUE(others);
     const auto opened = openTooth(folder / "filled.tactooth", *others);
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const MaterialRegistry& now = opened->piece->tooth().materials();
     EXPECT_EQ(&now, *others);
     const MaterialVolumes& after = opened->piece->removed();
@@ -137,7 +137,7 @@ TEST_F(NewMaterials, KeepTheirNamesWhereNobodyKnowsThem) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
     const auto opened = openTooth(folder / "filled.tactooth");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     ASSERT_EQ(opened->importNotes.size(), 2U);
     EXPECT_THAT(inWords(opened->importNotes.front()), HasSubstr("'composite' of this tooth is not known here"));
     const MaterialRegistry& now = opened->piece->tooth().materials();

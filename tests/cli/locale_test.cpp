@@ -101,7 +101,7 @@ TEST_F(LocaleTest, TheWindowsSettingsComeBack) {
     EXPECT_EQ(windowSettingsText(settings), plain);
     ASSERT_TRUE(writeWindowSettings(settings, folder_ / "window.toml"));
     const auto again = readWindowSettings(folder_ / "window.toml");
-    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again) << again.error().message();
     EXPECT_EQ(again->force, settings.force);
     EXPECT_EQ(again->hand, settings.hand);
     EXPECT_EQ(again->sound.master, settings.sound.master);

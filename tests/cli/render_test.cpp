@@ -35,7 +35,7 @@ protected:
         const ProgramRun run = render(more);
         EXPECT_EQ(run.exitCode, 0) << run.err;
         auto image = readPng(out());
-        EXPECT_TRUE(image) << image.error().message;
+        EXPECT_TRUE(image) << image.error().message();
         return image ? *image : Image{};
     }
     [[nodiscard]] std::string refusal(const std::vector<std::string>& more) const {

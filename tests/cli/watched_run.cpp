@@ -145,7 +145,7 @@ std::string faultOfFiles(const std::filesystem::path& folder) {
         constexpr std::uintmax_t kHeadOfStl = 84;  // bytes: nothing was left
         if (ending != ".stl" || entry.file_size() <= kHeadOfStl) continue;
         const auto mesh = loadMesh(entry.path());  // it takes finite corners alone
-        if (!mesh) return mesh.error().message;
+        if (!mesh) return mesh.error().message();
     }
     return {};
 }

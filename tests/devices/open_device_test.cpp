@@ -22,7 +22,7 @@ TEST(OpenDevice, KnowsItsKindsAndTheMouseComesFirst) {
     for (const char* name : {"joystick", "", ":", "spacemouse:left", "mouse"}) {
         const auto opened = openDevice(name);
         ASSERT_FALSE(opened) << name;
-        for (const DeviceBackend& kind : deviceBackends()) EXPECT_THAT(opened.error().message, HasSubstr(kind.name));
+        for (const DeviceBackend& kind : deviceBackends()) EXPECT_THAT(opened.error().message(), HasSubstr(kind.name));
     }
 }
 
@@ -33,7 +33,7 @@ TEST(OpenDevice, KnowsANameWithoutOpeningIt) {
     for (const char* name : {"joystick", "", ":", "spacemouse:left", "mouse:2", "none", "Pen"}) {
         const auto known = checkDeviceName(name, "--device");
         ASSERT_FALSE(known) << name;
-        EXPECT_THAT(known.error().message, HasSubstr("--device takes mouse, pen, inverse3, gamepad, spacemouse"));
+        EXPECT_THAT(known.error().message(), HasSubstr("--device takes mouse, pen, inverse3, gamepad, spacemouse"));
     }
 }
 
@@ -42,7 +42,7 @@ TEST(OpenDevice, KnowsThatTheSecondHandHasNoMouse) {
         EXPECT_TRUE(checkDeviceName(name, "--second-device", true)) << name;
     }
     for (const char* name : {"mouse", "bogus"}) {
-        EXPECT_THAT(checkDeviceName(name, "--second-device", true).error().message,
+        EXPECT_THAT(checkDeviceName(name, "--second-device", true).error().message(),
                     HasSubstr("--second-device takes none, pen"))
             << name;
     }
@@ -58,7 +58,7 @@ TEST(OpenDevice, OpensAGamepadByItsName) {
 
 TEST(OpenDevice, SaysWhatIsMissing) {
     setenv("TACTOOTH_LIBHD", "libNoSuchHD.so", 1);
-    EXPECT_THAT(openDevice("pen").error().message, HasSubstr("install the device's driver"));
+    EXPECT_THAT(openDevice("pen").error().message(), HasSubstr("install the device's driver"));
     unsetenv("TACTOOTH_LIBHD");
 }
 
@@ -67,7 +67,7 @@ std::string penError(const std::string& library) {
     setenv("TACTOOTH_LIBHD", library.c_str(), 1);
     const auto opened = openDevice("pen");
     unsetenv("TACTOOTH_LIBHD");
-    return opened ? "" : opened.error().message;
+    return opened ? "" : opened.error().message();
 }
 
 TEST(OpenDevice, ALibraryThatCrashesDoesNotTakeTheProgramWithIt) {

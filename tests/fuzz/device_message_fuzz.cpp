@@ -8,8 +8,8 @@ namespace tactooth::test {
 namespace {
 
 void requireWords(const Error& error) {
-    require(error.message.size() > 20 && error.message.ends_with('.') && error.message.size() < 1000,
-            "a refusal is a sentence");
+    const std::string sentence = error.message();
+    require(sentence.size() > 20 && sentence.ends_with('.') && sentence.size() < 1000, "a refusal is a sentence");
 }
 
 bool accepts(std::span<const std::byte> bytes) {

@@ -42,8 +42,8 @@ inline void require(bool holds, const char* promise) {
 }
 
 /// One sentence that begins with the name that the file was given.
-inline void requireSentence(const Error& error, std::size_t longest = 400) {
-    const std::string& sentence = error.message;
+inline void requireSentence(const Message& message, std::size_t longest = 400) {
+    const std::string sentence = message.in(Language::English);
     require(sentence.starts_with("fuzz"), "a refusal names the file");
     require(sentence.ends_with('.') && sentence.size() > 20, "a refusal is a sentence");
     require(sentence.size() < longest, "a refusal is short");

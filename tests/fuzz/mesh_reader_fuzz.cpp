@@ -13,7 +13,7 @@ namespace {
 bool keepsPromises(const Expected<ReadMesh>& read, std::size_t bytes) {
     if (!read) return requireSentence(read.error()), false;
     const TriangleMesh* const mesh = &read->mesh;
-    for (const ImportNote& importNote : read->importNotes) requireSentence({inWords(importNote)});
+    for (const ImportNote& importNote : read->importNotes) requireSentence(importNote.message);
     require(!mesh->empty() && mesh->triangles.size() <= bytes && mesh->vertices.size() <= bytes,
             "a surface is no larger than its file");
     requireValid(*mesh);

@@ -71,7 +71,7 @@ TEST(RealTeeth, EverySurfaceIsAsDescribed) {
     for (const Described& described : kSurfaces) {
         SCOPED_TRACE(described.file);
         const Expected<TriangleMesh> mesh = loadMesh(*folder / described.file);
-        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_TRUE(mesh) << mesh.error().message();
         const MeshReport report = reportOn(*mesh);
         EXPECT_EQ(report.triangles, described.triangles);
         EXPECT_EQ(report.vertices, described.vertices);
@@ -108,10 +108,10 @@ TEST(RealTeeth, WrittenTeethReadBackBitForBit) {
     const auto folder = test::realTeethFolder();
     if (!folder) GTEST_SKIP() << "shapes and random coordinates are tested in StlWriter";
     const Expected<TriangleMesh> mesh = loadMesh(*folder / "openmandible/whole/L6_whole.stl");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     for (const StlFormat format : {StlFormat::Binary, StlFormat::Ascii}) {
         const Expected<TriangleMesh> back = parseStl(stlBytes(*mesh, format), "memory");
-        ASSERT_TRUE(back) << back.error().message;
+        ASSERT_TRUE(back) << back.error().message();
         EXPECT_EQ(test::coordinateBits(*back), test::coordinateBits(*mesh));
         EXPECT_EQ(back->triangles, mesh->triangles);
     }

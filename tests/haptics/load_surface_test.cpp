@@ -19,7 +19,7 @@ TEST(LoadSurface, AClosedSurfaceHasAnInside) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(writeStl(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1)), folder / "box.stl"));
     const auto surface = loadSurface(folder / "box.stl");
-    ASSERT_TRUE(surface) << surface.error().message;
+    ASSERT_TRUE(surface) << surface.error().message();
     EXPECT_TRUE((*surface)->closed);
     EXPECT_EQ((*surface)->base->mesh().triangles.size(), 12U);
     EXPECT_TRUE((*surface)->patches.empty());
@@ -46,10 +46,10 @@ TEST(LoadSurface, LoadsAToolInItsOwnFrame) {
 TEST(LoadSurface, SaysWhatIsWrongWithAFile) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "text.stl", "no surface at all");
-    EXPECT_THAT(loadSurface(folder / "none.stl").error().message, HasSubstr("there is no such file"));
-    EXPECT_THAT(loadTool(folder / "none.stl").error().message, HasSubstr("there is no such file"));
-    EXPECT_THAT(loadSurface(folder / "text.stl").error().message, HasSubstr("text.stl"));
-    EXPECT_THAT(loadTool(folder / "text.stl").error().message, HasSubstr("text.stl"));
+    EXPECT_THAT(loadSurface(folder / "none.stl").error().message(), HasSubstr("there is no such file"));
+    EXPECT_THAT(loadTool(folder / "none.stl").error().message(), HasSubstr("there is no such file"));
+    EXPECT_THAT(loadSurface(folder / "text.stl").error().message(), HasSubstr("text.stl"));
+    EXPECT_THAT(loadTool(folder / "text.stl").error().message(), HasSubstr("text.stl"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ protected:
         Pictures::SetUpTestSuite();
         const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000);
         auto layered = LayeredTooth::make(molar.outer, layersOf(molar));
-        ASSERT_TRUE(layered) << layered.error().message;
+        ASSERT_TRUE(layered) << layered.error().message();
         tooth_ = std::make_shared<const LayeredTooth>(std::move(*layered));
         mesialX_ = mesialX(molar.fdi);
     }

@@ -27,7 +27,7 @@ protected:
             GTEST_SKIP() << "renewed " << baseline;
         }
         const auto wanted = readPng(baseline);
-        ASSERT_TRUE(wanted) << wanted.error().message;
+        ASSERT_TRUE(wanted) << wanted.error().message();
         ASSERT_EQ(wanted->size, image.size);
         const ImageDifference difference = compare(image, *wanted);
         const bool same = difference.mean < kMeanTolerance && difference.worstShare < kShareTolerance;

@@ -198,7 +198,7 @@ TEST_P(EveryTooth, LesionReachesFromTheSurfaceIntoTheDentinButNotThePulp) {
 
 TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) {
     const auto layered = LayeredTooth::make(tooth_.outer, layersOf(tooth_));
-    ASSERT_TRUE(layered.has_value()) << layered.error().message;
+    ASSERT_TRUE(layered.has_value()) << layered.error().message();
     EXPECT_EQ(layered->layers().size(), 4u);
     const SurfacePart& outer = *layered->outer();
     int enamel = 0, dentin = 0;

@@ -105,7 +105,7 @@ TEST_P(PermanentTooth, HasItsMirrorImageOnTheOtherSide) {
 
 TEST_P(PermanentTooth, IsALayeredTooth) {
     const auto layered = LayeredTooth::make(tooth_.outer, layersOf(tooth_));
-    ASSERT_TRUE(layered.has_value()) << layered.error().message;
+    ASSERT_TRUE(layered.has_value()) << layered.error().message();
     EXPECT_EQ(layered->layers().size(), 3u);
     const auto top = std::ranges::max_element(tooth_.outer.vertices, {}, [](const Vec3f& v) { return v.z(); });
     EXPECT_EQ(layered->materialAt(top->cast<double>() - 0.3 * Vec3::UnitZ()), test::kEnamel);

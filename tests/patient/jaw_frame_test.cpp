@@ -67,7 +67,7 @@ TEST(JawFrame, AScanWithoutASurfaceIsNamed) {
         teeth[1] = {"void", nothing, {}};
         const auto jaw = findJawFrame(teeth, std::nullopt);
         ASSERT_FALSE(jaw);
-        EXPECT_EQ(jaw.error().message, "void: there is no surface.");
+        EXPECT_EQ(jaw.error().message(), "void: there is no surface.");
     }
 }
 

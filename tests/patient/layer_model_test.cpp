@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Teeth, LayerModelOf, ::testing::Values(11, 36, 24),
 TEST(LayerModel, StopsWhenTold) {
     const auto model = modelLayers(builtIn(11).outer, [](double part) { return part < 0.5; });
     ASSERT_FALSE(model);
-    EXPECT_EQ(model.error().message, "stopped");
+    EXPECT_EQ(model.error().message(), "stopped");
 }
 
 TEST(LayerModel, EachRootHasItsCanal) {

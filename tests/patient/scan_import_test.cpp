@@ -80,15 +80,15 @@ TriangleMesh crownOnly() {
 TEST(ScanImport, AWideHoleIsFilledOnlyWhenAskedFor) {
     const auto refused = examineScan({"crown.stl", crownOnly(), {}}, {});
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message.rfind("crown.stl: the surface 'outer' has 1 holes that are too wide", 0), 0u)
-        << refused.error().message;
+    EXPECT_EQ(refused.error().message().rfind("crown.stl: the surface 'outer' has 1 holes that are too wide", 0), 0u)
+        << refused.error().message();
     ImportOptions all;
     all.holes = HolesToFill::All;
     const auto scan = examineScan({"crown.stl", crownOnly(), {}}, all);
     ASSERT_TRUE(scan);
     EXPECT_TRUE(reportOn(scan->outer).watertight());
     const auto tooth = finishScan(*scan, all);
-    ASSERT_TRUE(tooth) << tooth.error().message;
+    ASSERT_TRUE(tooth) << tooth.error().message();
 }
 
 TEST(ScanImport, LayersWithoutAnOuterSurfaceGetOne) {
@@ -122,7 +122,7 @@ TEST(ScanImport, ASpeckFarAwayChangesNeitherUnitNorFrame) {
                                                        Vec3f(isThin ? far / 2 : far, 0.2F, 0.1F)});
             mesh.triangles.insert(mesh.triangles.begin(), {first, first + 1, first + 2});
             const auto scan = examineScan({"t", mesh, {}}, {});
-            ASSERT_TRUE(scan) << scan.error().message;
+            ASSERT_TRUE(scan) << scan.error().message();
             EXPECT_EQ(scan->mmPerUnit, 1);
             EXPECT_TRUE(boundingBox(scan->outer).isApprox(boundingBox(expected->outer))) << far;
             EXPECT_EQ(allWords(*scan).find("closed and sound as it came"), std::string::npos);
@@ -141,7 +141,7 @@ TEST(ScanImport, HolesThatShareCornersAreFilled) {
         });
         ASSERT_GE(gone, 2u);
         const auto scan = examineScan({"t", mesh, {}}, {.holes = HolesToFill::All});
-        ASSERT_TRUE(scan) << scan.error().message;
+        ASSERT_TRUE(scan) << scan.error().message();
         EXPECT_TRUE(reportOn(scan->outer).watertight());
     }
 }
@@ -152,8 +152,8 @@ TEST(ScanImport, TheAdviceIsNotTheOneThatWasFollowed) {
     mesh.triangles.push_back({mesh.triangles[0][0], mesh.triangles[0][1], mesh.triangles[900][0]});
     const auto scan = examineScan({"t", mesh, {}}, {.holes = HolesToFill::All});
     ASSERT_FALSE(scan);
-    EXPECT_EQ(scan.error().message.find("ask for all holes"), std::string::npos) << scan.error().message;
-    EXPECT_TRUE(scan.error().message.ends_with('.'));
+    EXPECT_EQ(scan.error().message().find("ask for all holes"), std::string::npos) << scan.error().message();
+    EXPECT_TRUE(scan.error().message().ends_with('.'));
 }
 
 TEST(ScanImport, LooseTrianglesAreRefusedInTime) {
@@ -167,7 +167,7 @@ TEST(ScanImport, LooseTrianglesAreRefusedInTime) {
     for (const HolesToFill holes : {HolesToFill::None, HolesToFill::Small, HolesToFill::All}) {
         const auto scan = examineScan({"t", mesh, {}}, {.holes = holes});
         ASSERT_FALSE(scan);
-        EXPECT_TRUE(scan.error().message.ends_with('.')) << scan.error().message;
+        EXPECT_TRUE(scan.error().message().ends_with('.')) << scan.error().message();
     }
 }
 
@@ -178,11 +178,11 @@ TEST(ScanImport, BodiesThatReachIntoEachOtherAreRefused) {
     for (const auto& [a, b, c] : molar().outer.triangles) mesh.triangles.push_back({a + count, b + count, c + count});
     const auto scan = examineScan({"t", mesh, {}}, {});
     ASSERT_FALSE(scan);
-    EXPECT_NE(scan.error().message.find("reach into each other"), std::string::npos) << scan.error().message;
+    EXPECT_NE(scan.error().message().find("reach into each other"), std::string::npos) << scan.error().message();
 }
 
 TEST(ScanImport, NothingIsRefused) {
-    EXPECT_EQ(examineScan({"void", {}, {}}, {}).error().message, "void: there is no surface.");
+    EXPECT_EQ(examineScan({"void", {}, {}}, {}).error().message(), "void: there is no surface.");
 }
 
 }  // namespace

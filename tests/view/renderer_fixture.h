@@ -19,14 +19,14 @@ class RendererTest : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         auto made = OffscreenRenderer::create();
-        ASSERT_TRUE(made) << made.error().message;
+        ASSERT_TRUE(made) << made.error().message();
         renderer_.emplace(std::move(*made));
     }
     static void TearDownTestSuite() { renderer_.reset(); }
 
     static Image draw(const Scene& scene, const RenderSettings& settings = kQuick, ImageSize size = kTestSize) {
         auto image = renderer_->render(scene, size, settings);
-        EXPECT_TRUE(image) << image.error().message;
+        EXPECT_TRUE(image) << image.error().message();
         return image ? std::move(*image)
                      : Image{size, std::vector<Rgba>(static_cast<std::size_t>(size.width * size.height))};
     }

@@ -22,9 +22,11 @@
 #include "app/cli/terminal/number_range.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "app/common/messages.h"
 #include "assessment/metric_table.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
+#include "geometry/util/system_reason.h"
 #include "sound/voices/drill_sound_state.h"
 #include "tooth/model/material_registry.h"
 
@@ -341,8 +343,7 @@ void addManual(CLI::App& program, CommandAction& chosen) {
 int withOutputFlushed(int exitCode) {
     const int reason = outputError();
     if (reason == 0 || exitCode == kExitBadInput) return exitCode;
-    const std::string why = reason < 0 ? "" : " (" + std::generic_category().message(reason) + ")";
-    return reportError({"the output could not be written" + why + "; check the disk or the pipe that it goes to."});
+    return reportError(reason < 0 ? Error(msg::kOutputLost) : Error(msg::kOutputLostBecause, systemReason(reason)));
 }
 
 void replaceFirst(std::string& text, std::string_view what, std::string_view by) {
@@ -374,7 +375,7 @@ Error usageError(const CLI::App& program, const CLI::ParseError& error) {
         replaceFirst(sentence, ": must be ", " must be ");
         sentence = asChoice(sentence);
     }
-    return {displayShort(sentence, kLongest).append("; see '").append(command).append(" --help'.")};
+    return {msg::kUsageHelp, displayShort(sentence, kLongest), command};
 }
 
 }  // namespace

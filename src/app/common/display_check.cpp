@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/common/display_server.h"
+#include "app/common/messages.h"
 #include "devices/probe/child_probe.h"
 
 namespace tactooth {
@@ -81,17 +82,13 @@ const char* silentServer(const std::vector<Server>& servers) {
 }
 
 /// What the environment asks for that is not to be had, and the way out of that, up to where the others follow.
-std::string whatIsWrong() {
-    if (const std::string platform = valueOf("QT_QPA_PLATFORM"); !platform.empty()) {
-        return "no window can be opened on Qt's platform '" + platform + "'; unset QT_QPA_PLATFORM, ";
-    }
-    if (const std::string display = valueOf("DISPLAY"); !display.empty()) {
-        return "the display '" + display + "' (DISPLAY) cannot be reached or lets nobody in; ";
-    }
-    if (const std::string display = valueOf("WAYLAND_DISPLAY"); !display.empty()) {
-        return "the display '" + display + "' (WAYLAND_DISPLAY) cannot be used; install the package qt6-wayland, ";
-    }
-    return "there is no display to open a window on; ";
+Message whatIsWrong() {
+    if (const std::string platform = valueOf("QT_QPA_PLATFORM"); !platform.empty())
+        return {msg::kNoWindowOnPlatform, platform};
+    if (const std::string display = valueOf("DISPLAY"); !display.empty()) return {msg::kDisplayNotReached, display};
+    if (const std::string display = valueOf("WAYLAND_DISPLAY"); !display.empty())
+        return {msg::kWaylandNotUsed, display};
+    return msg::kNoDisplay;
 }
 
 }  // namespace
@@ -101,11 +98,8 @@ Expected<void> checkDisplay() {
     const char* const silent = silentServer(servers);
     const bool isHopeless = silent != nullptr && servers.size() == 1;
     if (!isHopeless && inChildProcess(startQt, silent == nullptr ? kTimeout : kShortTimeout)) return {};
-    const std::string why =
-        silent == nullptr ? whatIsWrong() : "the display '" + valueOf(silent) + "' (" + silent + ") does not answer; ";
-    return unexpected(why +
-                      "start it from a desktop or by 'ssh -X' from another computer, or use 'tactooth demo --out DIR', "
-                      "which needs no display.");
+    const Message why = silent == nullptr ? whatIsWrong() : Message(msg::kDisplaySilent, valueOf(silent), silent);
+    return unexpected(msg::kDisplayAdvice, why);
 }
 
 }  // namespace tactooth

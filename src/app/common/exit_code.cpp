@@ -15,7 +15,7 @@ void printImportNotes(const std::vector<ImportNote>& importNotes) {
 }
 
 int reportError(const Error& error) {
-    std::string sentence = displayText(error.message);
+    std::string sentence = displayText(error.message());
     if (!sentence.ends_with('.')) sentence += '.';  // a library's own words may have none
     std::fprintf(stderr, "tactooth: %s\n", sentence.c_str());
     return kExitBadInput;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <span>
 
+#include "app/common/messages.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 
@@ -38,7 +39,7 @@ Expected<void> savePng(const QImage& image, const std::filesystem::path& path) {
     QBuffer buffer(&encoded);
     buffer.open(QIODevice::WriteOnly);
     if (!image.save(&buffer, "PNG")) {
-        return unexpected("the plot " + displayName(path) + " could not be drawn: it does not fit into memory.");
+        return unexpected(msg::kPlotTooLarge, displayName(path));
     }
     return writeFile(path, std::as_bytes(std::span(encoded.constData(), static_cast<std::size_t>(encoded.size()))));
 }

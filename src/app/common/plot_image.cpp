@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "app/common/messages.h"
 #include "app/common/offscreen_application.h"
 
 namespace tactooth {
@@ -74,7 +75,7 @@ void drawPlot(QPainter& painter, const Plot& plot, std::span<const Tick> ticks, 
 }  // namespace
 
 Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const Tick> ticks) {
-    if (ticks.empty()) return unexpected("there is nothing to plot: the session has no ticks.");
+    if (ticks.empty()) return unexpected(msg::kNothingToPlot);
     const OffscreenApplication application;
     const Plot plots[] = {
         {"Depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "collision/solid/messages.h"
 #include "collision/solid/self_intersection.h"
 #include "collision/solid/shells.h"
 #include "collision/solid/winding.h"
@@ -121,45 +122,37 @@ ExaminedSolid examineSolid(TriangleMesh mesh, const SolidOptions& options) {
     return SolidExamination(std::move(mesh), options).run();
 }
 
-std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& what) {
+std::vector<ImportNote> notesOn(const SolidReport& report, const Message& what) {
     std::vector<ImportNote> importNotes;
-    const auto add = [&](std::size_t count, const char* text, std::vector<std::string> values = {}) {
-        if (count == 0) return;
-        values.insert(values.begin(), {what, std::to_string(count)});
-        importNotes.push_back({ImportNoteTopic::Closedness, text, std::move(values)});
+    const auto add = [&](std::size_t count, const MessageText& text, const auto&... values) {
+        if (count > 0) importNotes.push_back({ImportNoteTopic::Closedness, {text, what, count, values...}});
     };
-    add(report.cracks.moved, "%1: %2 corners that differ in their last digits were welded, within %3 mm.",
-        {rounded(report.cracks.tolerance, 6)});
-    add(report.droppedDuplicates, "%1: %2 triangles that are stored twice, or lie back to back, were dropped.");
-    add(report.droppedSpecks, "%1: %2 specks beside the surface were dropped.");
-    add(report.flippedTriangles, "%1: %2 triangles were turned, so that all look at the outside.");
-    add(report.flippedTriangles > 0 ? report.hollows : 0,
-        "%1: %2 shells lie within another one and are taken as the walls of hollows.");
+    add(report.cracks.moved, msg::kNoteWelded, rounded(report.cracks.tolerance, 6));
+    add(report.droppedDuplicates, msg::kNoteDuplicates);
+    add(report.droppedSpecks, msg::kNoteSpecks);
+    add(report.flippedTriangles, msg::kNoteTurned);
+    add(report.flippedTriangles > 0 ? report.hollows : 0, msg::kNoteHollows);
     constexpr double kMinReportedOverlap = 0.0005;  // mm: mere touching is not reported
     if (report.isSolid() && report.overlap > kMinReportedOverlap) {
-        add(report.selfIntersectingTriangles,
-            "%1: %2 triangles cross others by %3 mm at most; they are left as they are.", {rounded(report.overlap, 3)});
+        add(report.selfIntersectingTriangles, msg::kNoteCrossings, rounded(report.overlap, 3));
     }
     return importNotes;
 }
 
-std::string flawSentence(const SolidReport& report, const std::string& what) {
+Message flawSentence(const SolidReport& report, const Message& what) {
     switch (report.flaw) {
         case SolidFlaw::None:
             break;
         case SolidFlaw::Empty:
-            return what + " holds no room: give a closed surface with triangles that have an area";
+            return {msg::kSolidEmpty, what};
         case SolidFlaw::Open:
-            return what + " is open (" + std::to_string(report.openEdges) +
-                   " edges without a neighbour), so it has no inside: close its holes first";
+            return {msg::kSolidOpen, what, report.openEdges};
         case SolidFlaw::NonOrientable:
-            return what + " is twisted: it has no outside; mend it in a mesh program";
+            return {msg::kSolidTwisted, what};
         case SolidFlaw::Overlapping:
-            return what + " has parts that reach into each other by " + rounded(report.overlap, 2) + " mm (" +
-                   std::to_string(report.selfIntersectingTriangles) +
-                   " triangles cross), so what is inside is unclear: unite them in a mesh program";
+            return {msg::kSolidOverlapping, what, rounded(report.overlap, 2), report.selfIntersectingTriangles};
         case SolidFlaw::SelfIntersecting:
-            return what + " bounds no body: its triangles cross each other nearly everywhere; export it again";
+            return {msg::kSolidCrossing, what};
     }
     return {};
 }

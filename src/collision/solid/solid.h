@@ -59,10 +59,10 @@ struct ExaminedSolid {
 [[nodiscard]] ExaminedSolid examineSolid(TriangleMesh mesh, const SolidOptions& options = {});
 
 /// The repairs and assumptions as sentences that begin with `what` ("outer").
-[[nodiscard]] std::vector<ImportNote> notesOn(const SolidReport& report, const std::string& what);
+[[nodiscard]] std::vector<ImportNote> notesOn(const SolidReport& report, const Message& what);
 
 /// Why `what` ("the surface of the tooth") is no solid, and what the user can do: a sentence without its full stop.
 /// Empty if it is a solid.
-[[nodiscard]] std::string flawSentence(const SolidReport& report, const std::string& what);
+[[nodiscard]] Message flawSentence(const SolidReport& report, const Message& what);
 
 }  // namespace tactooth

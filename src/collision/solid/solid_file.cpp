@@ -8,27 +8,28 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 
-Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const std::string& what,
+Expected<TriangleMesh> solidFrom(TriangleMesh mesh, const std::string& name, const Message& what,
                                  const SolidOptions& options, std::vector<ImportNote>* importNotes) {
     ExaminedSolid examined = examineSolid(std::move(mesh), options);
-    if (!examined.report.isSolid()) return unexpected(name + ": " + flawSentence(examined.report, what) + ".");
-    if (importNotes != nullptr) std::ranges::move(notesOn(examined.report, name), std::back_inserter(*importNotes));
+    if (!examined.report.isSolid()) return unexpected(msg::kNamed, name, flawSentence(examined.report, what));
+    if (importNotes != nullptr)
+        std::ranges::move(notesOn(examined.report, Message::verbatim(name)), std::back_inserter(*importNotes));
     return std::move(examined.mesh);
 }
 
-Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const std::string& what,
-                                 const SolidOptions& options, std::vector<ImportNote>* importNotes) {
+Expected<TriangleMesh> loadSolid(const std::filesystem::path& file, const Message& what, const SolidOptions& options,
+                                 std::vector<ImportNote>* importNotes) {
     std::vector<ImportNote> done;
     Expected<TriangleMesh> mesh = loadMesh(file, &done);
     if (!mesh) return mesh;
     auto solid = solidFrom(std::move(*mesh), displayName(file), what, options, &done);
     if (importNotes == nullptr) return solid;
     for (ImportNote& importNote : done) {
-        TACTOOTH_ASSERT(!importNote.values.empty());
-        importNote.values.front() = displayName(file.filename());  // notes are saved with a tooth: no paths
+        importNote.message.replaceFirst(displayName(file.filename()));  // notes are saved with a tooth: no paths
         importNotes->push_back(std::move(importNote));
     }
     return solid;

@@ -78,9 +78,9 @@ public:
     /// thread.
     virtual void suspendInput(bool /*rests*/) {}
 
-    /// What is wrong at the moment and what to do about it, one sentence; nullptr if nothing is. Any thread. The text
-    /// lives as long as the program.
-    [[nodiscard]] virtual const char* faultMessage() const { return poseMonitor_.faultMessage(); }
+    /// What is wrong at the moment and what to do about it, one sentence; nullptr if nothing is. Any thread. The
+    /// message lives as long as the program.
+    [[nodiscard]] virtual const Message* faultMessage() const { return poseMonitor_.faultMessage(); }
 
     /// What the servo has found wrong with the hand at this tick, for trouble() to tell. The servo's.
     void judge(PoseFault fault, double elapsed) { poseMonitor_.update(fault, elapsed); }

@@ -2,30 +2,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/base/pose_monitor.h"
 
-namespace tactooth {
+#include "devices/base/messages.h"
 
-const char* poseFaultText(PoseFault fault) {
+namespace tactooth {
+namespace {
+
+// Made before the servo runs, which only hands their places on.
+const Message kNotANumber(msg::kPoseNotANumber);
+const Message kInvalidRotation(msg::kPoseInvalidRotation);
+const Message kJump(msg::kPoseJump);
+const Message kTooFast(msg::kPoseTooFast);
+const Message kRotatesTooFast(msg::kPoseRotatesTooFast);
+const Message kStale(msg::kPoseStale);
+const Message kForce(msg::kPoseForce);
+
+}  // namespace
+
+const Message* poseFaultMessage(PoseFault fault) {
     switch (fault) {
         case PoseFault::None:
             return nullptr;
         case PoseFault::NotANumber:
-            return "The device tells a place that is no number: switch it off and on again if this comes again.";
+            return &kNotANumber;
         case PoseFault::InvalidRotation:
-            return "The device tells a direction that is none: switch it off and on again if this comes again.";
+            return &kInvalidRotation;
         case PoseFault::Jump:
-            return "The device's place has jumped: check its cable, and let it calibrate if this comes again.";
+            return &kJump;
         case PoseFault::TooFast:
-            return "The device moved faster than 1.5 m/s at the tooth, so its force is off: lift the bur, and check "
-                   "the "
-                   "cable if the hand was slow.";
+            return &kTooFast;
         case PoseFault::RotatesTooFast:
-            return "The device's direction has jumped: switch it off and on again if this comes again.";
+            return &kRotatesTooFast;
         case PoseFault::Stale:
-            return "The device's places come too late: close other programs that keep this machine busy.";
+            return &kStale;
         case PoseFault::Force:
-            return "The force came out as no number and was switched off: lift the bur, and report it to the authors "
-                   "if "
-                   "this comes again.";
+            return &kForce;
     }
     return nullptr;
 }

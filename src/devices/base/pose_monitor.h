@@ -4,12 +4,13 @@
 
 #include <atomic>
 
+#include "geometry/util/message.h"
 #include "haptics/pose_validator.h"
 
 namespace tactooth {
 
 /// What a fault of a hand means and what to do about it, one sentence; nullptr for none. Lives as long as the program.
-[[nodiscard]] const char* poseFaultText(PoseFault fault);
+[[nodiscard]] const Message* poseFaultMessage(PoseFault fault);
 
 /// Says it when a device tells poses that no hand can have. The force is cut by the force pipeline on its own account;
 /// this is for the person who wonders why.
@@ -20,19 +21,19 @@ public:
         left_ -= elapsed;
         if (fault != PoseFault::None) {
             left_ = kShownFor;
-            faultMessage_.store(poseFaultText(fault), std::memory_order_relaxed);
+            faultMessage_.store(poseFaultMessage(fault), std::memory_order_relaxed);
         } else if (left_ <= 0) {
             faultMessage_.store(nullptr, std::memory_order_relaxed);
         }
     }
     /// Any thread; nullptr if nothing is wrong. Lives as long as the program.
-    [[nodiscard]] const char* faultMessage() const { return faultMessage_.load(std::memory_order_relaxed); }
+    [[nodiscard]] const Message* faultMessage() const { return faultMessage_.load(std::memory_order_relaxed); }
 
 private:
     static constexpr double kShownFor = 3;  // s: long enough to be read
 
     double left_ = 0;  // s
-    std::atomic<const char*> faultMessage_{nullptr};
+    std::atomic<const Message*> faultMessage_{nullptr};
 };
 
 }  // namespace tactooth

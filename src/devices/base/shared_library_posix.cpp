@@ -8,7 +8,7 @@ namespace tactooth {
 
 Expected<void*> loadSharedLibrary(const std::string& path) {
     void* const library = dlopen(path.c_str(), RTLD_LAZY | RTLD_GLOBAL);
-    if (library == nullptr) return unexpected(dlerror());
+    if (library == nullptr) return unexpected(Message::verbatim(dlerror()));
     return library;
 }
 

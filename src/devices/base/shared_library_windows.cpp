@@ -11,7 +11,8 @@ namespace tactooth {
 
 Expected<void*> loadSharedLibrary(const std::string& path) {
     const HMODULE library = LoadLibraryW(std::filesystem::path(path).c_str());
-    if (library == nullptr) return unexpected(std::system_category().message(static_cast<int>(GetLastError())));
+    if (library == nullptr)
+        return unexpected(Message::verbatim(std::system_category().message(static_cast<int>(GetLastError()))));
     return static_cast<void*>(library);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/haply/haply_backend.h"
 
+#include "devices/base/messages.h"
 #include "devices/haply/haply_connection.h"
 #include "devices/haply/haply_device.h"
 #include "devices/haply/haply_enumeration.h"
@@ -14,10 +15,10 @@ constexpr const char* kName = "inverse3";
 constexpr double kLinkTimeout = 1;  // s: the service is on this machine
 
 /// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
-DetectedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
-    const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
-    const bool isServed = why != noneFound && HaplyConnection::open(address, kLinkTimeout).has_value();
-    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
+DetectedDevice noInverse3(const char* backend, const std::string& address, const Error& why) {
+    const bool isServed =
+        !why.contains(msg::kHaplyNoInverse3) && HaplyConnection::open(address, kLinkTimeout).has_value();
+    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why.message()};
 }
 
 /// One line for each Inverse3; one that says why not if there is none.
@@ -25,13 +26,13 @@ std::vector<DetectedDevice> probeInverse3() {
     constexpr const char* kBackend = "Haply Inverse3";
     const std::string address = HaplyDevice::defaultAddress();
     const auto found = enumerateHaply(address);
-    if (!found) return {noInverse3(kBackend, address, found.error().message)};
+    if (!found) return {noInverse3(kBackend, address, found.error())};
     std::vector<DetectedDevice> devices;
     for (const HaplyNames& names : *found) {
         HaplyDevice device(names.device);
         const auto opened = device.open();
         devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::Unusable,
-                           opened ? capabilityText(device.info()) : opened.error().message,
+                           opened ? capabilityText(device.info()) : opened.error().message(),
                            opened ? capabilitiesOf(device.info()) : DeviceCapabilities()});
     }
     return devices;
@@ -44,7 +45,7 @@ std::unique_ptr<HapticDevice> createArm(const DeviceRequest& request) {
 }  // namespace
 
 DeviceBackend haplyBackend() {
-    return {kName, "Haply Inverse3", "ID", createArm, nullptr, probeInverse3, inverse3Presets()};
+    return {kName, msg::kHaplyInverse3, "ID", createArm, nullptr, probeInverse3, inverse3Presets()};
 }
 
 }  // namespace tactooth

@@ -8,6 +8,7 @@
 #include <boost/beast/websocket.hpp>
 #include <optional>
 
+#include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
 
 namespace tactooth {
@@ -120,13 +121,10 @@ Expected<std::unique_ptr<HaplyConnection>> HaplyConnection::open(const std::stri
     auto socket = std::make_unique<Socket>();
     const MonotonicClock::time_point end = secondsFromNow(seconds);
     if (!socket->connect(host, port, end)) {
-        return unexpected("The Haply Inverse Service does not answer at " + address +
-                          ": install and start it, or set TACTOOTH_HAPLY to where it listens.");
+        return unexpected(msg::kHaplyNotThere, address);
     }
     if (!socket->handshakeWith(address, end)) {
-        return unexpected("What answers at " + address +
-                          " is not the Haply Inverse Service: end that program, or set TACTOOTH_HAPLY to where the "
-                          "service listens.");
+        return unexpected(msg::kHaplyIsAnother, address);
     }
     return std::unique_ptr<HaplyConnection>(new HaplyConnection(std::move(socket)));
 }

@@ -8,10 +8,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
+#include <map>
 #include <mutex>
-#include <set>
 
 #include "devices/base/device_presets.h"
+#include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
 #include "devices/base/timed_wait.h"
 #include "haptics/real_time.h"
@@ -33,21 +34,17 @@ constexpr double kGripPeriod = 0.02;        // s: a VerseGrip is read some 50 ti
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr int kGripButtons = 3;
 
-constexpr const char* kSlow =
-    "The Haply Inverse Service answers too slowly: close other programs that keep this machine busy.";
-constexpr const char* kTooManyAnswers =
-    "The Haply Inverse Service sends more answers than it is asked for, so the force is off: restart the service.";
-constexpr const char* kLost =
-    "The Haply Inverse Service has closed the connection: start it again; it is tried again every second.";
-constexpr const char* kNoAnswer =
-    "The Haply Inverse Service has stopped answering: restart it; it is tried again every second.";
+const Message kSlow(msg::kHaplySlow);
+const Message kTooManyAnswers(msg::kHaplyTooManyAnswers);
+const Message kLost(msg::kHaplyLost);
+const Message kNoAnswer(msg::kHaplyNoAnswer);
 
-/// A sentence that stays as long as the program; there are few different ones.
-const char* kept(const std::string& sentence) {
+/// A message that stays as long as the program; there are few different ones.
+const Message& kept(const Message& message) {
     static std::mutex mutex;
-    static std::set<std::string> sentences;
+    static std::map<std::string, Message> messages;
     const std::lock_guard lock(mutex);
-    return sentences.insert(sentence).first->c_str();
+    return messages.try_emplace(message.in(Language::English), message).first->second;
 }
 
 }  // namespace
@@ -86,14 +83,14 @@ Expected<std::unique_ptr<HaplyConnection>> HaplyDevice::handshake(const std::str
     if (!link) return link;
     std::string first;
     if ((*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message)
-        return unexpected(kNoAnswer);
+        return unexpected(msg::kHaplyNoAnswer);
     const Expected<HaplyNames> names = findHaply(first, wanted);
     if (!names) return Unexpected{names.error()};
     const Expected<HaplyReading> reading = readHaply(first, *names);
     if (!reading) return Unexpected{reading.error()};
     if (!(*link)->send(haplyHandshake(names->device), kConnectTimeout) ||
         (*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message) {
-        return unexpected(kNoAnswer);
+        return unexpected(msg::kHaplyNoAnswer);
     }
     names_ = *names;
     outstanding_ = 0;
@@ -142,7 +139,7 @@ void HaplyDevice::run(const std::stop_token& stop) {
         if (link) {
             connection_ = std::move(*link);
         } else {
-            setFault(kept(link.error().message));
+            setFault(kept(link.error()));
         }
     }
 }
@@ -249,19 +246,19 @@ void HaplyDevice::parseAnswer() {
         none.usable = false;
         none.time = monotonicSeconds();
         reading_.write(none);
-        return setFault(kept(reading.error().message));
+        return setFault(kept(reading.error()));
     }
     reading->time = monotonicSeconds();
     if (reading->hasTurn) turn_ = reading->hand.rotation;
     reading->hand.rotation = turn_;  // a grip that sleeps keeps its direction
     reading->usable &= isConnectionValid();
     reading_.write(*reading);
-    if (reading->faultMessage != nullptr) return setFault(reading->faultMessage);
+    if (reading->faultMessage != nullptr) return setFault(*reading->faultMessage);
     clearOldFault();
 }
 
-void HaplyDevice::setFault(const char* sentence) {
-    faultMessage_.store(sentence, std::memory_order_release);
+void HaplyDevice::setFault(const Message& message) {
+    faultMessage_.store(&message, std::memory_order_release);
     faultSetAt_ = monotonicSeconds();
 }
 
@@ -290,9 +287,8 @@ void HaplyDevice::write(const SafeWrench& wrench) {
     sem_post(&wake_);
 }
 
-const char* HaplyDevice::faultMessage() const {
-    if (const char* const text = faultMessage_.load(std::memory_order_acquire))
-        return text;  // with the letters behind it
+const Message* HaplyDevice::faultMessage() const {
+    if (const Message* const fault = faultMessage_.load(std::memory_order_acquire)) return fault;  // with what it holds
     return HapticDevice::faultMessage();
 }
 

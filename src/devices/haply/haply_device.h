@@ -38,7 +38,7 @@ public:
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
-    [[nodiscard]] const char* faultMessage() const override;
+    [[nodiscard]] const Message* faultMessage() const override;
 
 private:
     [[nodiscard]] Expected<std::unique_ptr<HaplyConnection>> handshake(const std::string& wanted);
@@ -53,7 +53,7 @@ private:
     void countAnswers(int answers);
     [[nodiscard]] bool isConnectionValid() const;
     void parseAnswer();
-    void setFault(const char* sentence);
+    void setFault(const Message& message);
     void clearOldFault();
 
     std::string wanted_;
@@ -75,7 +75,7 @@ private:
     TripleBuffer<HaplyReading> reading_;      // to the servo
     TripleBuffer<Vec3> force_{Vec3::Zero()};  // from the servo, N
     sem_t wake_;                              // posted by the servo after each force
-    std::atomic<const char*> faultMessage_{nullptr};
+    std::atomic<const Message*> faultMessage_{nullptr};
 
     std::jthread thread_;  // last: it uses all of the above
 };

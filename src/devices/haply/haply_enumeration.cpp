@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/haply/haply_enumeration.h"
 
+#include "devices/base/messages.h"
 #include "devices/haply/haply_connection.h"
 
 namespace tactooth {
@@ -12,7 +13,7 @@ Expected<std::vector<HaplyNames>> enumerateHaply(const std::string& address) {
     if (!link) return Unexpected{link.error()};
     std::string first;
     if ((*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message) {
-        return unexpected("The Haply Inverse Service at " + address + " does not say who is there: restart it.");
+        return unexpected(msg::kHaplySaysNothing, address);
     }
     return haplyDevices(first);
 }

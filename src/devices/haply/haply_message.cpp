@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "devices/base/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -21,23 +22,13 @@ constexpr double kMillimetres = 1000;    // in a metre
 constexpr double kFurthest = 1;          // m: an Inverse3 reaches 0.4 m; a number beyond is not in metres
 constexpr double kUnitTolerance = 0.02;  // of a quaternion's squared length: it comes as rounded text
 
-constexpr const char* kNoJson =
-    "The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.";
-constexpr const char* kOtherVersion =
-    "The Haply Inverse Service speaks another version of its language: install version 3.";
-constexpr const char* kOtherUnits =
-    "The Haply Inverse Service tells places that are not in metres: install version 3 of it.";
-constexpr const char* kNoPlace =
-    "The Inverse3 does not know where it is: put its arms into their rest position and switch it off and on again.";
-constexpr const char* kGone =
-    "The Inverse3 is gone: check its cable and power supply; the session goes on when it is back.";
-constexpr const char* kNoPower = "The Inverse3 has no power: plug in its power supply.";
-constexpr const char* kNotCalibrated =
-    "The Inverse3 is not calibrated: hold its arms in their rest position until its light stays on.";
-constexpr const char* kNotReady = "The Inverse3 is not ready: wait for its light, or switch it off and on again.";
-constexpr const char* kGripAsleep = "The VerseGrip is asleep: press one of its buttons.";
-constexpr const char* kGripBroken =
-    "The VerseGrip tells a direction that is none: switch it off and on again if this comes again.";
+// Made before any device runs, whose threads only hand their places on.
+const Message kNoPlace(msg::kInverse3Lost);
+const Message kNoPower(msg::kInverse3NoPower);
+const Message kNotCalibrated(msg::kInverse3NotCalibrated);
+const Message kNotReady(msg::kInverse3NotReady);
+const Message kGripAsleep(msg::kGripAsleep);
+const Message kGripBroken(msg::kGripBroken);
 
 /// The member of an object; a null value where there is none.
 const Json& member(const Json& object, const char* key) {
@@ -103,10 +94,10 @@ const Json* findIn(const Json& list, const std::string& id) {
 /// The whole message as a value. Every message of format 3 has a list of the devices.
 Expected<Json> parsed(std::string_view message) {
     Json json = Json::parse(message, nullptr, false);
-    if (json.is_discarded() || !json.is_object()) return unexpected(kNoJson);
+    if (json.is_discarded() || !json.is_object()) return unexpected(msg::kHaplyNoJson);
     const std::string version = textOf(member(json, "version"));
     if (!member(json, "inverse3").is_array() || (!version.empty() && version.substr(0, 2) != "3.")) {
-        return unexpected(kOtherVersion);
+        return unexpected(msg::kHaplyOtherVersion);
     }
     return json;
 }
@@ -122,10 +113,10 @@ std::string gripAt(const Json& json, std::size_t index) {
     return {};
 }
 
-const char* faultIn(const Json& status) {
-    if (isDenied(status, "power_supply")) return kNoPower;
-    if (isDenied(status, "calibrated")) return kNotCalibrated;
-    return isDenied(status, "ready") ? kNotReady : nullptr;
+const Message* faultIn(const Json& status) {
+    if (isDenied(status, "power_supply")) return &kNoPower;
+    if (isDenied(status, "calibrated")) return &kNotCalibrated;
+    return isDenied(status, "ready") ? &kNotReady : nullptr;
 }
 
 void readGrip(const Json& json, const std::string& name, HaplyReading& reading) {
@@ -135,7 +126,7 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
     if (grip == nullptr) return;
     reading.buttons = buttonsOf(member(member(*grip, "state"), "buttons"));
     if (reading.faultMessage == nullptr && isDenied(member(*grip, "status"), "awake"))
-        reading.faultMessage = kGripAsleep;
+        reading.faultMessage = &kGripAsleep;
     const Json& orientation = member(member(*grip, "state"), "orientation");
     if (!orientation.is_object()) return;
     if (const std::optional<Quat> rotation = rotationOf(orientation)) {
@@ -143,7 +134,7 @@ void readGrip(const Json& json, const std::string& name, HaplyReading& reading) 
         reading.hasTurn = true;
     } else {
         reading.usable = false;
-        if (reading.faultMessage == nullptr) reading.faultMessage = kGripBroken;
+        if (reading.faultMessage == nullptr) reading.faultMessage = &kGripBroken;
     }
 }
 
@@ -155,11 +146,11 @@ Expected<std::vector<HaplyNames>> haplyDevices(std::string_view firstMessage) {
     std::vector<HaplyNames> devices;
     for (const Json& device : member(*json, "inverse3")) {
         const std::string id = textOf(member(device, "device_id"));
-        if (!isPlain(id)) return unexpected(kOtherVersion);
+        if (!isPlain(id)) return unexpected(msg::kHaplyOtherVersion);
         devices.push_back({id, gripAt(*json, devices.size())});
     }
     if (devices.empty()) {
-        return unexpected("The Haply Inverse Service finds no Inverse3: check its cable and power supply.");
+        return unexpected(msg::kHaplyNoInverse3);
     }
     return devices;
 }
@@ -172,22 +163,21 @@ Expected<HaplyNames> findHaply(std::string_view firstMessage, std::string_view w
         if (wanted.empty() || names.device == wanted) return names;
         others += others.empty() ? names.device : ", " + names.device;
     }
-    return unexpected("The Haply Inverse Service knows no Inverse3 '" + std::string(wanted) + "': it finds " + others +
-                      ".");
+    return unexpected(msg::kHaplyUnknownInverse3, wanted, others);
 }
 
 Expected<HaplyReading> readHaply(std::string_view message, const HaplyNames& names) {
     const Expected<Json> json = parsed(message);
     if (!json) return Unexpected{json.error()};
     const Json* const device = findIn(member(*json, "inverse3"), names.device);
-    if (device == nullptr) return unexpected(kGone);
+    if (device == nullptr) return unexpected(msg::kInverse3Gone);
     const Json& place = member(member(*device, "state"), "cursor_position");
-    if (!place.is_object()) return unexpected(kOtherVersion);
+    if (!place.is_object()) return unexpected(msg::kHaplyOtherVersion);
     const Vec3 metres = vectorOf(place);
-    if (metres.allFinite() && metres.cwiseAbs().maxCoeff() > kFurthest) return unexpected(kOtherUnits);
+    if (metres.allFinite() && metres.cwiseAbs().maxCoeff() > kFurthest) return unexpected(msg::kHaplyOtherUnits);
     HaplyReading reading;
     reading.hand.position = kMillimetres * metres;
-    reading.faultMessage = metres.allFinite() ? faultIn(member(*device, "status")) : kNoPlace;
+    reading.faultMessage = metres.allFinite() ? faultIn(member(*device, "status")) : &kNoPlace;
     reading.usable = reading.faultMessage == nullptr;
     readGrip(*json, names.grip, reading);
     return reading;

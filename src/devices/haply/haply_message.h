@@ -27,9 +27,9 @@ struct HaplyReading {
     Pose hand;             ///< mm; where `hasTurn` is false it is not turned
     bool hasTurn = false;  ///< a grip tells how it is turned
     std::uint32_t buttons = 0;
-    bool usable = true;                  ///< false: the place is not known, or the device makes no force
-    const char* faultMessage = nullptr;  ///< what is wrong and what to do about it; lives as long as the program
-    double time = 0;                     ///< s of the monotonic clock; filled in by whoever has a clock
+    bool usable = true;                     ///< false: the place is not known, or the device makes no force
+    const Message* faultMessage = nullptr;  ///< what is wrong and what to do about it; lives as long as the program
+    double time = 0;                        ///< s of the monotonic clock; filled in by whoever has a clock
 };
 
 /// All devices of the service's first message, in its order; at least one. The n-th Inverse3 goes with the n-th

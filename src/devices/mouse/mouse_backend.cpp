@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/mouse/mouse_backend.h"
 
+#include "devices/base/messages.h"
 #include "devices/mouse/mouse_device.h"
 #include "devices/probe/device_probe.h"
 
@@ -15,6 +16,6 @@ std::vector<DetectedDevice> probeMouse() {
 
 }  // namespace
 
-DeviceBackend mouseBackend() { return {"mouse", "Mouse and keyboard", nullptr, nullptr, nullptr, probeMouse, {}}; }
+DeviceBackend mouseBackend() { return {"mouse", msg::kMouseAndKeyboard, nullptr, nullptr, nullptr, probeMouse, {}}; }
 
 }  // namespace tactooth

@@ -8,6 +8,7 @@
 #include <condition_variable>
 
 #include "devices/base/device_presets.h"
+#include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
 #include "devices/openhaptics/pen_names.h"
 
@@ -22,12 +23,11 @@ constexpr int kMaxErrors = 16;            // in a tick: the list is the driver's
 constexpr double kCountFor = 0.01;        // s over which the driver's ticks are counted
 constexpr double kMaxTimes = 4;           // what was asked for; a driver that has stalled may catch up with some
 constexpr auto kRetry = std::chrono::seconds(1);
-constexpr const char* kFlood =
-    "The device's driver calls far too often, so the force is off: restart the vendor's service, or the computer.";
-constexpr const char* kDockPen = "Put the pen into its inkwell for a moment, so that the device learns where it is.";
+const Message kFlood(msg::kHdFlood);
+const Message kDockPen(msg::kHdDockPen);
 
-std::string titleOf(const std::string& name) {
-    return name.empty() ? "the default device" : "the device '" + name + "'";
+Message titleOf(const std::string& name) {
+    return name.empty() ? Message(msg::kDefaultDevice) : Message(msg::kDeviceNamed, name);
 }
 
 std::string listOf(const std::vector<std::string>& names) {
@@ -38,16 +38,14 @@ std::string listOf(const std::vector<std::string>& names) {
 
 /// Why the pen `name` has not been started; `code`: of the driver, 0 if it says nothing. To a driver, a name that it
 /// does not know may be a fault of the link: what is set up tells the one from the other.
-std::string whyNotStarted(const std::string& name, std::uint32_t code) {
+Message whyNotStarted(const std::string& name, std::uint32_t code) {
     const bool mayBeUnknown = code == 0 || code == hd::kLinkFault || code == hd::kLinkSettings;
     const std::vector<std::string> pens = configuredPens();
     const std::string asked = name.empty() ? std::string(kDefaultPen) : name;
-    if (mayBeUnknown && !pens.empty() && std::ranges::find(pens, asked) == pens.end()) {
-        return "OpenHaptics knows no device for " + titleOf(name) + ": choose one that is set up (" + listOf(pens) +
-               "), or set it up in the vendor's setup program.";
-    }
-    if (code != 0) return "OpenHaptics, " + titleOf(name) + ": " + hdErrorText(code);
-    return "OpenHaptics knows no device for " + titleOf(name) + ": look its name up in the vendor's setup program.";
+    if (mayBeUnknown && !pens.empty() && std::ranges::find(pens, asked) == pens.end())
+        return {msg::kPenNotConfigured, titleOf(name), listOf(pens)};
+    if (code != 0) return {msg::kPenFailed, titleOf(name), hdErrorMessage(code)};
+    return {msg::kPenUnknown, titleOf(name)};
 }
 
 /// A motor's temperature as the driver reports it, 0 cold .. 1 hot. What is no number may be anything, so it counts as
@@ -143,7 +141,7 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
 Expected<HdPen*> HdDriver::start(const std::string& name, DeviceInfo& info) {
     const std::lock_guard lock(mutex_);
     const auto pen = std::ranges::find(pens_, false, &HdPen::active);
-    if (pen == pens_.end()) return unexpected("OpenHaptics: four devices are in use already; close one of them.");
+    if (pen == pens_.end()) return unexpected(msg::kPensInUse);
     pause();
     const Expected<HdHandle> handle = startDevice(name);
     if (handle) {
@@ -218,7 +216,7 @@ void HdDriver::exchange(HdPen& pen) {
     call_.endFrame(pen.handle);
     takeErrors(pen);
     if (rateFault_) {
-        pen.faultMessage.store(kFlood);
+        pen.faultMessage.store(&kFlood);
         pen.faultTicks = kFaultTicks;
     }
     if (pen.lost.load(std::memory_order_relaxed)) sendZeroForce(pen);
@@ -257,10 +255,10 @@ void HdDriver::monitorCalibration(HdPen& pen, bool mayUpdate) {
     if (mayUpdate && state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
     pen.calibrated = state == hd::kCalibrated;
     if (pen.calibrated) {
-        const char* docked = kDockPen;
+        const Message* docked = &kDockPen;
         pen.faultMessage.compare_exchange_strong(docked, nullptr);
     } else {
-        pen.faultMessage.store(kDockPen);
+        pen.faultMessage.store(&kDockPen);
     }
 }
 
@@ -269,7 +267,7 @@ void HdDriver::takeErrors(HdPen& pen) {
     for (int i = 0; i < kMaxErrors; ++i) {
         const std::uint32_t code = call_.getError().code;
         if (code == 0) return;
-        pen.faultMessage.store(hdErrorText(code));
+        pen.faultMessage.store(&hdErrorMessage(code));
         pen.faultTicks = kFaultTicks;
         if (code == hd::kWarmMotors) pen.motorTemperature = 1;
         if (!isHdErrorTransient(code) && !pen.lost.exchange(true)) {

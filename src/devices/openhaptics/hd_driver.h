@@ -11,6 +11,7 @@
 
 #include "devices/base/haptic_device.h"
 #include "devices/openhaptics/hd_library.h"
+#include "geometry/util/message.h"
 #include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
@@ -34,7 +35,7 @@ struct HdPen {
     TripleBuffer<HdReading> reading;         // callback -> servo
     TripleBuffer<Vec3> force{Vec3::Zero()};  // servo -> callback; N, in HDAPI's frame
     sem_t ready;                             // posted by the callback after each reading
-    std::atomic<const char*> faultMessage{nullptr};
+    std::atomic<const Message*> faultMessage{nullptr};
     std::atomic<bool> lost{false};
     std::atomic<bool> forceActive{false};  // its last force was one
 

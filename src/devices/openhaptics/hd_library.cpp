@@ -3,8 +3,10 @@
 #include "devices/openhaptics/hd_library.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
+#include "devices/base/messages.h"
 #include "devices/base/shared_library.h"
 
 namespace tactooth {
@@ -16,26 +18,27 @@ constexpr const char* kDefaultName = "HD.dll";
 constexpr const char* kDefaultName = "libHD.so";
 #endif
 
-struct ErrorText {
+struct KnownError {
     std::uint32_t code;
-    const char* text;
+    Message message;
 };
 
-constexpr ErrorText kErrors[] = {
-    {hd::kWarmMotors, "The motors are warm: rest the pen for a minute; until then the force is weaker."},
-    {hd::kTooMuchForce, "The driver has cut a force that was too strong; press more gently."},
-    {hd::kTooMuchImpulse, "The driver has cut a force that rose too fast; move the pen more slowly into the tooth."},
-    {hd::kTooFast, "The pen was moved faster than its driver allows; the force comes back by itself."},
-    {hd::kForceError, "The driver reports a force error: switch the device off and on again."},
-    {hd::kDeviceFault,
-     "The device reports a fault: check its power supply and cable, then switch it off and on again."},
-    {hd::kAlreadyStarted, "The device is in use: close the other program that holds it."},
-    {hd::kLinkFault, "The device does not answer: check its cable and power supply; it is tried again every second."},
-    {hd::kLinkSettings, "The device is not set up: run the vendor's setup program and pair it."},
-    {hd::kTimer, "The driver's timer does not run: start the vendor's service, or restart the computer."},
-    {hd::kSchedulerFull, "The driver takes no more work: close other programs that use the device."},
-    {hd::kNoLicence, "The vendor's library finds no licence: install OpenHaptics with its licence."},
-};
+// Made before any driver runs, whose thread only hands their places on.
+const std::array<KnownError, 12> kErrors = {{
+    {hd::kWarmMotors, msg::kHdMotorsWarm},
+    {hd::kTooMuchForce, msg::kHdTooMuchForce},
+    {hd::kTooMuchImpulse, msg::kHdTooMuchImpulse},
+    {hd::kTooFast, msg::kHdTooFast},
+    {hd::kForceError, msg::kHdForceError},
+    {hd::kDeviceFault, msg::kHdDeviceFault},
+    {hd::kAlreadyStarted, msg::kHdAlreadyStarted},
+    {hd::kLinkFault, msg::kHdLinkFault},
+    {hd::kLinkSettings, msg::kHdLinkSettings},
+    {hd::kTimer, msg::kHdTimer},
+    {hd::kSchedulerFull, msg::kHdSchedulerFull},
+    {hd::kNoLicence, msg::kHdNoLicence},
+}};
+const Message kOtherError(msg::kHdOtherError);
 
 template <class Function>
 bool find(void* library, const char* name, Function& function) {
@@ -81,22 +84,18 @@ std::string HdLibrary::defaultPath() {
 Expected<std::shared_ptr<const HdLibrary>> HdLibrary::load(const std::string& path) {
     const Expected<void*> library = loadSharedLibrary(path);
     if (!library) {
-        return unexpected(path + " cannot be loaded (" + library.error().message +
-                          "): install the device's driver and OpenHaptics, or set TACTOOTH_LIBHD to the library.");
+        return unexpected(msg::kLibraryNotLoaded, path, library.error());
     }
     auto result = std::make_shared<HdLibrary>();
     if (const char* const missing = firstMissing(*library, result->functions_)) {
-        return unexpected(path + " has no function " + missing +
-                          ": it is another version; install OpenHaptics 3.4 or newer.");
+        return unexpected(msg::kLibraryLacksFunction, path, missing);
     }
     return std::shared_ptr<const HdLibrary>(std::move(result));
 }
 
-const char* hdErrorText(std::uint32_t code) {
-    const auto found = std::ranges::find(kErrors, code, &ErrorText::code);
-    return found == std::end(kErrors)
-               ? "The device's driver reports an error: switch the device off and on again and restart Tactooth."
-               : found->text;
+const Message& hdErrorMessage(std::uint32_t code) {
+    const auto* const found = std::ranges::find(kErrors, code, &KnownError::code);
+    return found == kErrors.end() ? kOtherError : found->message;
 }
 
 bool isHdErrorTransient(std::uint32_t code) { return code >= hd::kWarmMotors && code <= hd::kTooFast; }

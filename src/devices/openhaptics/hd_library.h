@@ -97,7 +97,7 @@ private:
 };
 
 /// What an error code means and what to do about it: one sentence. Lives as long as the program.
-[[nodiscard]] const char* hdErrorText(std::uint32_t code);
+[[nodiscard]] const Message& hdErrorMessage(std::uint32_t code);
 
 /// Whether the device can go on after this error.
 [[nodiscard]] bool isHdErrorTransient(std::uint32_t code);

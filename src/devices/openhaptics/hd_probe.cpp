@@ -4,6 +4,7 @@
 #include <mutex>
 #include <set>
 
+#include "devices/base/messages.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/probe/child_probe.h"
 
@@ -15,7 +16,7 @@ constexpr double kConnectTimeout = 10;  // s: a driver that looks for its device
 /// Nothing, or why the library cannot be used.
 std::string startAndEnd(const std::string& path) {
     const auto library = HdLibrary::load(path);
-    if (!library) return library.error().message;
+    if (!library) return library.error().message();
     const HdFunctions& call = (*library)->call();
     const HdHandle handle = call.initDevice(nullptr);
     if (call.getError().code == 0 && handle <= hd::kLargestHandle) call.disableDevice(handle);
@@ -31,8 +32,7 @@ Expected<void> HdLibrary::probeLibrary(const std::string& path) {
     if (harmless.contains(path)) return {};
     const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kConnectTimeout);
     if (!tried) {
-        return unexpected(path + " is broken, " + tried.error().message +
-                          ": install the device's driver anew; Tactooth leaves it alone.");
+        return unexpected(msg::kLibraryBroken, path, tried.error());
     }
     if (tried->empty()) harmless.insert(path);
     return {};

@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 
+#include "devices/base/messages.h"
 #include "devices/openhaptics/hd_library.h"
 #include "devices/openhaptics/openhaptics_device.h"
 #include "devices/openhaptics/pen_names.h"
@@ -20,8 +21,8 @@ ProbeResult probePen(const std::string& name, const std::string& library) {
     const auto opened = pen.open();
     if (opened) return {DeviceState::Ready, capabilityText(pen.info()), capabilitiesOf(pen.info())};
     const bool isInstalled = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
-    const bool isUnplugged = opened.error().message.ends_with(hdErrorText(hd::kLinkFault));
-    return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message};
+    const bool isUnplugged = opened.error().contains(msg::kHdLinkFault);
+    return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message()};
 }
 
 /// One line for each pen that is set up; without any, one for the default pen, which says what to do.
@@ -48,7 +49,7 @@ Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultP
 }  // namespace
 
 DeviceBackend openHapticsBackend() {
-    return {kName, "Haptic pen (OpenHaptics)", "NAME", createPen, tryLibrary, probePens, penPresets()};
+    return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens, penPresets()};
 }
 
 }  // namespace tactooth

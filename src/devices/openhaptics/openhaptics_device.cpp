@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
 #include "devices/base/timed_wait.h"
 #include "devices/openhaptics/hd_driver.h"
@@ -14,8 +15,7 @@ namespace {
 constexpr double kLongestSilence = 2.5;  // ticks: two were left out, so the pen counts as lost
 constexpr double kMaxBent = 0.01;        // of the axes' lengths and of the cosines between them
 constexpr double kLongestStart = 0.5;    // s: until the first reading; before it nothing has stopped
-constexpr const char* kSilent =
-    "The device has stopped answering: check its cable and power supply; the session goes on when it is back.";
+const Message kSilent(msg::kHdSilent);
 
 // HDAPI: +x right, +y up, +z toward the user. Here: +x right, +y away from the user, +z up.
 Vec3 fromHd(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
@@ -96,10 +96,10 @@ DeviceSample OpenHapticsDevice::read(double elapsed) {
 
 void OpenHapticsDevice::write(const SafeWrench& wrench) { pen_->force.write(toHd(wrench.force())); }
 
-const char* OpenHapticsDevice::faultMessage() const {
+const Message* OpenHapticsDevice::faultMessage() const {
     if (pen_ == nullptr) return nullptr;
-    if (const char* const text = pen_->faultMessage.load(std::memory_order_relaxed)) return text;
-    return silent_.load(std::memory_order_relaxed) ? kSilent : HapticDevice::faultMessage();
+    if (const Message* const fault = pen_->faultMessage.load(std::memory_order_relaxed)) return fault;
+    return silent_.load(std::memory_order_relaxed) ? &kSilent : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

@@ -31,7 +31,7 @@ public:
     void waitForTick(double longest) override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
-    [[nodiscard]] const char* faultMessage() const override;
+    [[nodiscard]] const Message* faultMessage() const override;
 
 private:
     std::string name_;

@@ -15,7 +15,9 @@
 #include <cstring>
 #include <string_view>
 
+#include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -86,20 +88,20 @@ ReceiveStatus readAnswer(int pipe, MonotonicClock::time_point end, std::string& 
 }
 
 /// Why there is no answer, a few words. The child is not waited for so that nobody else gets its number yet.
-std::string wordsFor(pid_t child, MonotonicClock::time_point end) {
+Message wordsFor(pid_t child, MonotonicClock::time_point end) {
     siginfo_t info{};
     while (info.si_pid == 0) {
         const int failed = waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
         if (failed != 0 && errno != EINTR) break;  // this program waits for no child: how it ended is not known
         if (info.si_pid != 0) break;
-        if (MonotonicClock::now() > end) return "it does not return";
+        if (MonotonicClock::now() > end) return msg::kDoesNotReturn;
         poll(nullptr, 0, kPollTimeoutMs);
     }
     if (info.si_code == CLD_KILLED || info.si_code == CLD_DUMPED) {
-        return std::string("it crashes (") + strsignal(info.si_status) + ")";
+        return {msg::kCrashes, strsignal(info.si_status)};
     }
-    if (info.si_code == CLD_EXITED && info.si_status == kUnheard) return "it closes what it has not opened";
-    return "it ends the program that uses it";
+    if (info.si_code == CLD_EXITED && info.si_status == kUnheard) return msg::kClosesWhatIsNotItsOwn;
+    return msg::kEndsTheProgram;
 }
 
 /// Ends the child with all that it has started.
@@ -114,20 +116,20 @@ void killProcessGroup(pid_t child) {
 
 Expected<std::string> inChildProcess(const std::function<std::string()>& probe, double seconds) {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return unexpected(std::string("no pipe: ") + std::strerror(errno));
+    if (pipe2(ends, O_CLOEXEC) != 0) return unexpected(msg::kNoPipe, systemReason(errno));
     const pid_t child = fork();
     if (child == 0) answer(ends[1], probe);
     close(ends[1]);
     if (child < 0) {
         close(ends[0]);
-        return unexpected(std::string("no child process: ") + std::strerror(errno));
+        return unexpected(msg::kNoChildProcess, systemReason(errno));
     }
     setpgid(child, child);  // whoever comes first
     const MonotonicClock::time_point end = secondsFromNow(seconds);
     std::string text;
     const ReceiveStatus heard = readAnswer(ends[0], end, text);
     close(ends[0]);
-    const std::string why = heard == ReceiveStatus::Nothing ? wordsFor(child, end) : "it does not return";
+    const Message why = heard == ReceiveStatus::Nothing ? wordsFor(child, end) : Message(msg::kDoesNotReturn);
     killProcessGroup(child);
     if (heard == ReceiveStatus::Answer) return text;
     return unexpected(why);

@@ -10,6 +10,7 @@
 #include "devices/base/device_presets.h"
 #include "devices/base/haptic_device.h"
 #include "devices/probe/detected_device.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -23,9 +24,9 @@ struct DeviceRequest {
 /// A kind of device. Each backend defines one row; device_registry.cpp lists the rows. The command line, the device
 /// panel, 'tactooth devices' and 'tactooth doctor' all read that list.
 struct DeviceBackend {
-    const char* name;      ///< as --device takes it, before the colon
-    const char* title;     ///< for people
-    const char* unitWord;  ///< what the help calls the text behind the colon ("NAME", "ID"); nullptr: takes none
+    const char* name;          ///< as --device takes it, before the colon
+    const MessageText& title;  ///< for people
+    const char* unitWord;      ///< what the help calls the text behind the colon ("NAME", "ID"); nullptr: takes none
     /// Makes the device without opening it; never nullptr. Function pointer nullptr: the mouse, which needs no opening.
     std::unique_ptr<HapticDevice> (*create)(const DeviceRequest& request);
     /// A trial before the first opening that keeps a broken driver out of this process; nullptr: none is needed.

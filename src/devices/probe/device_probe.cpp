@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "devices/base/messages.h"
 #include "devices/probe/child_probe.h"
 
 namespace tactooth {
@@ -78,7 +79,7 @@ DetectedDevice probeInChild(const std::string& name, const char* backend, const 
     const auto text = inChildProcess([&probe] { return packed(probe()); }, kConnectTimeout);
     const std::optional<ProbeResult> result = text ? unpacked(*text) : std::nullopt;
     if (result) return {name, backend, result->state, result->text, result->capabilities};
-    const std::string end = text ? "it ends the program that uses it" : text.error().message;
+    const std::string end = text ? std::string(msg::kEndsTheProgram.english) : text.error().message();
     return {name, backend, DeviceState::Unusable, library + " is broken, " + end + ": " + remedy};
 }
 

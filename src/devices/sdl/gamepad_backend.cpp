@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/sdl/gamepad_backend.h"
 
+#include "devices/base/messages.h"
 #include "devices/sdl/gamepad_device.h"
 #include "devices/sdl/joystick_probe.h"
 
@@ -12,7 +13,7 @@ constexpr const char* kName = "gamepad";
 
 std::vector<DetectedDevice> probePads() {
     return {probeJoysticks(kName, "gamepad (SDL)", true, capabilitiesOf(GamepadDevice("").info()),
-                           "There is no gamepad: plug one in or switch it on, and see that you may read /dev/input.")};
+                           std::string(msg::kNoGamepad.english))};
 }
 
 std::unique_ptr<HapticDevice> createPad(const DeviceRequest& request) {
@@ -21,6 +22,6 @@ std::unique_ptr<HapticDevice> createPad(const DeviceRequest& request) {
 
 }  // namespace
 
-DeviceBackend gamepadBackend() { return {kName, "Gamepad", "NAME", createPad, nullptr, probePads, {}}; }
+DeviceBackend gamepadBackend() { return {kName, msg::kGamepad, "NAME", createPad, nullptr, probePads, {}}; }
 
 }  // namespace tactooth

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 
+#include "devices/base/messages.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kFullForce = 3;     // N at which the heavy motor runs as strongly as it can: the most a hand presses
 constexpr double kFullShake = 0.08;  // N at which the light one does: a bur that cuts under 2 N
 constexpr double kStiffness = 2;     // N/mm: the hand gives way 8 mm/s a newton, so a stiffer wall is no stronger
-constexpr const char* kLost = "The gamepad has been unplugged: plug it in again, and the session goes on.";
+const Message kLost(msg::kGamepadUnplugged);
 
 }  // namespace
 
@@ -34,8 +36,7 @@ Expected<void> GamepadDevice::open() {
         return state.isPad && state.name.find(name_) != std::string::npos;
     });
     if (pad == states.end()) {
-        return unexpected("There is no gamepad" + (name_.empty() ? std::string() : " named '" + name_ + "'") +
-                          ": plug one in or switch it on, and see that you may read /dev/input.");
+        return name_.empty() ? unexpected(msg::kNoGamepad) : unexpected(msg::kNoGamepadNamed, name_);
     }
     PadState atRest;
     atRest.connected = true;
@@ -75,8 +76,8 @@ void GamepadDevice::write(const SafeWrench& wrench) {
     port_.rumble.write({rumbleFilter_.steady() / kFullForce, rumbleFilter_.vibration() / kFullShake});
 }
 
-const char* GamepadDevice::faultMessage() const {
-    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::faultMessage();
+const Message* GamepadDevice::faultMessage() const {
+    return lost_.load(std::memory_order_relaxed) ? &kLost : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

@@ -28,7 +28,7 @@ public:
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
     void suspendInput(bool suspended) override { inputSuspended_.store(suspended, std::memory_order_relaxed); }
-    [[nodiscard]] const char* faultMessage() const override;
+    [[nodiscard]] const Message* faultMessage() const override;
 
 private:
     std::string name_;

@@ -14,7 +14,7 @@ std::string describe(const JoystickState& joystick) {
 
 ProbeResult lookForJoysticks(bool padsOnly, DeviceCapabilities can, const std::string& none) {
     const auto joysticks = SdlJoysticks::shared();
-    if (!joysticks) return {DeviceState::Unusable, joysticks.error().message};
+    if (!joysticks) return {DeviceState::Unusable, joysticks.error().message()};
     std::string found;
     for (const JoystickState& joystick : (*joysticks)->states()) {
         if (padsOnly && !joystick.isPad) continue;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/sdl/joysticks.h"
 
+#include "devices/base/messages.h"
+
 #include <SDL.h>
 
 #include <algorithm>
@@ -193,7 +195,7 @@ SdlJoysticks::SdlJoysticks() {
         Worker worker;
         {
             const std::lock_guard guard(mutex_);
-            if (!worker.works()) failure_ = std::string("Joysticks cannot be read (") + SDL_GetError() + ").";
+            if (!worker.works()) failure_ = {msg::kJoysticksNotRead, SDL_GetError()};
             if (worker.works()) states_ = worker.look();
             started_ = true;
             started.notify_all();
@@ -224,8 +226,7 @@ std::vector<JoystickState> SdlJoysticks::states() const {
 
 Expected<void> SdlJoysticks::feed(PadPort* port, const std::string& name) {
     const std::lock_guard lock(mutex_);
-    if (port != nullptr && port_ != nullptr)
-        return unexpected("A gamepad steers already; there is one for each program.");
+    if (port != nullptr && port_ != nullptr) return unexpected(msg::kGamepadInUse);
     port_ = port;
     wanted_ = name;
     return {};

@@ -12,6 +12,7 @@
 
 #include "devices/base/pad_mapping.h"
 #include "geometry/util/expected.h"
+#include "geometry/util/message.h"
 #include "geometry/util/triple_buffer.h"
 
 namespace tactooth {
@@ -78,7 +79,7 @@ private:
     std::vector<JoystickState> states_;
     PadPort* port_ = nullptr;
     std::string wanted_;
-    std::string failure_;
+    Message failure_;
     bool started_ = false;  // or failed
     std::jthread thread_;   // last: it uses all of the above
 };

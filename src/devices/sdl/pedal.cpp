@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "devices/base/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -42,9 +43,7 @@ Expected<PedalBinding> parsePedal(const std::string& text) {
     const auto number = toNumber<int>(cutWord(rest));
     constexpr int kMax = 31;
     if ((kind != "axis" && kind != "button") || !number || *number < 0 || *number > kMax) {
-        return unexpected("the pedal '" + text +
-                          "' is none: it is axis:N or button:N of a joystick (N from 0 to 31), "
-                          "with :NAME of the joystick behind it if there are several.");
+        return unexpected(msg::kUnknownPedal, text);
     }
     choice.kind = kind == "axis" ? PedalBinding::Kind::Axis : PedalBinding::Kind::Button;
     choice.number = *number;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/spacemouse/space_mouse_backend.h"
 
+#include "devices/base/messages.h"
 #include "devices/probe/device_probe.h"
 #include "devices/spacemouse/space_mouse_device.h"
 
@@ -13,7 +14,7 @@ constexpr const char* kName = "spacemouse";
 ProbeResult trySpaceMouse() {
     SpaceMouseDevice device;
     const auto opened = device.open();
-    if (!opened) return {DeviceState::NotFound, opened.error().message};
+    if (!opened) return {DeviceState::NotFound, opened.error().message()};
     return {DeviceState::Ready, "the driver runs; six axes steer by speed, no force", capabilitiesOf(device.info())};
 }
 
@@ -27,7 +28,7 @@ std::unique_ptr<HapticDevice> createSpaceMouse(const DeviceRequest&) { return st
 }  // namespace
 
 DeviceBackend spaceMouseBackend() {
-    return {kName, "SpaceMouse", nullptr, createSpaceMouse, nullptr, probeSpaceMice, {}};
+    return {kName, msg::kSpaceMouse, nullptr, createSpaceMouse, nullptr, probeSpaceMice, {}};
 }
 
 }  // namespace tactooth

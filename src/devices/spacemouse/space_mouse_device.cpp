@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/spacemouse/space_mouse_device.h"
 
+#include "devices/base/messages.h"
+
 #include <poll.h>
 
 #include <algorithm>
@@ -22,11 +24,7 @@ constexpr double kStiffness = 2;        // N/mm: the hand gives way, so a stiffe
 constexpr int kConnectTimeoutMs = 100;  // for the next event: closing takes no longer
 constexpr int kMaxEvents = 1000;        // at once: a driver that never stops must not keep the newest from the hand
 constexpr auto kRetry = std::chrono::seconds(1);
-constexpr const char* kNoDriver =
-    "The SpaceMouse's driver does not run: install spacenavd, start it (sudo systemctl start spacenavd) and plug the "
-    "SpaceMouse in.";
-constexpr const char* kLost =
-    "The SpaceMouse's driver has stopped: start it again (sudo systemctl start spacenavd), and the session goes on.";
+const Message kLost(msg::kSpaceMouseLost);
 
 std::atomic<bool> libraryInUse{false};
 
@@ -72,10 +70,10 @@ SpaceMouseDevice::~SpaceMouseDevice() { close(); }
 
 Expected<void> SpaceMouseDevice::open() {
     close();
-    if (libraryInUse.exchange(true)) return unexpected("A SpaceMouse steers already; there is one for each program.");
+    if (libraryInUse.exchange(true)) return unexpected(msg::kSpaceMouseInUse);
     if (spnav_open() != 0) {
         libraryInUse.store(false);
-        return unexpected(kNoDriver);
+        return unexpected(msg::kSpaceMouseNoDriver);
     }
     open_ = true;
     hand_ = RateController();
@@ -124,8 +122,8 @@ DeviceSample SpaceMouseDevice::read(double elapsed) {
     return sample;
 }
 
-const char* SpaceMouseDevice::faultMessage() const {
-    return lost_.load(std::memory_order_relaxed) ? kLost : HapticDevice::faultMessage();
+const Message* SpaceMouseDevice::faultMessage() const {
+    return lost_.load(std::memory_order_relaxed) ? &kLost : HapticDevice::faultMessage();
 }
 
 }  // namespace tactooth

@@ -35,7 +35,7 @@ public:
     void close() override;
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override { hand_.setForce(wrench.force()); }
-    [[nodiscard]] const char* faultMessage() const override;
+    [[nodiscard]] const Message* faultMessage() const override;
 
 private:
     void run(const std::stop_token& stop);

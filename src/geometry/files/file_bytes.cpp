@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "geometry/util/display_text.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -34,24 +36,21 @@ private:
 };
 
 Unexpected cannotOpen(const std::string& name, int reason) {
-    if (reason == ENOENT || reason == ENOTDIR)
-        return unexpected(name + ": there is no such file; check the name and the folder.");
-    if (reason == EACCES || reason == EPERM)
-        return unexpected(name + ": this user may not read the file; change its permissions.");
-    return unexpected(name + ": the file cannot be opened: " + std::generic_category().message(reason) + ".");
+    if (reason == ENOENT || reason == ENOTDIR) return unexpected(msg::kFileMissing, name);
+    if (reason == EACCES || reason == EPERM) return unexpected(msg::kFileNotReadable, name);
+    return unexpected(msg::kFileNotOpened, name, systemReason(reason));
 }
 
 Unexpected cannotRead(const std::string& name, int reason) {
-    return unexpected(name + ": reading stopped: " + std::generic_category().message(reason) + ".");
+    return unexpected(msg::kReadingStopped, name, systemReason(reason));
 }
 
 Expected<std::size_t> sizeOfRegularFile(const Descriptor& file, const std::string& name) {
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) return cannotRead(name, errno);
-    if (S_ISDIR(status.st_mode)) return unexpected(name + ": this is a folder; name a file inside it.");
-    if (!S_ISREG(status.st_mode))
-        return unexpected(name + ": this is not a regular file (a device or a pipe); name a file on disk.");
-    if (status.st_size == 0) return unexpected(name + ": the file is empty; export or copy it again.");
+    if (S_ISDIR(status.st_mode)) return unexpected(msg::kFileIsFolder, name);
+    if (!S_ISREG(status.st_mode)) return unexpected(msg::kFileNotRegular, name);
+    if (status.st_size == 0) return unexpected(msg::kFileEmpty, name);
     return static_cast<std::size_t>(status.st_size);
 }
 
@@ -62,15 +61,13 @@ Expected<FileBytes> readFile(const std::filesystem::path& path, std::size_t most
     const Descriptor file(path);
     if (!file.valid()) return cannotOpen(name, errno);
     const Expected<std::size_t> size = sizeOfRegularFile(file, name);
-    if (!size) return unexpected(size.error().message);
+    if (!size) return unexpected(size.error());
     if (*size > most) {
-        return unexpected(name + ": the file holds " + std::to_string(*size) + " bytes, and at most " +
-                          std::to_string(most) + " are read of such a file; choose another or a smaller one.");
+        return unexpected(msg::kFileTooLong, name, *size, most);
     }
 
     auto* const data = static_cast<std::byte*>(allocateOnLargePages(*size));
-    if (data == nullptr)
-        return unexpected(name + ": the file (" + std::to_string(*size) + " bytes) does not fit into memory.");
+    if (data == nullptr) return unexpected(msg::kFileTooLargeForMemory, name, *size);
     std::size_t filled = 0;
     FileBytes whole(data, *size);
     while (filled < *size) {

@@ -15,6 +15,7 @@
 #include "geometry/files/pending_file.h"
 #include "geometry/files/unfinished_files.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 namespace {
@@ -98,13 +99,11 @@ Expected<void> FileTransaction::checkFree(const fs::path& path) const {
     for (const Known& input : read_) {
         const bool isPartOfIt = place.number != 0 && place.isInside(input.place);
         if (!isPartOfIt && place != input.place) continue;
-        return unexpected(displayName(path) + ": cannot be written: this command reads it (as " +
-                          displayName(input.name) + "); choose another name.");
+        return unexpected(msg::kOutputIsInput, displayName(path), displayName(input.name));
     }
     for (const Known& other : written_) {
         if (place != other.place) continue;
-        return unexpected(displayName(path) + ": cannot be written: it is the same file as " + displayName(other.name) +
-                          ", which this command writes as well; choose another name.");
+        return unexpected(msg::kOutputNamedTwice, displayName(path), displayName(other.name));
     }
     return {};
 }

@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 
@@ -12,8 +14,7 @@ Expected<void> makeFolder(const std::filesystem::path& folder) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (!failure) return {};
-    return unexpected("the folder " + displayName(folder) + " cannot be made (" + failure.message() +
-                      "); give one that you may write to.");
+    return unexpected(msg::kOutputFolderNotMade, displayName(folder), systemReason(failure));
 }
 
 }  // namespace tactooth

@@ -14,6 +14,8 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_identity.h"
 #include "geometry/files/unfinished_files.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -26,12 +28,11 @@ constexpr mode_t kModeBits = 07777;
 
 Unexpected cannotWrite(const fs::path& path, int reason) {
     const std::string name = displayName(path);
-    if (reason == ENOENT || reason == ENOTDIR)
-        return unexpected(name + ": cannot be written: its folder does not exist; make the folder first.");
+    if (reason == ENOENT || reason == ENOTDIR) return unexpected(msg::kOutputFolderMissing, name);
     if (reason == EACCES || reason == EPERM || reason == EROFS) {
-        return unexpected(name + ": cannot be written: this user may not write into its folder; choose another one.");
+        return unexpected(msg::kOutputFolderNotWritable, name);
     }
-    return unexpected(name + ": cannot be written: " + std::generic_category().message(reason) + ".");
+    return unexpected(msg::kOutputNotWritten, name, systemReason(reason));
 }
 
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
@@ -57,10 +58,10 @@ Expected<std::unique_ptr<PendingFile>> PendingFile::open(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) {
-        return unexpected(displayName(path) + ": cannot be written: this is a folder; name a file inside it.");
+        return unexpected(msg::kOutputIsFolder, displayName(path));
     }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        return unexpected(displayName(path) + ": cannot be written: this is not a regular file; choose another name.");
+        return unexpected(msg::kOutputNotRegular, displayName(path));
     }
     fs::path target = linksFollowed(path);
     if (!target.has_filename()) return cannotWrite(path, ENOENT);

@@ -12,6 +12,7 @@
 #include "geometry/files/rename_together.h"
 #include "geometry/files/temporary_file.h"
 #include "geometry/files/unfinished_files.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr int kMaxTries = 100;       // against another program that removes stale files at that moment
 constexpr mode_t kUsualMode = 0777;  // less the user's umask
 
-Unexpected failed(int reason) { return unexpected(std::generic_category().message(reason)); }
+Unexpected failed(int reason) { return unexpected(systemReason(reason)); }
 
 }  // namespace
 

@@ -7,19 +7,7 @@
 
 namespace tactooth {
 
-std::string inWords(const ImportNote& importNote) {
-    std::string sentence;
-    for (const char* letter = importNote.text; *letter != '\0'; ++letter) {
-        const auto number = static_cast<std::size_t>(letter[0] == '%' ? letter[1] - '1' : -1);
-        if (number < importNote.values.size()) {
-            sentence += importNote.values[number];
-            ++letter;
-        } else {
-            sentence += *letter;
-        }
-    }
-    return sentence;
-}
+std::string inWords(const ImportNote& importNote) { return importNote.message.in(Language::English); }
 
 std::string rounded(double value, int digits) {
     std::array<char, 400> text;  // the largest double has 309 digits before the point

@@ -3,19 +3,18 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// The subject of an import note.
 enum class ImportNoteTopic { File, Units, Orientation, Closedness, Layers };
 
-/// An assumption, a change or a repair of the program: a sentence with the placeholders %1, %2 ... for `values`, so
-/// that a window can show it in another language.
+/// An assumption, a change or a repair of the program.
 struct ImportNote {
     ImportNoteTopic topic;
-    const char* text;
-    std::vector<std::string> values = {};
+    Message message;
 };
 
 /// The sentence in English.

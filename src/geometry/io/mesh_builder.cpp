@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -34,9 +35,7 @@ Expected<ReadMesh> readWithOffset(const std::string& name, const std::function<R
     again.mesh->offset = *offset;
     again.mesh->importNotes.push_back(
         {ImportNoteTopic::File,
-         "%1: the surface lies too far from zero for single precision: %2, %3, %4 were subtracted from its coordinates "
-         "before they were rounded.",
-         {name, numberText(offset->x()), numberText(offset->y()), numberText(offset->z())}});
+         {msg::kNoteMoved, name, numberText(offset->x()), numberText(offset->y()), numberText(offset->z())}});
     return std::move(again.mesh);
 }
 

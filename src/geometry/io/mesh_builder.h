@@ -15,6 +15,7 @@
 #include "geometry/mesh/vertex_welder.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/expected.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -44,7 +45,7 @@ public:
     }
     [[nodiscard]] std::size_t corners() const { return corners_.size(); }
     /// Adds the corners as a polygon (fewer than three corners give nothing). Returns null, or the problem.
-    const char* endFace() {
+    const MessageText* endFace() {
         if (corners_.size() == 3) {
             mesh_.triangles.push_back({corners_[0], corners_[1], corners_[2]});
             return nullptr;

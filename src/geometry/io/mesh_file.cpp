@@ -17,6 +17,7 @@
 #include "geometry/io/stl_sniffer.h"
 #include "geometry/util/byte_text.h"
 #include "geometry/util/lower_case.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 namespace {
@@ -40,9 +41,7 @@ Expected<TriangleMesh> inPlace(Expected<ReadMesh> read, const std::filesystem::p
                                std::vector<ImportNote>* importNotes) {
     if (!read) return Unexpected{read.error()};
     if (!read->offset.isZero(0)) {
-        return unexpected(displayName(path) +
-                          ": the surface lies too far from zero for single precision, in which its place is needed; "
-                          "move it near to zero, or make a case of it with 'tactooth case new'.");
+        return unexpected(msg::kSurfaceTooFar, displayName(path));
     }
     if (importNotes != nullptr)
         importNotes->insert(importNotes->end(), read->importNotes.begin(), read->importNotes.end());
@@ -55,12 +54,10 @@ Expected<ReadMesh> parseReadMesh(std::span<const std::byte> bytes, const std::fi
     const std::string extension = toLowerCase(path.extension().string());
     if (ply::looksLikePly(asText(bytes))) return parsePly(bytes, displayName(path));
     if (stl::sniff(bytes) == stl::Kind::Neither) {
-        if (isWideText(asText(bytes)))
-            return unexpected(displayName(path) + ": this is text in UTF-16; save it as UTF-8.");
+        if (isWideText(asText(bytes))) return unexpected(msg::kTextInUtf16, displayName(path));
         if (extension == ".obj") return parseObj(bytes, displayName(path));
         if (isOtherFormat(extension)) {
-            return unexpected(displayName(path) + ": " + extension +
-                              " files cannot be read; export the surface as STL, OBJ or PLY.");
+            return unexpected(msg::kFormatNotRead, displayName(path), extension);
         }
     }
     return parseAnyStl(bytes, path);
@@ -72,7 +69,7 @@ Expected<ReadMesh> readMesh(const std::filesystem::path& path) {
     Expected<ReadMesh> read = parseReadMesh(file->bytes(), path);
     if (!read) return read;
     // An import note may be stored with the surface, where the user's folders are private.
-    for (ImportNote& importNote : read->importNotes) importNote.values.front() = displayName(path.filename());
+    for (ImportNote& importNote : read->importNotes) importNote.message.replaceFirst(displayName(path.filename()));
     return read;
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/io/mesh_builder.h"
 #include "geometry/io/obj_lines.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -30,12 +31,11 @@ private:
     Expected<ReadMesh> parseLines() {
         for (std::string_view line; lines_.next(line);) {
             if (!parseLine(line)) {
-                return unexpected(name_ + ", line " + std::to_string(lines_.number()) + ": " + problem_ +
-                                  "; repair or export the surface again.");
+                return unexpected(msg::kObjRefused, name_, lines_.number(), problem_);
             }
         }
         if (!mesh_.hasTriangles()) {
-            return unexpected(name_ + ": the file holds no faces; export the surface again, as triangles.");
+            return unexpected(msg::kObjNoFaces, name_);
         }
         ReadMesh read{mesh_.take()};
         if (unknownLines_ > 0) read.importNotes.push_back(onUnknownLines());
@@ -68,22 +68,22 @@ private:
             const std::string_view word = words.next();
             const std::optional<double> value = toCoordinate(word);
             if (!value || !std::isfinite(static_cast<float>(*value)))
-                return fail("expected a finite coordinate, but found ", word);
+                return fail({msg::kObjCoordinateFound, quotedWord(word)});
             coordinate = *value;
         }
-        return mesh_.addVertex(position) || fail("expected a finite coordinate", {});
+        return mesh_.addVertex(position) || fail(msg::kExpectedFinite);
     }
 
     bool parseFace(obj::Words& words) {
         mesh_.beginFace();
         for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
             const std::optional<std::size_t> vertex = vertexNamed(word.substr(0, word.find('/')));
-            if (!vertex) return fail("expected the number of a vertex that the file has given above, but found ", word);
+            if (!vertex) return fail({msg::kObjVertexFound, quotedWord(word)});
             mesh_.addCorner(*vertex);
         }
-        if (mesh_.corners() < 3) return fail("expected a face of three corners or more", {});
-        const char* const problem = mesh_.endFace();
-        return problem == nullptr || fail(problem, {});
+        if (mesh_.corners() < 3) return fail(msg::kObjFewCorners);
+        const MessageText* const problem = mesh_.endFace();
+        return problem == nullptr || fail(*problem);
     }
 
     /// Numbers count from 1, negative ones back from the last vertex.
@@ -103,25 +103,20 @@ private:
 
     [[nodiscard]] ImportNote onUnknownLines() const {
         if (unknownLines_ == 1) {
-            return {ImportNoteTopic::File,
-                    "%1: line %2 was not understood and passed over; it begins with %3.",
-                    {name_, std::to_string(firstUnknown_), unknownWord_}};
+            return {ImportNoteTopic::File, {msg::kNoteUnknownLine, name_, firstUnknown_, unknownWord_}};
         }
-        return {ImportNoteTopic::File,
-                "%1: %2 lines were not understood and passed over; the first is line %3, which begins with %4.",
-                {name_, std::to_string(unknownLines_), std::to_string(firstUnknown_), unknownWord_}};
+        return {ImportNoteTopic::File, {msg::kNoteUnknownLines, name_, unknownLines_, firstUnknown_, unknownWord_}};
     }
 
-    bool fail(const char* expectation, std::string_view word) {
-        problem_ = expectation;
-        if (!word.empty()) problem_ += quotedWord(word);
+    bool fail(Message problem) {
+        problem_ = std::move(problem);
         return false;
     }
 
     obj::Lines lines_;
     std::string name_;
     MeshBuilder mesh_;
-    std::string problem_;
+    Message problem_;
     std::size_t unknownLines_ = 0, firstUnknown_ = 0;
     std::string unknownWord_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth::ply {
@@ -121,19 +122,16 @@ Expected<Header> parseHeader(std::string_view file, const std::string& name) {
         const std::vector<std::string_view> words = wordsOf(file.substr(at, end - at));
         at = std::min(end + 1, file.size());
         if (words.size() == 1 && words[0] == "end_header") {
-            if (!parser.hasFormat)
-                return unexpected(name + ": the PLY header names no format; export the surface again.");
+            if (!parser.hasFormat) return unexpected(msg::kPlyNoFormat, name);
             parser.header.bytes = at;
             parser.header.lines = line;
             return parser.header;
         }
         if (!parser.takeLine(words)) {
-            return unexpected(name + ", line " + std::to_string(line) +
-                              ": expected a line of a PLY header, but found " + quotedWord(words[0]) +
-                              "; export the surface again.");
+            return unexpected(msg::kPlyExpectedHeaderLine, name, line, quotedWord(words[0]));
         }
     }
-    return unexpected(name + ": the PLY header has no end: the file is cut short; export the surface again.");
+    return unexpected(msg::kPlyNoHeaderEnd, name);
 }
 
 }  // namespace tactooth::ply

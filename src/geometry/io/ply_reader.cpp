@@ -13,6 +13,7 @@
 #include "geometry/io/mesh_builder.h"
 #include "geometry/io/ply_header.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -96,10 +97,10 @@ private:
         for (const ply::Element& element : header_.elements) {
             if (element.properties.empty()) continue;  // takes no bytes, whatever its count
             for (std::uint64_t i = 0; i < element.count; ++i) {
-                if (!readItem(element)) return refuse(shown(element) + " " + std::to_string(i + 1) + ": " + problem_);
+                if (!readItem(element)) return refuse({msg::kPlyItemRefused, shown(element), i + 1, problem_});
             }
         }
-        if (!mesh_.hasTriangles()) return refuse("the file holds no faces");
+        if (!mesh_.hasTriangles()) return refuse(msg::kPlyNoFaces);
         return ReadMesh{mesh_.take()};
     }
 
@@ -122,28 +123,28 @@ private:
                 continue;
             }
             double value = 0;
-            if (!numbers_.next(property.type, value)) return fail("the file is cut short, or holds what is no number");
+            if (!numbers_.next(property.type, value)) return fail(msg::kPlyNoNumber);
             const std::size_t axis = std::string_view("xyz").find(property.name);
             if (isVertex && property.name.size() == 1 && axis < 3) position[static_cast<int>(axis)] = value;
         }
         if (!isVertex || mesh_.addVertex(position)) return true;
-        return fail("x, y and z are not three finite numbers");
+        return fail(msg::kPlyNotFinite);
     }
 
     bool readList(const ply::Property& property, Corners corners) {
         double length = 0;
-        if (!numbers_.next(*property.countType, length)) return fail("the file is cut short");
+        if (!numbers_.next(*property.countType, length)) return fail(msg::kPlyCutShort);
         const bool isPossible = length >= 0 && length <= static_cast<double>(numbers_.most(property.type));
-        if (!isPossible || length != std::floor(length)) return fail("a list is longer than the file");
+        if (!isPossible || length != std::floor(length)) return fail(msg::kPlyListTooLong);
         mesh_.beginFace();
         for (double left = length; left > 0; --left) {
             double value = 0;
-            if (!numbers_.next(property.type, value)) return fail("the file is cut short, or holds what is no number");
+            if (!numbers_.next(property.type, value)) return fail(msg::kPlyNoNumber);
             if (corners != Corners::None && !addCorner(value, corners)) return false;
         }
         if (corners == Corners::OfStrips) mesh_.endStrip();
-        const char* const problem = corners == Corners::OfFace ? mesh_.endFace() : nullptr;
-        return problem == nullptr || fail(problem);
+        const MessageText* const problem = corners == Corners::OfFace ? mesh_.endFace() : nullptr;
+        return problem == nullptr || fail(*problem);
     }
 
     bool addCorner(double value, Corners corners) {
@@ -153,23 +154,24 @@ private:
             return true;
         }
         const bool isVertex = value >= 0 && value < static_cast<double>(mesh_.vertices()) && value == std::floor(value);
-        if (!isVertex) return fail("a corner names a vertex that the file does not have");
+        if (!isVertex) return fail(msg::kPlyNoVertex);
         mesh_.addCorner(static_cast<std::size_t>(value));
         return true;
     }
 
-    bool fail(const char* problem) {
+    bool fail(const MessageText& problem) {
         problem_ = problem;
         return false;
     }
 
-    [[nodiscard]] Unexpected refuse(const std::string& problem) const {
-        return unexpected(name_ + ": " + problem + "; export the surface again.");
+    [[nodiscard]] Unexpected refuse(const Message& problem) const {
+        return unexpected(msg::kPlyRefused, name_, problem);
     }
 
     Numbers numbers_;
     const ply::Header& header_;
-    std::string name_, problem_;
+    std::string name_;
+    Message problem_;
     MeshBuilder mesh_;
 };
 

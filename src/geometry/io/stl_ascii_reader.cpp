@@ -8,6 +8,7 @@
 #include "geometry/io/stl_format.h"
 #include "geometry/mesh/vertex_welder.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth::stl {
@@ -39,11 +40,10 @@ public:
 private:
     Expected<ReadMesh> parseSolids() {
         while (nextWord()) {
-            if (!sameWord(word_, "solid")) return refuse("expected 'solid' or the end of the file");
+            if (!sameWord(word_, "solid")) return refuse(msg::kStlExpectedSolid);
             if (!parseSolid()) return Unexpected{error_};
         }
-        if (mesh_.triangles.empty())
-            return unexpected(name_ + ": the file holds no triangles; export the surface again.");
+        if (mesh_.triangles.empty()) return unexpected(msg::kNoTriangles, name_);
         mesh_.vertices = welder_.takeVertices();
         return ReadMesh{std::move(mesh_)};
     }
@@ -74,16 +74,16 @@ private:
         skipLine();  // the rest of the line is the solid's name, which may be any text
         while (nextWord()) {
             if (sameWord(word_, "endsolid")) return skipLine(), true;
-            if (!sameWord(word_, "facet")) return fail("expected 'facet' or 'endsolid'");
+            if (!sameWord(word_, "facet")) return fail(msg::kStlExpectedFacet);
             if (!parseFacet()) return false;
         }
-        return fail("expected 'facet' or 'endsolid'");
+        return fail(msg::kStlExpectedFacet);
     }
 
     bool parseFacet() {
         if (!expectWord("normal")) return false;
         for (int axis = 0; axis < 3; ++axis) {  // ignored; some programs write words like 1.#QNAN here
-            if (!nextWord()) return fail("expected the facet's normal");
+            if (!nextWord()) return fail(msg::kStlExpectedNormal);
         }
         if (!expectWord("outer") || !expectWord("loop")) return false;
         Triangle triangle;
@@ -91,7 +91,7 @@ private:
             Vec3 position;
             if (!expectWord("vertex") || !parsePosition(position)) return false;
             const Vec3f rounded = rounding_.round(position);
-            if (!rounded.allFinite()) return fail("expected a finite coordinate");
+            if (!rounded.allFinite()) return fail(msg::kExpectedFinite);
             vertex = welder_.add(rounded);
         }
         if (!expectWord("endloop") || !expectWord("endfacet")) return false;
@@ -102,8 +102,8 @@ private:
     bool parsePosition(Vec3& position) {
         for (double& coordinate : position) {
             const std::optional<double> value = nextWord() ? toCoordinate(word_) : std::nullopt;
-            if (!value) return fail("expected a coordinate (a number with '.' as decimal point)");
-            if (!std::isfinite(static_cast<float>(*value))) return fail("expected a finite coordinate");
+            if (!value) return fail(msg::kStlExpectedCoordinate);
+            if (!std::isfinite(static_cast<float>(*value))) return fail(msg::kExpectedFinite);
             coordinate = *value;
         }
         return true;
@@ -111,17 +111,16 @@ private:
 
     bool expectWord(const char* keyword) {
         if (nextWord() && sameWord(word_, keyword)) return true;
-        return fail(std::string("expected '") + keyword + "'");
+        return fail({msg::kStlExpectedWord, keyword});
     }
 
-    bool fail(const std::string& expectation) {
-        const std::string found = word_.empty() ? "the file ends: it is cut short" : "found " + quotedWord(word_);
-        error_ = {name_ + ", line " + std::to_string(line_) + ": " + expectation + ", but " + found +
-                  "; repair or export the surface again."};
+    bool fail(const Message& expectation) {
+        const Message found = word_.empty() ? Message(msg::kFileEnds) : Message(msg::kFound, quotedWord(word_));
+        error_ = {msg::kStlRefused, name_, line_, expectation, found};
         return false;
     }
 
-    Unexpected refuse(const std::string& expectation) {
+    Unexpected refuse(const Message& expectation) {
         fail(expectation);
         return Unexpected{error_};
     }

@@ -13,6 +13,7 @@
 #include "geometry/io/stl_sniffer.h"
 #include "geometry/mesh/vertex_welder.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 
@@ -56,7 +57,7 @@ private:
 
 Expected<TriangleMesh> stl::parseBinary(std::span<const std::byte> bytes, const std::string& name) {
     const std::size_t count = (bytes.size() - kFirstRecord) / kRecordBytes;
-    if (count == 0) return unexpected(name + ": the file holds no triangles; export the surface again.");
+    if (count == 0) return unexpected(msg::kNoTriangles, name);
     VertexWelder welder(count / 2 + 2);  // a closed surface has half as many vertices as triangles
     TriangleMesh mesh;
     mesh.triangles.resize(count);
@@ -64,9 +65,7 @@ Expected<TriangleMesh> stl::parseBinary(std::span<const std::byte> bytes, const 
         const CornerBlock block(bytes.subspan(kFirstRecord), first, count);
         if (const std::size_t bad = block.notFinite(); bad != CornerBlock::kTriangles) {
             const std::size_t offset = kFirstRecord + (first + bad) * kRecordBytes + kVectorBytes;
-            return unexpected(name + ": triangle " + std::to_string(first + bad + 1) + " (byte " +
-                              std::to_string(offset) +
-                              ") has a corner that is not a finite number; repair or export the surface again.");
+            return unexpected(msg::kStlCornerNotFinite, name, first + bad + 1, offset);
         }
         welder.addAll(block.corners(), mesh.triangles[first].data());
     }

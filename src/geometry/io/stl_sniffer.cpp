@@ -11,6 +11,7 @@
 
 #include "geometry/io/stl_format.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth::stl {
 namespace {
@@ -57,41 +58,36 @@ bool firstRecordIsPlausible(std::span<const std::byte> bytes) {
 }
 
 /// The name of another format whose signature the file has, or nothing.
-std::string_view otherFormat(std::string_view text) {
+const MessageText* otherFormat(std::string_view text) {
     struct Mark {
-        std::string_view bytes, format;
+        std::string_view bytes;
+        const MessageText* format;
     };
-    static constexpr std::array kMarks = {Mark{"ply\n", "a PLY mesh"},
-                                          Mark{"ply\r", "a PLY mesh"},
-                                          Mark{"PK\x03\x04", "a ZIP archive"},
-                                          Mark{"\x1f\x8b", "a gzip archive"},
-                                          Mark{"\x89PNG", "a PNG picture"},
-                                          Mark{"OFF", "an OFF mesh"},
-                                          Mark{"\xff\xd8\xff", "a JPEG picture"},
-                                          Mark{"%PDF", "a PDF document"},
+    static constexpr std::array kMarks = {Mark{"ply\n", &msg::kPlyMesh},
+                                          Mark{"ply\r", &msg::kPlyMesh},
+                                          Mark{"PK\x03\x04", &msg::kZipArchive},
+                                          Mark{"\x1f\x8b", &msg::kGzipArchive},
+                                          Mark{"\x89PNG", &msg::kPngPicture},
+                                          Mark{"OFF", &msg::kOffMesh},
+                                          Mark{"\xff\xd8\xff", &msg::kJpegPicture},
+                                          Mark{"%PDF", &msg::kPdfDocument},
                                           Mark{"\x7f"
                                                "ELF",
-                                               "a program"},
-                                          Mark{{"\0\5\x16\7", 4}, "a Mac's notes on a file of this name"}};
+                                               &msg::kProgram},
+                                          Mark{{"\0\5\x16\7", 4}, &msg::kMacNotes}};
     for (const Mark& mark : kMarks) {
         if (text.starts_with(mark.bytes)) return mark.format;
     }
-    return text.size() >= 132 && text.substr(128, 4) == "DICM" ? "a DICOM image" : "";
+    return text.size() >= 132 && text.substr(128, 4) == "DICM" ? &msg::kDicomImage : nullptr;
 }
 
-Error notStl(const std::string& name, std::string_view what) {
-    return {name + ": this is " + std::string(what) + ", not an STL surface; export the surface as STL."};
-}
+Error notStl(const std::string& name, const MessageText& what) { return {msg::kNotStl, name, what}; }
 
 Error wrongCount(std::span<const std::byte> bytes, const std::string& name) {
     const std::uint32_t count = declaredCount(bytes);
     const bool tooShort = bytes.size() < binarySize(count);
-    return {name +
-            (tooShort ? ": the file is cut short or its count is wrong"
-                      : ": the file is longer than its triangle count says") +
-            ": its header announces " + std::to_string(count) + " triangles, which take " +
-            std::to_string(binarySize(count)) + " bytes, but the file has " + std::to_string(bytes.size()) +
-            "; export or copy it again."};
+    return {msg::kStlWrongCount, name,        tooShort ? msg::kStlCutShort : msg::kStlTooLong, count,
+            binarySize(count),   bytes.size()};
 }
 
 }  // namespace
@@ -103,16 +99,14 @@ Kind sniff(std::span<const std::byte> bytes) {
 }
 
 Error explainRefusal(std::span<const std::byte> bytes, const std::string& name) {
-    if (bytes.empty()) return {name + ": the file is empty; export or copy it again."};
+    if (bytes.empty()) return {msg::kFileEmpty, name};
     const std::string_view beginning = beginningOf(bytes);
-    if (const std::string_view other = otherFormat(beginning); !other.empty()) return notStl(name, other);
-    if (isText(beginning)) return notStl(name, "text that does not begin with 'solid'");
+    if (const MessageText* const other = otherFormat(beginning)) return notStl(name, *other);
+    if (isText(beginning)) return notStl(name, msg::kTextWithoutSolid);
     if (bytes.size() < kFirstRecord) {
-        return {name + ": the file is too short for an STL surface: it has " + std::to_string(bytes.size()) +
-                " bytes and a binary one needs at least " + std::to_string(kFirstRecord) +
-                "; export or copy it again."};
+        return {msg::kStlTooShort, name, bytes.size(), kFirstRecord};
     }
-    return firstRecordIsPlausible(bytes) ? wrongCount(bytes, name) : notStl(name, "unknown binary data");
+    return firstRecordIsPlausible(bytes) ? wrongCount(bytes, name) : notStl(name, msg::kUnknownBinary);
 }
 
 }  // namespace tactooth::stl

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
 
-Expected<void> checkExtent(const TriangleMesh& mesh, const std::string& what) {
+Expected<void> checkExtent(const TriangleMesh& mesh, const Message& what) {
     float farthest = 0;
     for (const Vec3f& vertex : mesh.vertices) farthest = std::max(farthest, vertex.cwiseAbs().maxCoeff());
     if (static_cast<double>(farthest) <= kMaxCoordinate) return {};
-    return unexpected(what + " reaches " + numberText(static_cast<double>(farthest)) +
-                      " mm from its origin, farther than anything can be felt or cut (1 km): look for a stray corner, "
-                      "or check the unit");
+    return unexpected(msg::kReachesTooFar, what, numberText(static_cast<double>(farthest)));
 }
 
 }  // namespace tactooth

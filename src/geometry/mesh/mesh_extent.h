@@ -14,6 +14,6 @@ namespace tactooth {
 inline constexpr double kMaxCoordinate = 1e6;
 
 /// Fails with a part of a sentence if a corner is farther away. `what`: "the surface of the tooth".
-[[nodiscard]] Expected<void> checkExtent(const TriangleMesh& mesh, const std::string& what);
+[[nodiscard]] Expected<void> checkExtent(const TriangleMesh& mesh, const Message& what);
 
 }  // namespace tactooth

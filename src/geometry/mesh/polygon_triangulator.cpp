@@ -6,6 +6,7 @@
 #include <array>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 
 // Ear clipping (see ear_clipper.h) of the outline's projection along one axis. Ours differs in what comes first: a face
 // that a fan covers gets the fan, and corners that rounding has made degenerate do not fail.
@@ -77,7 +78,7 @@ void addFan(Corners corners, std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-const char* PolygonTriangulator::split(Positions positions, Corners corners, std::vector<Triangle>& triangles) {
+const MessageText* PolygonTriangulator::split(Positions positions, Corners corners, std::vector<Triangle>& triangles) {
     TACTOOTH_ASSERT(corners.size() > 3);
     const FromFirst face(positions, corners);
     if (face.isFan(face.areaVector())) return addFan(corners, triangles), nullptr;
@@ -92,7 +93,7 @@ const char* PolygonTriangulator::split(Positions positions, Corners corners, std
         if (FromFirst(positions, turned).isFan(normal)) return addFan(turned, triangles), nullptr;
     }
     const std::size_t before = triangles.size();
-    const char* const problem = triangulateAnyShape(positions, normal, triangles);
+    const MessageText* const problem = triangulateAnyShape(positions, normal, triangles);
     if (problem == nullptr) return nullptr;
     triangles.resize(before);
     if (!clean.isFlat()) return problem;
@@ -100,26 +101,24 @@ const char* PolygonTriangulator::split(Positions positions, Corners corners, std
     return nullptr;
 }
 
-const char* PolygonTriangulator::triangulateAnyShape(Positions positions, const Vec3& normal,
-                                                     std::vector<Triangle>& triangles) {
+const MessageText* PolygonTriangulator::triangulateAnyShape(Positions positions, const Vec3& normal,
+                                                            std::vector<Triangle>& triangles) {
     TACTOOTH_ASSERT(distinct_.size() > 3);
-    constexpr const char* kCrosses = "the outline of the face crosses itself";
-    constexpr const char* kTooMuch = "the face has too many corners to be split into triangles";
-    if (normal.isZero(0)) return kCrosses;
+    if (normal.isZero(0)) return &msg::kOutlineCrossesItself;
     outline_.set(positions, distinct_, normal);
     switch (outline_.crossing(kMaxTests)) {
         case ProjectedPolygon::Crossing::Found:
-            return kCrosses;
+            return &msg::kOutlineCrossesItself;
         case ProjectedPolygon::Crossing::NotKnown:
-            return kTooMuch;
+            return &msg::kFaceTooLarge;
         case ProjectedPolygon::Crossing::None:
             break;
     }
     switch (clipper_.clip(outline_, kMaxTests, triangles)) {
         case EarClipper::Result::NoEar:
-            return kCrosses;
+            return &msg::kOutlineCrossesItself;
         case EarClipper::Result::LimitReached:
-            return kTooMuch;
+            return &msg::kFaceTooLarge;
         case EarClipper::Result::Done:
             break;
     }

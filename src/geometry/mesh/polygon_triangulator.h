@@ -9,6 +9,7 @@
 #include "geometry/mesh/ear_clipper.h"
 #include "geometry/mesh/projected_polygon.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -22,12 +23,12 @@ public:
     /// remain corners of triangles, except for duplicates and spikes.
     ///
     /// Returns null or the problem: the outline crosses itself, or has too many corners. Then nothing is added.
-    [[nodiscard]] const char* split(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners,
-                                    std::vector<Triangle>& triangles);
+    [[nodiscard]] const MessageText* split(std::span<const Vec3f> positions, std::span<const std::uint32_t> corners,
+                                           std::vector<Triangle>& triangles);
 
 private:
-    [[nodiscard]] const char* triangulateAnyShape(std::span<const Vec3f> positions, const Vec3& normal,
-                                                  std::vector<Triangle>& triangles);
+    [[nodiscard]] const MessageText* triangulateAnyShape(std::span<const Vec3f> positions, const Vec3& normal,
+                                                         std::vector<Triangle>& triangles);
     void takeDistinct(std::span<const std::uint32_t> corners);
 
     std::vector<std::uint32_t> distinct_;

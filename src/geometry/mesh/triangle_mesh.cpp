@@ -3,21 +3,17 @@
 #include "geometry/mesh/triangle_mesh.h"
 
 #include <limits>
-#include <string>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 
 Expected<void> validate(const TriangleMesh& mesh) {
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         for (const std::uint32_t vertex : mesh.triangles[triangle]) {
-            const auto problem = [&](const char* what) {
-                return unexpected("triangle " + std::to_string(triangle) + " has the corner " + std::to_string(vertex) +
-                                  ", " + what);
-            };
-            if (vertex >= mesh.vertices.size()) return problem("which is not a vertex of the mesh");
-            if (!mesh.vertices[vertex].allFinite()) return problem("which is not finite");
+            if (vertex >= mesh.vertices.size()) return unexpected(msg::kCornerNoVertex, triangle, vertex);
+            if (!mesh.vertices[vertex].allFinite()) return unexpected(msg::kCornerNotFinite, triangle, vertex);
         }
     }
     return {};

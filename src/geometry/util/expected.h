@@ -7,13 +7,19 @@
 #include <variant>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// Why something that depends on the outside world (a file, a device, a typed number) did not work: one complete
 /// sentence for the user who has to correct it. It names the file and the position, what was expected, and the remedy.
-struct Error {
-    std::string message;
+struct Error : Message {
+    using Message::Message;
+    Error() = default;
+    Error(Message message) : Message(std::move(message)) {}
+
+    /// In English, as the commands print it.
+    [[nodiscard]] std::string message() const { return in(Language::English); }
 };
 
 /// Wraps an Error for an Expected, like std::unexpected in C++23.
@@ -21,7 +27,11 @@ struct Unexpected {
     Error error;
 };
 
-[[nodiscard]] inline Unexpected unexpected(std::string message) { return {Error{std::move(message)}}; }
+template <class... Arguments>
+[[nodiscard]] Unexpected unexpected(const MessageText& text, Arguments&&... arguments) {
+    return {Error(text, std::forward<Arguments>(arguments)...)};
+}
+[[nodiscard]] inline Unexpected unexpected(Message message) { return {Error(std::move(message))}; }
 
 /// A value or an Error. Member names follow std::expected (C++23).
 template <class T>

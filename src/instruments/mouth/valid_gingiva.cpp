@@ -3,11 +3,12 @@
 #include "instruments/mouth/valid_gingiva.h"
 
 #include "geometry/util/assert.h"
+#include "instruments/messages.h"
 
 namespace tactooth {
 
 Expected<TriangleMesh> firstValidGingiva(double cell, const std::function<GingivaCandidate(double cell)>& gingivaAt,
-                                         const std::string& ofMouth) {
+                                         const Message& ofMouth) {
     TACTOOTH_ASSERT(cell > 0 && gingivaAt != nullptr);
     constexpr int kTries = 8;
     constexpr double kFiner = 0.97;  // another grid, which meets a thin wall elsewhere
@@ -15,8 +16,7 @@ Expected<TriangleMesh> firstValidGingiva(double cell, const std::function<Gingiv
         GingivaCandidate gum = gingivaAt(cell);
         if (!gum.selfIntersects) return std::move(gum.mesh);
     }
-    return unexpected(ofMouth + " crosses itself at each of the " + std::to_string(kTries) +
-                      " finenesses that were tried; ask for another number of triangles or another seed.");
+    return unexpected(msg::kGingivaCrossesItself, ofMouth, kTries);
 }
 
 }  // namespace tactooth

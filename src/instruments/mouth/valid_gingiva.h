@@ -16,10 +16,10 @@ struct GingivaCandidate {
 };
 
 /// The gingiva of the first of a few resolutions, from `cell` mm on, that does not intersect itself; for nearly every
-/// mouth it is the first one. `ofMouth` names the gingiva for a sentence: "The upper gum of the mouth with seed 5".
-/// Fails if it intersects itself at each of them.
+/// mouth it is the first one. `ofMouth` names the gingiva as the subject of a sentence: "The upper gum of the mouth
+/// with seed 5". Fails if it intersects itself at each of them.
 [[nodiscard]] Expected<TriangleMesh> firstValidGingiva(double cell,
                                                        const std::function<GingivaCandidate(double cell)>& gingivaAt,
-                                                       const std::string& ofMouth);
+                                                       const Message& ofMouth);
 
 }  // namespace tactooth

@@ -10,6 +10,7 @@
 #include "geometry/util/number_text.h"
 #include "session/cases/case_store.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 #include "sound/files/recording_file.h"
 
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double kSlowest = 100, kFastest = 1e6;  // rev/min of a recorded bur
 constexpr double kSoftest = -40, kLoudest = 20;   // dB
-constexpr std::string_view kParts = "motor, cutting, water and suction";
-constexpr std::string_view kKeys = "file, speed_rpm and gain_db";
 
 using Part = std::optional<RecordedPart>;
 
@@ -43,19 +42,19 @@ private:
         if (key.str() == "motor") return readPart(key.str(), node, true, kit_.motor);
         if (key.str() == "water") return readPart(key.str(), node, false, kit_.water);
         if (key.str() == "suction") return readPart(key.str(), node, false, kit_.suction);
-        return fail(key, "there is no part " + quotedWord(key.str()) + "; the parts are " + std::string(kParts));
+        return fail(key, {msg::kSoundPartUnknown, quotedWord(key.str()), msg::kSoundParts});
     }
 
     bool readCutting(const toml::node& node) {
         const toml::table* materials = node.as_table();
-        if (materials == nullptr) return fail(node, "'cutting' needs a material: write [cutting.enamel]");
+        if (materials == nullptr) return fail(node, msg::kCuttingNeedsMaterial);
         const auto names = soundMaterialNames();
         for (auto&& [key, part] : *materials) {
             const auto found = std::find(names.begin(), names.end(), key.str());
             if (found == names.end()) {
                 std::string list;
                 for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
-                return fail(key, "there is no material " + quotedWord(key.str()) + "; the materials are " + list);
+                return fail(key, {msg::kMaterialUnknown, quotedWord(key.str()), list});
             }
             if (!readPart(key.str(), part, false, kit_.cutting[static_cast<std::size_t>(found - names.begin())]))
                 return false;
@@ -65,28 +64,23 @@ private:
 
     bool readPart(std::string_view part, const toml::node& node, bool needsSpeed, Part& into) {
         const toml::table* table = node.as_table();
-        if (table == nullptr)
-            return fail(node, quotedWord(part) + " must be a table with the keys " + std::string(kKeys));
+        if (table == nullptr) return fail(node, {msg::kSoundPartNotTable, quotedWord(part), msg::kSoundKeys});
         RecordedPart read;
         for (auto&& [key, value] : *table) {
             if (!readKey(key, value, read)) return false;
         }
         const toml::node* file = table->get("file");
-        if (file == nullptr) return fail(node, quotedWord(part) + " has no recording; add file = \"NAME.wav\"");
-        if (needsSpeed && read.speedRpm == 0)
-            return fail(node, quotedWord(part) +
-                                  " needs the speed of the bur when it was recorded, whose pitch it "
-                                  "follows; add speed_rpm = 400000 or what it was");
+        if (file == nullptr) return fail(node, {msg::kSoundPartNoRecording, quotedWord(part)});
+        if (needsSpeed && read.speedRpm == 0) return fail(node, {msg::kSoundPartNoSpeed, quotedWord(part)});
         return readFile(*file, read) && (into = std::move(read), true);
     }
 
     bool readKey(const toml::key& key, const toml::node& node, RecordedPart& part) {
         double decibel = 0;
-        if (key.str() == "file") return node.is_string() || fail(node, "'file' must be a name in quotes");
+        if (key.str() == "file") return node.is_string() || fail(node, msg::kSoundFileNotText);
         if (key.str() == "speed_rpm") return readNumber(key.str(), node, kSlowest, kFastest, part.speedRpm);
         if (key.str() != "gain_db") {
-            return fail(key,
-                        "a recording has no key " + quotedWord(key.str()) + "; the keys are " + std::string(kKeys));
+            return fail(key, {msg::kUnknownKey, msg::kARecording, quotedWord(key.str()), msg::kSoundKeys});
         }
         if (!readNumber(key.str(), node, kSoftest, kLoudest, decibel)) return false;
         part.gain = std::pow(10, decibel / 20);
@@ -102,22 +96,16 @@ private:
     bool readFile(const toml::node& file, RecordedPart& part) {
         const auto entry = *file.value<std::string>();
         if (!isSafeEntry(entry)) {
-            return fail(file, quotedWord(entry) +
-                                  " must lie beside this file or below it, named with '/' and without "
-                                  "'..'");
+            return fail(file, {msg::kMustLieBeside, quotedWord(entry)});
         }
         auto recording = readNamed_(entry);
-        if (!recording) {
-            std::string reason = recording.error().message;
-            reason.pop_back();  // `fail` adds the full stop
-            return fail(file, reason);
-        }
+        if (!recording) return fail(file, recording.error());
         part.recording = std::make_shared<const Recording>(std::move(*recording));
         return true;
     }
 
     template <class Where>
-    bool fail(const Where& where, const std::string& what) {
+    bool fail(const Where& where, const Message& what) {
         toml_.fail(where, what);
         return false;
     }
@@ -132,8 +120,7 @@ Expected<SoundKit> readPreset(const std::filesystem::path& path) {
     if (!file) return Unexpected{file.error()};
     const auto readSibling = [&](const std::string& name) -> Expected<Recording> {
         if (!isWithinFolder(path.parent_path(), name)) {
-            return unexpected(quotedWord(name) +
-                              " is a link that leads out of the folder of this file; put a copy there instead.");
+            return unexpected(msg::kSoundLinkLeadsOut, quotedWord(name));
         }
         return readRecording(path.parent_path() / name);
     };

@@ -8,9 +8,11 @@
 #include <optional>
 #include <string>
 
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "session/audio/tick_sound.h"
 #include "session/io/csv_table.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -48,17 +50,14 @@ std::string soundNames() {
     return names;
 }
 
-std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
+std::optional<Message> faultIn(const CsvTable& table, std::size_t row) {
     const double time = table.at(row, 0), speed = table.at(row, 1), power = table.at(row, 2);
     const std::string& material = table.wordAt(row, 0);
-    if (row > 0 && time < table.at(row - 1, 0))
-        return "time runs backwards (t is less than in the row above); sort the rows by t.";
-    if (speed < 0 || speed > kMaxSpeed)
-        return "speed_rpm must be from 0 to 1000000 rev/min, but is " + numberText(speed) + ".";
-    if (power < 0 || power > kMaxPower) return "power must be from 0 to 1000 W, but is " + numberText(power) + ".";
-    if (material != kNothing && !findSoundCharacter(material)) {
-        return "there is no material " + quotedWord(material) + "; the materials are " + soundNames() + ", and none.";
-    }
+    if (row > 0 && time < table.at(row - 1, 0)) return msg::kProfileBackwards;
+    if (speed < 0 || speed > kMaxSpeed) return Message(msg::kProfileSpeed, numberText(speed));
+    if (power < 0 || power > kMaxPower) return Message(msg::kProfilePower, numberText(power));
+    if (material != kNothing && !findSoundCharacter(material))
+        return Message(msg::kProfileMaterial, quotedWord(material), soundNames());
     return std::nullopt;
 }
 
@@ -77,7 +76,7 @@ Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table,
     track.reserve(table->rows());
     std::uint32_t contactOnsets = 0;
     for (std::size_t row = 0; row < table->rows(); ++row) {
-        if (const auto fault = faultIn(*table, row)) return unexpected(table->where(row) + ": " + *fault);
+        if (const auto fault = faultIn(*table, row)) return unexpected(msg::kNamedSentence, table->where(row), *fault);
         const bool cuts = table->wordAt(row, 0) != kNothing;
         if (cuts && row > 0 && table->wordAt(row - 1, 0) == kNothing) ++contactOnsets;
         DrillSoundState state = stateAt(table->at(row, 1), cuts ? table->at(row, 2) : 0, drive);
@@ -86,12 +85,10 @@ Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table,
         track.push_back({table->at(row, 0) - table->at(0, 0), state, {}});
     }
     if (track.back().time <= 0) {
-        return unexpected(table->where(table->rows() - 1) +
-                          ": the rows span no time, so there is nothing to hear; add a row with a later t.");
+        return unexpected(msg::kProfileNoTime, table->where(table->rows() - 1));
     }
     if (track.back().time > kMaxSoundLength) {
-        return unexpected(table->where(table->rows() - 1) +
-                          ": this is more than an hour after the first row; cut the profile into shorter ones.");
+        return unexpected(msg::kProfileTooLong, table->where(table->rows() - 1));
     }
     nameMaterials(*table, track);
     return track;

@@ -11,6 +11,8 @@
 #include "geometry/util/number_text.h"
 #include "instruments/builtin_tooth.h"
 #include "session/cases/case_store.h"
+#include "session/cases/messages.h"
+#include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 #include "session/io/unicode_text.h"
 
@@ -36,13 +38,12 @@ public:
 
 private:
     void readAll(const toml::table& root) {
-        toml_.allow(root, "a case",
+        toml_.allow(root, msg::kACase,
                     {"format", "title", "licence", "provenance", "materials", "tooth", "around", "bur"});
-        if (root.get("format") == nullptr) toml_.fail(root, "the key 'format' is missing; this version writes 1");
+        if (root.get("format") == nullptr) toml_.fail(root, msg::kCaseFormatMissing);
         const int format = toml_.integer(root, "format", kFormat, 1, 1'000'000);
         if (format > kFormat) {
-            return toml_.fail(*root.get("format"), "the case has format " + std::to_string(format) +
-                                                       ", which is newer than this program (1); take a newer one");
+            return toml_.fail(*root.get("format"), {msg::kCaseTooNew, format});
         }
         case_.title = toml_.text(root, "title", true);
         case_.licence = toml_.text(root, "licence", false);
@@ -54,26 +55,25 @@ private:
             case_.registry = *registry;
         }
         const auto teeth = toml_.tables(root, "tooth"), around = toml_.tables(root, "around");
-        if (teeth.empty()) toml_.fail(root, "there is no [[tooth]]");
-        if (teeth.size() + around.size() > kMaxBodies) return toml_.fail(*teeth.front(), "there are too many teeth");
+        if (teeth.empty()) toml_.fail(root, msg::kCaseNoTooth);
+        if (teeth.size() + around.size() > kMaxBodies) return toml_.fail(*teeth.front(), msg::kCaseTooManyTeeth);
         for (const toml::table* table : teeth) readTooth(*table);
         for (const toml::table* table : around) readSurrounding(*table);
         for (const toml::table* table : toml_.tables(root, "bur")) {
-            toml_.allow(*table, "a bur", {"file"});
+            toml_.allow(*table, msg::kABur, {"file"});
             case_.burs.push_back(entry(*table, "file", true));
         }
     }
 
     void readTooth(const toml::table& table) {
-        toml_.allow(table, "a tooth",
+        toml_.allow(table, msg::kATooth,
                     {"name", "fdi", "outer", "layers", "material", "modelled", "position", "rotation", "assumed"});
         CaseTooth tooth;
         tooth.material = case_.registry->withRole(MaterialRole::Enamel);
         tooth.name = uniqueName(table);
         tooth.fdi = toml_.integer(table, "fdi", 0, 0, 99);
         if (tooth.fdi != 0 && !isPermanentTooth(tooth.fdi)) {
-            toml_.fail(*table.get("fdi"), std::to_string(tooth.fdi) +
-                                              " is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48");
+            toml_.fail(*table.get("fdi"), {msg::kNoPermanentTooth, tooth.fdi});
         }
         tooth.outer = entry(table, "outer", true);
         if (const toml::table* layers = toml_.table(table, "layers")) {
@@ -93,8 +93,7 @@ private:
     }
 
     void readSurrounding(const toml::table& table) {
-        toml_.allow(table, "a body around the teeth",
-                    {"name", "surface", "material", "position", "rotation", "assumed"});
+        toml_.allow(table, msg::kABodyAround, {"name", "surface", "material", "position", "rotation", "assumed"});
         CaseSurrounding body;
         body.material = case_.registry->withRole(MaterialRole::Surroundings);
         body.name = uniqueName(table);
@@ -110,10 +109,10 @@ private:
     std::string uniqueName(const toml::table& table) {
         std::string name = toml_.text(table, "name", true);
         if (name.find_first_of("/\\") != std::string::npos || name.size() > 60) {
-            toml_.fail(*table.get("name"), "the name must be short and without slashes");
+            toml_.fail(*table.get("name"), msg::kCaseNameTooLong);
         }
         if (!name.empty() && !names_.insert(name).second) {
-            toml_.fail(*table.get("name"), "the name " + quotedWord(name) + " is given twice");
+            toml_.fail(*table.get("name"), {msg::kCaseNameTwice, quotedWord(name)});
         }
         return name;
     }
@@ -127,8 +126,7 @@ private:
 
     MaterialId material(const toml::table& table, std::string_view key, std::string_view name) {
         if (const auto id = case_.registry->find(name)) return *id;
-        toml_.fail(*table.get(key),
-                   "there is no material " + quotedWord(name) + "; the materials are " + case_.registry->names());
+        toml_.fail(*table.get(key), {msg::kMaterialUnknown, quotedWord(name), case_.registry->names()});
         return {};
     }
 
@@ -140,12 +138,12 @@ private:
         const Quat rotation(turn[0], turn[1], turn[2], turn[3]);
         constexpr double kRounding = 1e-3;  // people write four digits
         if (std::abs(rotation.norm() - 1) > kRounding) {
-            toml_.fail(*table.get("rotation"), "the rotation must be a quaternion of length 1, w first");
+            toml_.fail(*table.get("rotation"), msg::kCaseRotation);
             return {};
         }
         const Vec3 place(position[0], position[1], position[2]);
         if (place.cwiseAbs().maxCoeff() > kFarthest) {
-            toml_.fail(*table.get("position"), "the position lies more than 1000 mm away; lengths are in mm");
+            toml_.fail(*table.get("position"), msg::kCasePosition);
             return {};
         }
         constexpr double kExact = 1e-12;  // numbers that this program has written come back bit for bit

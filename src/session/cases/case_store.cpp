@@ -6,7 +6,11 @@
 #include <optional>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
+#include "session/cases/messages.h"
 #include "session/cases/zip_archive.h"
+#include "session/io/messages.h"
 #include "session/io/unicode_text.h"
 
 namespace tactooth {
@@ -15,9 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string tooMuch(const std::string& what, std::uint64_t size, std::uint64_t most) {
-    return what + " claims to hold " + std::to_string(size) + " bytes, more than the " + std::to_string(most) +
-           " that a case may; it is damaged or not meant well.";
+Unexpected tooMuch(const std::string& what, std::uint64_t size, std::uint64_t most) {
+    return unexpected(msg::kCaseClaimsTooMuch, what, size, most);
 }
 
 /// A file of a case.
@@ -43,11 +46,10 @@ Expected<std::vector<StoredFile>> filesBelow(const fs::path& folder) {
         const EntryName entry = entryName(place);
         files.push_back({entry.fault == EntryFault::None ? entry.name : place, place, isSystemEntry(place)});
         if (files.size() > kCaseLimits.entries) {
-            return unexpected(displayName(folder) + ": the folder holds more than " +
-                              std::to_string(kCaseLimits.entries) + " files; give a case a folder of its own.");
+            return unexpected(msg::kCaseFolderTooFull, displayName(folder), kCaseLimits.entries);
         }
     }
-    if (error) return unexpected(displayName(folder) + ": the folder cannot be read (" + error.message() + ").");
+    if (error) return unexpected(msg::kFolderNotRead, displayName(folder), systemReason(error));
     std::ranges::sort(files, isBefore);
     return files;
 }
@@ -65,25 +67,19 @@ Expected<std::vector<StoredFile>> filesOf(const ZipArchive& archive, const std::
         const std::string file = shownEntry(entry.name);
         const EntryName read = entryName(entry.name);
         if (entry.isLink || read.fault == EntryFault::PathTraversal)
-            return unexpected(shown + ": the archive holds a file named '" + file +
-                              "', which points out of it; it is not meant well.");
+            return unexpected(msg::kArchivePointsOut, shown, file);
         std::string slashes = entry.name;
         std::ranges::replace(slashes, '\\', '/');
         const bool isSystem = isSystemEntry(slashes);
         if (isSystem && read.fault != EntryFault::None) continue;
-        if (read.fault == EntryFault::ControlCharacter)
-            return unexpected(shown + ": the archive holds a file named '" + file +
-                              "', which has control characters in its name; give it another one and pack anew.");
-        if (read.fault == EntryFault::TooLong)
-            return unexpected(shown + ": the archive holds a file named '" + file +
-                              "', whose name is longer than 1000 bytes; give it a shorter one and pack anew.");
+        if (read.fault == EntryFault::ControlCharacter) return unexpected(msg::kArchiveControlCharacters, shown, file);
+        if (read.fault == EntryFault::TooLong) return unexpected(msg::kArchiveNameTooLong, shown, file);
         if (read.fault != EntryFault::None) continue;  // a folder, or nothing
         files.push_back({read.name, entry.name, isSystem});
     }
     std::ranges::sort(files, isBefore);
     const auto twice = std::ranges::adjacent_find(files, {}, &StoredFile::name);
-    if (twice != files.end() && !twice->isSystem)
-        return unexpected(shown + ": the archive holds two files of the same name; pack it anew.");
+    if (twice != files.end() && !twice->isSystem) return unexpected(msg::kArchiveNameTwice, shown);
     return files;
 }
 
@@ -98,9 +94,7 @@ Expected<std::string> topFolder(const std::vector<StoredFile>& files, const std:
         if (!tops.empty() && depth(top) < depth(tops.front())) tops.clear();
         if (tops.empty() || depth(top) == depth(tops.front())) tops.push_back(top);
     }
-    if (tops.size() > 1)
-        return unexpected(shown + ": the archive holds several cases, in " + shownEntry(tops[0]) + " and " +
-                          shownEntry(tops[1]) + "; pack each on its own.");
+    if (tops.size() > 1) return unexpected(msg::kArchiveOfSeveral, shown, shownEntry(tops[0]), shownEntry(tops[1]));
     return tops.empty() ? std::string() : tops.front();
 }
 
@@ -153,8 +147,7 @@ Expected<CaseStore> CaseStore::open(const fs::path& path) {
         return CaseStore(std::move(content));
     }
     const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > kCaseLimits.allBytes)
-        return unexpected(tooMuch(displayName(path), size, kCaseLimits.allBytes));
+    if (!error && size > kCaseLimits.allBytes) return tooMuch(displayName(path), size, kCaseLimits.allBytes);
     auto bytes = readFile(path);
     if (!bytes) return Unexpected{bytes.error()};
     auto store = openArchive(bytes->bytes(), displayName(path));
@@ -181,21 +174,21 @@ Expected<CaseStore> CaseStore::openArchive(std::span<const std::byte> bytes, std
 Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const {
     const EntryName wanted = entryName(entry);
     if (wanted.fault != EntryFault::None)
-        return unexpected(inWords(wanted.fault, content_->name + ": '" + shownEntry(entry) + "'") + ".");
+        return unexpected(msg::kSentence, inWords(wanted.fault, content_->name + ": '" + shownEntry(entry) + "'"));
     // Two file names may differ only in composition (NFC); the exact name comes first.
     const auto [first, last] = std::ranges::equal_range(content_->files, wanted.name, {}, &StoredFile::name);
-    if (first == last) return unexpected(shown(entry) + ": there is no such file in the case.");
+    if (first == last) return unexpected(msg::kCaseFileMissing, shown(entry));
     const auto exact = std::find_if(first, last, [&](const StoredFile& each) { return each.place == entry; });
     const std::string& place = (exact == last ? first : exact)->place;
     if (content_->archive) return content_->archive->read(place);
     const fs::path file = content_->folder / fs::path(place);
     if (!isWithinFolder(content_->folder, place)) {
-        return unexpected(shown(entry) + ": the link leads out of the case's folder; put a copy there instead.");
+        return unexpected(msg::kCaseLinkLeadsOut, shown(entry));
     }
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
     if (!error && size > kCaseLimits.entryBytes) {
-        return unexpected(tooMuch(shown(entry), size, kCaseLimits.entryBytes));
+        return tooMuch(shown(entry), size, kCaseLimits.entryBytes);
     }
     const auto bytes = readFile(file);
     if (!bytes) return Unexpected{bytes.error()};

@@ -8,9 +8,12 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "geometry/util/lower_case.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_store.h"
 #include "session/cases/entry_name.h"
+#include "session/cases/messages.h"
 
 namespace tactooth {
 namespace {
@@ -38,13 +41,13 @@ Expected<std::vector<fs::path>> surfaceFiles(const std::vector<fs::path>& from) 
                 files.push_back(at->path());
             }
             if (files.size() > kCaseLimits.entries) {
-                return unexpected(displayName(path) + ": the folder holds too many surfaces for one case.");
+                return unexpected(msg::kCaseOfTooMuch, displayName(path));
             }
         }
-        if (error) return unexpected(displayName(path) + ": the folder cannot be read (" + error.message() + ").");
+        if (error) return unexpected(msg::kFolderNotRead, displayName(path), systemReason(error));
     }
     std::ranges::sort(files);
-    if (files.empty()) return unexpected("there is no STL, OBJ or PLY file to make a case of.");
+    if (files.empty()) return unexpected(msg::kCaseOfNothing);
     return files;
 }
 
@@ -74,11 +77,11 @@ Expected<CaseSurfaces> readCaseSurfaces(const std::vector<fs::path>& from, const
         const bool isNew = named.isAdjacent ? surfaces.around.emplace(named.body, std::move(read->mesh)).second
                                             : addSurface(byName[named.body], named.material, std::move(read->mesh));
         if (!isNew) {
-            return unexpected(displayName(file) + ": the case has this surface already; give each tooth its own name.");
+            return unexpected(msg::kCaseSurfaceTwice, displayName(file));
         }
         surfaces.files.push_back(file.filename().string());
     }
-    if (byName.empty()) return unexpected("none of the surfaces is a tooth; name one TOOTH.stl or TOOTH_enamel.stl.");
+    if (byName.empty()) return unexpected(msg::kCaseWithoutTooth);
     for (auto& [name, scan] : byName) {
         scan.name = name;
         surfaces.teeth.push_back(std::move(scan));

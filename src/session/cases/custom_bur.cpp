@@ -6,8 +6,10 @@
 #include "geometry/io/import_note.h"
 #include "geometry/io/mesh_bytes.h"
 #include "geometry/io/mesh_file.h"
+#include "geometry/util/messages.h"
 #include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
+#include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
 #include "session/io/toml_reader.h"
 
@@ -26,7 +28,7 @@ Expected<CustomBur> parseCustomBur(std::string_view text, const std::string& nam
                                    const std::string& surface) {
     TomlReader toml(name);
     const toml::table root = toml.parse(text);
-    toml.allow(root, "a bur", {"name", "surface", "material", "flutes", "grit_um", "sharpness"});
+    toml.allow(root, msg::kABur, {"name", "surface", "material", "flutes", "grit_um", "sharpness"});
     CustomBur bur;
     bur.name = toml.text(root, "name", false);
     std::string file = toml.text(root, "surface", surface.empty());
@@ -36,20 +38,20 @@ Expected<CustomBur> parseCustomBur(std::string_view text, const std::string& nam
         bur.material = BurMaterial::Diamond;
         bur.flutes = 0;
     } else if (!material.empty() && material != "carbide") {
-        toml.fail(*root.get("material"), "'material' must be carbide or diamond");
+        toml.fail(*root.get("material"), msg::kBurMaterialUnknown);
     }
     bur.flutes = toml.integer(root, "flutes", bur.flutes, 0, kMaxFlutes);
     bur.gritMicrometres = toml.number(root, "grit_um", 0, 0, kCoarsestGrit);
     bur.sharpness = toml.number(root, "sharpness", 1, 0, kMaxSharpness);
     if (!file.empty() && !isSafeEntry(file)) {
-        toml.fail(root, "the surface must lie beside this file or below it, named with '/' and without '..'");
+        toml.fail(root, msg::kBurSurfaceElsewhere);
     }
     if (toml.error()) return Unexpected{*toml.error()};
     if (bur.name.empty()) bur.name = displayName(fs::path(file).stem());
     const auto bytes = readSibling(file);
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, file);
-    if (!mesh) return unexpected(name + ": " + mesh.error().message);
+    if (!mesh) return unexpected(msg::kNamedSentence, name, mesh.error());
     bur.surface = std::move(*mesh);
     return bur;
 }

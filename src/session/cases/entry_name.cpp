@@ -6,6 +6,7 @@
 #include <array>
 
 #include "geometry/util/lower_case.h"
+#include "session/cases/messages.h"
 #include "session/io/unicode_text.h"
 
 namespace tactooth {
@@ -55,16 +56,16 @@ EntryName entryName(std::string_view written) {
 
 bool isSafeEntry(std::string_view path) { return entryName(path).fault == EntryFault::None; }
 
-std::string inWords(EntryFault fault, const std::string& name) {
+Message inWords(EntryFault fault, const std::string& name) {
     switch (fault) {
         case EntryFault::PathTraversal:
-            return name + " points out of the case; give a path inside its folder, with '/' and without '..'";
+            return {msg::kEntryLeadsOut, name};
         case EntryFault::ControlCharacter:
-            return name + " has control characters in its name; give the file another one";
+            return {msg::kEntryControlCharacters, name};
         case EntryFault::TooLong:
-            return name + " is longer than 1000 bytes; give the file a shorter name";
+            return {msg::kEntryTooLong, name};
         case EntryFault::NoFile:
-            return name + " names no file; give a path inside the case's folder";
+            return {msg::kEntryNoFile, name};
         case EntryFault::None:
             break;
     }

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/util/message.h"
+
 namespace tactooth {
 
 /// Faults of the name of a file in a case.
@@ -24,7 +26,7 @@ struct EntryName {
 [[nodiscard]] bool isSafeEntry(std::string_view path);
 
 /// Describes the fault of `name`: a sentence without its full stop.
-[[nodiscard]] std::string inWords(EntryFault fault, const std::string& name);
+[[nodiscard]] Message inWords(EntryFault fault, const std::string& name);
 
 /// Whether a system has put a file beside the user's: a hidden file ("." first, as "._36.stl" of macOS), "Thumbs.db"
 /// and the like. `name` is without folders.

@@ -4,6 +4,7 @@
 
 #include "geometry/files/file_bytes.h"
 #include "session/cases/open_case.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -14,7 +15,7 @@ ToothPlacement placeOf(const LayeredTooth& tooth, std::string name) {
 
 Expected<LoadedTooth> loadCase(const ToothSource& source, const std::string& workOn) {
     if (!source.layers.empty()) {
-        return unexpected(displayName(source.outer) + ": a case has its own layers; give no others.");
+        return unexpected(msg::kCaseHasLayers, displayName(source.outer));
     }
     auto opened = openCase(source.outer, workOn, source.materials);
     if (!opened) return Unexpected{opened.error()};
@@ -34,7 +35,7 @@ Expected<LoadedTooth> loadCase(const ToothSource& source, const std::string& wor
 /// Fails if a tooth is chosen of something that is no case.
 Expected<void> refuseChoice(const ToothSource& source, const std::string& workOn) {
     if (workOn.empty()) return {};
-    return unexpected(displayName(source.outer) + ": this is one tooth; a tooth can be chosen in a case only.");
+    return unexpected(msg::kNoChoiceOfTooth, displayName(source.outer));
 }
 
 }  // namespace

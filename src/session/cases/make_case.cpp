@@ -8,11 +8,14 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "patient/jaw_frame.h"
 #include "patient/length_unit.h"
+#include "patient/messages.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_surfaces.h"
 #include "session/cases/custom_bur.h"
+#include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
 #include "session/io/material_file.h"
 #include "session/io/run_metadata.h"
@@ -77,7 +80,7 @@ private:
     Expected<void> import(std::size_t place) {
         const Scan& scan = surfaces_.teeth[place];
         const ImportOptions choices = choicesFor(place);
-        if (!goesOn(scan.name, 0)) return unexpected("stopped");
+        if (!goesOn(scan.name, 0)) return unexpected(msg::kStopped);
         auto examined = examineScan(scan, choices);
         if (!examined) return Unexpected{examined.error()};
         auto tooth = finishScan(std::move(*examined), choices, [&](double part) { return goesOn(scan.name, part); });
@@ -119,10 +122,9 @@ private:
         RepairedMesh mended = repaired(mesh, {.holes = request_.choices.holes});
         ExaminedSolid solid = examineSolid(std::move(mended.mesh));
         if (!solid.report.isSolid()) {
-            return unexpected(name + ": " + flawSentence(solid.report, "the surface") +
-                              ". Leave it out, or ask for all holes to be filled.");
+            return unexpected(msg::kCaseSurfaceNotSolid, name, flawSentence(solid.report, msg::kTheSurface));
         }
-        const std::vector<ImportNote> importNotes = notesOn(solid.report, name);
+        const std::vector<ImportNote> importNotes = notesOn(solid.report, Message::verbatim(name));
         const bool isMended = mended.report.changedAnything() || !importNotes.empty();
         CaseSurrounding body;
         body.name = bodyNames_.make(name);
@@ -166,7 +168,7 @@ private:
         const std::string text = caseText(description);
         const auto registry = [&](const std::string&) { return Expected<const MaterialRegistry*>(materials_); };
         if (const auto readable = parseCase(text, kCaseText, registry); !readable) {
-            return unexpected("nobody could open this case: " + readable.error().message);
+            return unexpected(msg::kCaseNotReadable, readable.error());
         }
         made_.files.push_back({std::string(kCaseText), bytesOf(text)});
         return std::move(made_);

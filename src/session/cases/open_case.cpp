@@ -8,7 +8,9 @@
 #include "collision/solid/solid_file.h"
 #include "geometry/io/mesh_bytes.h"
 #include "geometry/util/byte_text.h"
+#include "geometry/util/messages.h"
 #include "instruments/builtin_tooth.h"
+#include "session/cases/messages.h"
 #include "session/io/material_file.h"
 #include "session/io/unicode_text.h"
 
@@ -24,7 +26,7 @@ Expected<TriangleMesh> readSurface(const CaseStore& store, const std::string& en
     if (!bytes) return Unexpected{bytes.error()};
     auto mesh = parseMesh(*bytes, store.shown(entry));
     if (mesh)
-        mesh = solidFrom(std::move(*mesh), store.shown(entry), "the surface", {.dropsSpecks = false}, &importNotes);
+        mesh = solidFrom(std::move(*mesh), store.shown(entry), msg::kTheSurface, {.dropsSpecks = false}, &importNotes);
     if (!mesh || isSame(pose)) return mesh;
     return transformed(*mesh, pose);
 }
@@ -56,7 +58,7 @@ public:
         if (isPlain) layers_.clear();
         auto tooth = LayeredTooth::make(std::move(outer_), std::move(layers_), chosen_.material, toothContext_,
                                         *description_.registry);
-        if (!tooth) return unexpected(store_.shown(std::string(kCaseText)) + ": " + tooth.error().message + ".");
+        if (!tooth) return unexpected(msg::kNamed, store_.shown(std::string(kCaseText)), tooth.error());
         return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
     }
 
@@ -100,7 +102,7 @@ Expected<const CaseTooth*> findTooth(const CaseDescription& description, const s
             return &tooth;
         names.append(names.empty() ? "" : ", ").append(tooth.name);
     }
-    return unexpected(where + ": there is no tooth '" + wanted + "' in this case; it has " + names + ".");
+    return unexpected(msg::kCaseToothUnknown, where, wanted, names);
 }
 
 Expected<void> readExtras(const CaseStore& store, OpenedCase& opened) {

@@ -6,14 +6,17 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/staging_folder.h"
 #include "geometry/files/temporary_file.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
+#include "session/cases/messages.h"
 
 namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
 
-Unexpected cannotMake(const fs::path& folder, const std::string& why) {
-    return unexpected(displayName(folder) + ": the folder cannot be made (" + why + ").");
+Unexpected cannotMake(const fs::path& folder, const Message& why) {
+    return unexpected(msg::kFolderNotMade, displayName(folder), why);
 }
 
 /// `shownAs`: the folder's name in messages.
@@ -22,13 +25,11 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
         const fs::path path = folder / fs::path(file.entry), shown = shownAs / fs::path(file.entry);
         std::error_code error;
         fs::create_directories(path.parent_path(), error);
-        if (error) return cannotMake(shown.parent_path(), error.message());
+        if (error) return cannotMake(shown.parent_path(), systemReason(error));
         if (auto written = writeFile(path, file.bytes); !written) {
-            std::string why = written.error().message;
-            if (const std::string name = displayName(path); why.starts_with(name)) {
-                why.replace(0, name.size(), displayName(shown));
-            }
-            return unexpected(std::move(why));
+            Error refused = written.error();
+            refused.replaceFirst(displayName(shown));  // the folder has another name while it is made
+            return Unexpected{std::move(refused)};
         }
     }
     return {};
@@ -37,9 +38,9 @@ Expected<void> writeFiles(const std::vector<CaseFile>& files, const fs::path& fo
 /// Writes into an existing folder, which stays the same: it may be a mount point or a working directory.
 Expected<void> fillFolder(const std::vector<CaseFile>& files, const fs::path& folder) {
     auto unfinished = StagingFolder::make(folder);
-    if (!unfinished) return cannotMake(folder, unfinished.error().message);
+    if (!unfinished) return cannotMake(folder, unfinished.error());
     if (auto done = writeFiles(files, unfinished->path(), folder); !done) return done;
-    if (auto done = unfinished->moveUp(); !done) return cannotMake(folder, done.error().message);
+    if (auto done = unfinished->moveUp(); !done) return cannotMake(folder, done.error());
     return {};
 }
 
@@ -49,12 +50,12 @@ Expected<void> writeNewFolder(const std::vector<CaseFile>& files, const fs::path
     fs::path folder = fs::absolute(to, error);
     if (!folder.has_filename()) folder = folder.parent_path();  // "case/"
     fs::create_directories(folder.parent_path(), error);
-    if (error) return cannotMake(to, error.message());
+    if (error) return cannotMake(to, systemReason(error));
     removeStale(folder.parent_path());
     auto unfinished = StagingFolder::make(folder.parent_path());
-    if (!unfinished) return cannotMake(to, unfinished.error().message);
+    if (!unfinished) return cannotMake(to, unfinished.error());
     if (auto done = writeFiles(files, unfinished->path(), to); !done) return done;
-    if (auto done = unfinished->renameTo(folder); !done) return cannotMake(to, done.error().message);
+    if (auto done = unfinished->renameTo(folder); !done) return cannotMake(to, done.error());
     return {};
 }
 
@@ -65,8 +66,7 @@ Expected<void> checkCaseTarget(const fs::path& to) {
     if (to.extension() == kCaseEnding || !fs::exists(to, error)) return {};
     if (fs::is_directory(to, error)) removeStale(to);
     if (fs::is_directory(to, error) && fs::is_empty(to, error)) return {};
-    return unexpected(displayName(to) + ": there is something already; give a new folder, or a name that ends in " +
-                      std::string(kCaseEnding) + ".");
+    return unexpected(msg::kCaseTargetTaken, displayName(to), kCaseEnding);
 }
 
 Expected<void> writeCase(const std::vector<CaseFile>& files, const fs::path& to) {

@@ -8,6 +8,7 @@
 
 #include "geometry/files/file_bytes.h"
 #include "session/cases/case_store.h"
+#include "session/cases/messages.h"
 
 namespace tactooth {
 namespace {
@@ -29,19 +30,17 @@ std::string wordsFor(int code) {
 Expected<void> checkClaims(const zip_stat_t& stat, const std::string& shown) {
     constexpr zip_uint64_t kNeeded =
         ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
-    if ((stat.valid & kNeeded) != kNeeded) return unexpected(shown + ": the archive's list is damaged.");
+    if ((stat.valid & kNeeded) != kNeeded) return unexpected(msg::kArchiveListDamaged, shown);
     if (stat.encryption_method != ZIP_EM_NONE) {
-        return unexpected(shown + ": the file is locked with a password; pack the case without one.");
+        return unexpected(msg::kArchiveLocked, shown);
     }
     if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) {
-        return unexpected(shown + ": the file is packed in an unusual way; pack the case with 'tactooth case pack'.");
+        return unexpected(msg::kArchiveMethod, shown);
     }
     constexpr double kSmall = 65536;  // bytes: a small file may have a higher packing ratio
     if (stat.size > kCaseLimits.entryBytes ||
         static_cast<double>(stat.size) > kSmall + kCaseLimits.packed * static_cast<double>(stat.comp_size)) {
-        return unexpected(shown + ": the file claims to unpack from " + std::to_string(stat.comp_size) + " to " +
-                          std::to_string(stat.size) +
-                          " bytes, more than any surface does; the archive is damaged or not meant well.");
+        return unexpected(msg::kArchiveBomb, shown, stat.comp_size, stat.size);
     }
     return {};
 }
@@ -68,7 +67,7 @@ Expected<ZipArchive> ZipArchive::open(std::span<const std::byte> bytes, std::str
     zip_error_fini(&error);
     if (archive == nullptr) {
         if (source != nullptr) zip_source_free(source);
-        return unexpected(name + ": this is no zip archive that can be read (" + wordsFor(code) + ").");
+        return unexpected(msg::kNoArchive, name, wordsFor(code));
     }
     ZipArchive result(std::unique_ptr<zip, Close>(archive), std::move(name));
     if (auto listed = result.list(); !listed) return Unexpected{listed.error()};
@@ -78,14 +77,13 @@ Expected<ZipArchive> ZipArchive::open(std::span<const std::byte> bytes, std::str
 Expected<void> ZipArchive::list() {
     const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
     if (count < 0 || static_cast<std::size_t>(count) > kCaseLimits.entries) {
-        return unexpected(name_ + ": the archive holds " + std::to_string(count) + " files, more than the " +
-                          std::to_string(kCaseLimits.entries) + " that a case may.");
+        return unexpected(msg::kArchiveTooManyFiles, name_, count, kCaseLimits.entries);
     }
     std::uint64_t all = 0;
     for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
         zip_stat_t stat;
         if (zip_stat_index(archive_.get(), i, ZIP_FL_ENC_GUESS, &stat) != 0 || stat.name == nullptr) {
-            return unexpected(name_ + ": the archive's list is damaged.");
+            return unexpected(msg::kArchiveListDamaged, name_);
         }
         const std::string entry = stat.name;
         if (!entry.empty() && (entry.back() == '/' || entry.back() == '\\')) continue;  // a folder
@@ -94,8 +92,7 @@ Expected<void> ZipArchive::list() {
         entries_.push_back({entry, i, stat.size, stat.comp_size, isLink(archive_.get(), i)});
     }
     if (all > kCaseLimits.allBytes) {
-        return unexpected(name_ + ": the archive claims to hold " + std::to_string(all) + " bytes, more than the " +
-                          std::to_string(kCaseLimits.allBytes) + " that a case may.");
+        return unexpected(msg::kArchiveTooLarge, name_, all, kCaseLimits.allBytes);
     }
     return {};
 }
@@ -103,9 +100,9 @@ Expected<void> ZipArchive::list() {
 Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) const {
     const auto found = std::ranges::find(entries_, entry, &ZipEntry::name);
     const std::string shown = name_ + ": " + displayName(entry);
-    if (found == entries_.end()) return unexpected(shown + ": there is no such file in the archive.");
+    if (found == entries_.end()) return unexpected(msg::kArchiveFileMissing, shown);
     const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen_index(archive_.get(), found->index, 0));
-    if (file == nullptr) return unexpected(shown + ": the file is damaged inside the archive.");
+    if (file == nullptr) return unexpected(msg::kArchiveFileDamaged, shown);
     // Grows with the bytes that really come, and never beyond the claimed size.
     constexpr std::size_t kPiece = std::size_t{1} << 20;
     std::vector<std::byte> bytes;
@@ -113,18 +110,18 @@ Expected<std::vector<std::byte>> ZipArchive::read(const std::string& entry) cons
         const std::size_t before = bytes.size();
         bytes.resize(std::min<std::uint64_t>(found->size, before + kPiece));
         const zip_int64_t count = zip_fread(file.get(), bytes.data() + before, bytes.size() - before);
-        if (count <= 0) return unexpected(shown + ": the file is damaged inside the archive.");
+        if (count <= 0) return unexpected(msg::kArchiveFileDamaged, shown);
         bytes.resize(before + static_cast<std::size_t>(count));
     }
     std::byte more{};
     if (zip_fread(file.get(), &more, 1) != 0) {  // also checks the checksum
-        return unexpected(shown + ": the file is not what the archive's list says; it is damaged.");
+        return unexpected(msg::kArchiveFileDiffers, shown);
     }
     return bytes;
 }
 
 Expected<std::vector<std::byte>> packCase(std::vector<CaseFile> files) {
-    const auto failed = [] { return unexpected("the case could not be packed: there is not enough memory."); };
+    const auto failed = [] { return unexpected(msg::kArchiveNoMemory); };
     std::ranges::sort(files, {}, &CaseFile::entry);
     zip_error_t error;
     zip_error_init(&error);

@@ -12,9 +12,11 @@
 #include "geometry/util/assert.h"
 #include "geometry/util/byte_text.h"
 #include "geometry/util/lower_case.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "geometry/util/text_lines.h"
 #include "session/io/csv_fields.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -48,18 +50,15 @@ public:
     }
 
     Expected<CsvTable> parse() {
-        if (isWideText(text_)) return unexpected(table_.name_ + ": this is text in UTF-16; save it as UTF-8.");
+        if (isWideText(text_)) return unexpected(msg::kTextInUtf16, table_.name_);
         if (!nextLine() && error_) return Unexpected{*error_};
-        if (cells_.all().empty())
-            return unexpected(table_.name_ + ": there is no line that names the columns; begin the file with " +
-                              joined(columns_) + ".");
+        if (cells_.all().empty()) return unexpected(msg::kCsvNoHeader, table_.name_, joined(columns_));
         if (!parseHeader()) return Unexpected{*error_};
         while (nextLine()) {
             if (!parseRow()) return Unexpected{*error_};
         }
         if (error_) return Unexpected{*error_};
-        if (table_.rows() == 0)
-            return unexpected(table_.name_ + ": there are no rows below the names of the columns; add at least one.");
+        if (table_.rows() == 0) return unexpected(msg::kCsvNoRows, table_.name_);
         return std::move(table_);
     }
 
@@ -74,7 +73,7 @@ private:
             const std::string_view begin = trimmed(line);
             if (begin.empty() || begin.front() == '#') continue;
             if (cells_.split(line)) return true;
-            fail("a cell in quotes must end with its line, and nothing but a separator may follow it");
+            fail(msg::kCsvQuotes);
             return false;
         }
         return false;
@@ -96,11 +95,10 @@ private:
         for (const std::string_view column : columns_) {
             const std::size_t found = find(column, 0);
             if (found == cells_.all().size()) {
-                return fail("the column '" + std::string(column) + "' is missing; expected the columns " +
-                            joined(columns_) + ", separated by commas, but found " + shown(cells_.all()));
+                return fail({msg::kCsvColumnMissing, column, joined(columns_), shown(cells_.all())});
             }
             if (find(column, found + 1) != cells_.all().size()) {
-                return fail("the column '" + std::string(column) + "' is named twice; remove one of the two");
+                return fail({msg::kCsvColumnTwice, column});
             }
             positions_.push_back(found);
         }
@@ -110,8 +108,7 @@ private:
 
     bool parseRow() {
         if (cells_.all().size() != width_) {
-            return fail("expected " + std::to_string(width_) + " fields, one for each named column, but found " +
-                        std::to_string(cells_.all().size()));
+            return fail({msg::kCsvFields, width_, cells_.all().size()});
         }
         for (std::size_t column = 0; column < columns_.size(); ++column) {
             const std::string_view field = cells_.all()[positions_[column]];
@@ -121,8 +118,7 @@ private:
             }
             const std::optional<double> value = toNumber<double>(field);
             if (!value || !std::isfinite(*value)) {
-                return fail("column '" + std::string(columns_[column]) +
-                            "': expected a finite number with '.' as decimal point, but found " + quotedWord(field));
+                return fail({msg::kCsvNumber, columns_[column], quotedWord(field)});
             }
             table_.values_.push_back(*value);
         }
@@ -130,8 +126,8 @@ private:
         return true;
     }
 
-    bool fail(const std::string& what) {
-        error_ = Error{table_.name_ + ", line " + std::to_string(lines_.number()) + ": " + what + "."};
+    bool fail(const Message& what) {
+        error_ = Error{msg::kAtLine, table_.name_, lines_.number(), what};
         return false;
     }
 
@@ -145,7 +141,7 @@ private:
     std::optional<Error> error_;
 };
 
-std::string CsvTable::where(std::size_t row) const { return name_ + ", line " + std::to_string(lines_[row]); }
+Message CsvTable::where(std::size_t row) const { return {msg::kCsvLine, name_, lines_[row]}; }
 
 Expected<CsvTable> parseCsv(std::string_view text, std::string_view name, std::span<const std::string_view> columns,
                             std::span<const std::string_view> wordColumns) {
@@ -182,9 +178,7 @@ void CsvWriter::row(std::span<const double> values) {
 
 Expected<void> CsvWriter::commit() {
     if (firstBadRow_ == 0) return file_.commit();
-    return unexpected("row " + std::to_string(firstBadRow_) +
-                      " of the table has a number that is not finite, so nothing is written; check size and unit of "
-                      "the surfaces.");
+    return unexpected(msg::kCsvNotFinite, firstBadRow_);
 }
 
 }  // namespace tactooth

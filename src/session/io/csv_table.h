@@ -28,7 +28,7 @@ public:
         return words_[row * wordColumns_ + column];
     }
     /// The position of a row, to begin a message with: "poses.csv, line 12".
-    [[nodiscard]] std::string where(std::size_t row) const;
+    [[nodiscard]] Message where(std::size_t row) const;
 
 private:
     friend class CsvParser;

@@ -6,35 +6,36 @@
 #include <string>
 
 #include "geometry/util/number_text.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
 
-Expected<void> notFinite(double time, const char* what) {
-    return unexpected("at t = " + numberText(time) + " s the " + what +
-                      " is not a finite number, so nothing is written; look there in the trajectory, and at the size "
-                      "and unit of the surfaces (see 'tactooth info').");
+Expected<void> notFinite(double time, const MessageText& what) {
+    return unexpected(msg::kTickNotFinite, numberText(time), what);
 }
 
 }  // namespace
 
 Expected<void> checkFinite(double time, const Tick& tick) {
-    if (!tick.wrench.force.allFinite()) return notFinite(time, "force");
-    if (!tick.wrench.torque.allFinite()) return notFinite(time, "torque");
-    if (!std::isfinite(tick.depth)) return notFinite(time, "depth");
-    if (!tick.normal.allFinite()) return notFinite(time, "normal");
-    if (!tick.proxy.position.allFinite() || !tick.proxy.rotation.coeffs().allFinite()) return notFinite(time, "proxy");
-    if (!tick.hand.position.allFinite() || !tick.hand.rotation.coeffs().allFinite()) return notFinite(time, "hand");
-    if (!std::isfinite(tick.speed)) return notFinite(time, "speed");
-    if (!std::isfinite(tick.speedRpm)) return notFinite(time, "speed of the bur");
-    if (!std::isfinite(tick.cutWork)) return notFinite(time, "work of the bur");
+    if (!tick.wrench.force.allFinite()) return notFinite(time, msg::kTickForce);
+    if (!tick.wrench.torque.allFinite()) return notFinite(time, msg::kTickTorque);
+    if (!std::isfinite(tick.depth)) return notFinite(time, msg::kTickDepth);
+    if (!tick.normal.allFinite()) return notFinite(time, msg::kTickNormal);
+    if (!tick.proxy.position.allFinite() || !tick.proxy.rotation.coeffs().allFinite())
+        return notFinite(time, msg::kTickProxy);
+    if (!tick.hand.position.allFinite() || !tick.hand.rotation.coeffs().allFinite())
+        return notFinite(time, msg::kTickHand);
+    if (!std::isfinite(tick.speed)) return notFinite(time, msg::kTickSpeed);
+    if (!std::isfinite(tick.speedRpm)) return notFinite(time, msg::kTickBurSpeed);
+    if (!std::isfinite(tick.cutWork)) return notFinite(time, msg::kTickBurWork);
     return {};
 }
 
 Expected<void> checkFinite(double time, const Contact& contact) {
-    if (!std::isfinite(contact.depth)) return notFinite(time, "depth");
-    if (!contact.normal.allFinite()) return notFinite(time, "normal");
-    if (!contact.point.allFinite()) return notFinite(time, "point of contact");
+    if (!std::isfinite(contact.depth)) return notFinite(time, msg::kTickDepth);
+    if (!contact.normal.allFinite()) return notFinite(time, msg::kTickNormal);
+    if (!contact.point.allFinite()) return notFinite(time, msg::kTickContactPoint);
     return {};
 }
 

@@ -7,6 +7,8 @@
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/display_text.h"
+#include "geometry/util/messages.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -18,13 +20,11 @@ public:
     explicit TomlLimiter(std::string_view text) : text_(text) {}
 
     /// The exceeded limit, as part of a sentence; empty if there is none.
-    std::string fault() {
+    Message fault() {
         for (std::size_t end = 0; end < text_.size(); ++line_) {
             const std::size_t begin = end;
             end = std::min(text_.find('\n', begin), text_.size() - 1) + 1;
-            if (end - begin > kTomlLimits.lineBytes) {
-                return "the line is longer than " + std::to_string(kTomlLimits.lineBytes) + " bytes; break it up";
-            }
+            if (end - begin > kTomlLimits.lineBytes) return {msg::kTomlLine, kTomlLimits.lineBytes};
         }
         line_ = 1;
         while (at_ < text_.size() && fault_.empty()) step();
@@ -50,9 +50,7 @@ private:
                 return;
             case '[':
             case '{':
-                count(++depth_ > kTomlLimits.nesting, "brackets stand more than " +
-                                                          std::to_string(kTomlLimits.nesting) +
-                                                          " deep in each other; write it flatter");
+                count(++depth_ > kTomlLimits.nesting, msg::kTomlNesting, kTomlLimits.nesting);
                 countValue();
                 break;
             case ']':
@@ -65,8 +63,7 @@ private:
                 countValue();
                 break;
             case '.':
-                count(++parts_ > kTomlLimits.keyParts, "a key has more than " + std::to_string(kTomlLimits.keyParts) +
-                                                           " parts with dots between them; write a shorter one");
+                count(++parts_ > kTomlLimits.keyParts, msg::kTomlKeyParts, kTomlLimits.keyParts);
                 break;
             default:
                 break;
@@ -74,14 +71,13 @@ private:
         ++at_;
     }
 
-    void count(bool isTooMuch, const std::string& what) {
-        if (isTooMuch && fault_.empty()) fault_ = what;
+    void count(bool isTooMuch, const MessageText& what, std::size_t most) {
+        if (isTooMuch && fault_.empty()) fault_ = {what, most};
     }
 
     void countValue() {
         parts_ = 1;
-        count(++values_ > kTomlLimits.values,
-              "there are more than " + std::to_string(kTomlLimits.values) + " values; keep to what is asked for");
+        count(++values_ > kTomlLimits.values, msg::kTomlValues, kTomlLimits.values);
     }
 
     void skipString() {
@@ -109,11 +105,11 @@ private:
     int depth_ = 0;
     int parts_ = 1;  // of the present key or number
     std::size_t values_ = 0;
-    std::string fault_;
+    Message fault_;
 };
 
-Unexpected refusal(std::string_view name, long line, const std::string& what) {
-    return unexpected(std::string(name) + ", line " + std::to_string(line) + ": " + what + ".");
+Unexpected refusal(std::string_view name, long line, const Message& what) {
+    return unexpected(msg::kAtLine, name, line, what);
 }
 
 /// The parser's message, as part of a sentence.
@@ -128,16 +124,15 @@ std::string asClause(std::string_view description) {
 
 Expected<toml::table> parseToml(std::string_view text, std::string_view name) {
     if (text.size() > kTomlLimits.bytes) {
-        return unexpected(std::string(name) + ": the file is too large: a TOML file may have " +
-                          std::to_string(kTomlLimits.bytes) + " bytes at most.");
+        return unexpected(msg::kTomlTooLarge, name, kTomlLimits.bytes);
     }
     TomlLimiter guard(text);
-    if (const std::string fault = guard.fault(); !fault.empty()) return refusal(name, guard.line(), fault);
+    if (const Message fault = guard.fault(); !fault.empty()) return refusal(name, guard.line(), fault);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
         return refusal(name, static_cast<long>(error.source().begin.line),
-                       "this is not TOML: " + asClause(error.description()));
+                       {msg::kNotToml, asClause(error.description())});
     }
 }
 

@@ -8,6 +8,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 
 namespace tactooth {
@@ -44,8 +45,7 @@ private:
     void readBlock(const toml::key& name, const toml::node& node) {
         const toml::table* entries = node.as_table();
         if (entries == nullptr) {
-            return toml_.fail(node, "expected the keys of " + std::string(name.str()) + " below a line [" +
-                                        std::string(name.str()) + "], but found " + describedToml(node));
+            return toml_.fail(node, {msg::kMaterialNotTable, name.str(), name.str(), describedToml(node)});
         }
         const auto known = std::ranges::find(all_, name.str(), &MaterialDefinition::name);
         if (known == all_.end() && !add(name, *entries)) return;
@@ -56,12 +56,11 @@ private:
     /// Adds a material with the numbers of the surroundings; its block then changes them.
     bool add(const toml::key& name, const toml::table& entries) {
         if (!isMaterialName(name.str())) {
-            toml_.fail(name, "a material cannot be named " + quotedWord(name.str()) +
-                                 "; take small letters, digits, - and _, at most 40, a letter first");
+            toml_.fail(name, {msg::kMaterialNameRefused, quotedWord(name.str())});
             return false;
         }
         if (all_.size() == kMaxMaterials) {
-            toml_.fail(name, "there are more than " + std::to_string(kMaxMaterials) + " materials; leave some out");
+            toml_.fail(name, {msg::kTooManyMaterials, kMaxMaterials});
             return false;
         }
         MaterialDefinition added = start_[start_.withRole(MaterialRole::Surroundings)];
@@ -93,7 +92,7 @@ private:
             return value ? number->set(material.numbers, *value) : void();
         }
         if (std::ranges::find(kDefiningKeys, key.str()) == kDefiningKeys.end()) {
-            return toml_.fail(key, "a material has no key " + quotedWord(key.str()) + "; the keys are " + keyNames());
+            return toml_.fail(key, {msg::kUnknownKey, msg::kAMaterial, quotedWord(key.str()), keyNames()});
         }
         const MaterialDefinition before = material;
         readDefiningKey(material, key.str(), node);
@@ -101,8 +100,7 @@ private:
         const bool isSame =
             material.role == before.role && material.nesting == before.nesting && material.code == before.code;
         if (!isNew && !isSame) {
-            toml_.fail(key,
-                       quotedWord(key.str()) + " belongs to new materials; that of " + material.name + " is built in");
+            toml_.fail(key, {msg::kKeyOfNewMaterial, quotedWord(key.str()), material.name});
         }
     }
 
@@ -113,7 +111,7 @@ private:
         if (key == "code") readCode(material, node);
         if (key != "role") return;
         const auto role = materialRoleNamed(toml_.textOf(node, key).value_or(""));
-        if (!role) return toml_.fail(node, "'role' must be one of " + materialRoleNames());
+        if (!role) return toml_.fail(node, {msg::kMaterialRole, materialRoleNames()});
         material.role = *role;
     }
 
@@ -121,17 +119,16 @@ private:
         material.code = static_cast<std::uint8_t>(toml_.integerOf(node, "code", 0, kMaxMaterialCode).value_or(0));
         for (const MaterialDefinition& other : all_) {
             if (&other == &material || other.code != material.code) continue;
-            toml_.fail(node, "the code " + std::to_string(material.code) + " is that of " + other.name +
-                                 "; give each material its own");
+            toml_.fail(node, {msg::kMaterialCodeTaken, material.code, other.name});
         }
     }
 
     void readColour(Material& material, const toml::node& node) {
         const toml::array* parts = node.as_array();
         if (parts == nullptr || parts->size() != material.colour.size()) {
-            return toml_.fail(
-                node, "'colour' must be three numbers in brackets (red, green, blue), but is " +
-                          (parts != nullptr ? "a list of " + std::to_string(parts->size()) : describedToml(node)));
+            const Message found =
+                parts != nullptr ? Message(msg::kListOf, parts->size()) : Message(describedToml(node));
+            return toml_.fail(node, {msg::kColourNotThree, found});
         }
         for (std::size_t i = 0; i < material.colour.size(); ++i) {
             const auto value = toml_.numberOf(*parts->get(i), kMaterialColourKey, 0, 1);

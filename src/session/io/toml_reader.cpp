@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "geometry/util/display_text.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -20,17 +22,17 @@ std::string quoted(std::string_view key) { return quotedWord(key); }
 
 bool isPlainText(const std::string& text) { return text.size() <= kLongestText && isShownAsItIs(text); }
 
-std::string describedToml(const toml::node& node) {
-    if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
+Message describedToml(const toml::node& node) {
+    if (const auto* integer = node.as_integer()) return Message::verbatim(std::to_string(integer->get()));
     if (const auto* number = node.as_floating_point()) {
-        if (!std::isfinite(number->get())) return "not a finite number";
-        return numberText(number->get());
+        if (!std::isfinite(number->get())) return msg::kNotFiniteNumber;
+        return Message::verbatim(numberText(number->get()));
     }
-    if (node.is_string()) return "a text in quotes";
-    if (node.is_boolean()) return "true or false";
-    if (node.is_array()) return "a list";
-    if (node.is_table()) return "a table";
-    return "a date or a time";
+    if (node.is_string()) return msg::kTextInQuotes;
+    if (node.is_boolean()) return msg::kTrueOrFalse;
+    if (node.is_array()) return msg::kAList;
+    if (node.is_table()) return msg::kATable;
+    return msg::kDateOrTime;
 }
 
 toml::table TomlReader::parse(std::string_view text) {
@@ -40,56 +42,54 @@ toml::table TomlReader::parse(std::string_view text) {
     return {};
 }
 
-void TomlReader::failAt(toml::source_index line, const std::string& what) {
-    if (!error_) error_ = Error{name_ + ", line " + std::to_string(line) + ": " + what + "."};
+void TomlReader::failAt(toml::source_index line, const Message& what) {
+    if (!error_) error_ = Error{msg::kAtLine, name_, line, what};
 }
 
-void TomlReader::fail(const toml::node& where, const std::string& what) { failAt(where.source().begin.line, what); }
+void TomlReader::fail(const toml::node& where, const Message& what) { failAt(where.source().begin.line, what); }
 
-void TomlReader::fail(const toml::key& where, const std::string& what) { failAt(where.source().begin.line, what); }
+void TomlReader::fail(const toml::key& where, const Message& what) { failAt(where.source().begin.line, what); }
 
 std::optional<double> TomlReader::numberOf(const toml::node& node, std::string_view key, double low, double high) {
     const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
     if (value && *value >= low && *value <= high) return value;
-    fail(node, quoted(key) + " must be a number from " + numberText(low) + " to " + numberText(high) + ", but is " +
-                   describedToml(node));
+    fail(node, {msg::kKeyTakesNumber, quoted(key), numberText(low), numberText(high), describedToml(node)});
     return std::nullopt;
 }
 
 std::optional<int> TomlReader::integerOf(const toml::node& node, std::string_view key, int low, int high) {
     const auto value = node.value_exact<std::int64_t>();
     if (value && *value >= low && *value <= high) return static_cast<int>(*value);
-    fail(node, quoted(key) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) +
-                   ", but is " + describedToml(node));
+    fail(node, {msg::kKeyTakesWholeNumber, quoted(key), low, high, describedToml(node)});
     return std::nullopt;
 }
 
 std::optional<std::string> TomlReader::textOf(const toml::node& node, std::string_view key) {
     auto value = node.value_exact<std::string>();
     if (value && isPlainText(*value)) return value;
-    fail(node, quoted(key) + " must be a text of one line in quotes");
+    fail(node, {msg::kKeyTakesText, quoted(key)});
     return std::nullopt;
 }
 
-void TomlReader::allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys) {
+void TomlReader::allow(const toml::table& table, const MessageText& what,
+                       std::initializer_list<std::string_view> keys) {
     for (auto&& [key, node] : table) {
         if (std::ranges::find(keys, key.str()) != keys.end()) continue;
         std::string list;
         for (const std::string_view known : keys) list.append(list.empty() ? "" : ", ").append(known);
-        failAt(key.source().begin.line,
-               std::string(what) + " has no key " + quoted(key.str()) + "; the keys are " + list);
+        failAt(key.source().begin.line, {msg::kUnknownKey, what, quoted(key.str()), list});
     }
 }
 
 std::string TomlReader::text(const toml::table& table, std::string_view key, bool isNeeded) {
     const toml::node* node = table.get(key);
     if (node == nullptr) {
-        if (isNeeded) fail(table, "the key '" + std::string(key) + "' is missing");
+        if (isNeeded) fail(table, {msg::kKeyMissing, key});
         return {};
     }
     const auto value = textOf(*node, key);
     if (!value) return {};
-    if (isNeeded && value->empty()) fail(*node, "the key '" + std::string(key) + "' is empty");
+    if (isNeeded && value->empty()) fail(*node, {msg::kKeyEmpty, key});
     return *value;
 }
 
@@ -99,13 +99,13 @@ std::vector<std::string> TomlReader::texts(const toml::table& table, std::string
     if (node == nullptr) return result;
     const toml::array* list = node->as_array();
     if (list == nullptr) {
-        fail(*node, quoted(key) + " must be a list of texts");
+        fail(*node, {msg::kKeyTakesTexts, quoted(key)});
         return result;
     }
     for (const toml::node& each : *list) {
         const auto value = each.value_exact<std::string>();
         if (!value || !isPlainText(*value)) {
-            fail(each, quoted(key) + " must be a list of texts of one line in quotes");
+            fail(each, {msg::kKeyTakesLines, quoted(key)});
             return {};
         }
         result.push_back(*value);
@@ -127,7 +127,7 @@ bool TomlReader::flag(const toml::table& table, std::string_view key, bool fallb
     const toml::node* node = table.get(key);
     if (node == nullptr) return fallback;
     if (const auto value = node->value_exact<bool>()) return *value;
-    fail(*node, quoted(key) + " must be true or false");
+    fail(*node, {msg::kKeyTakesFlag, quoted(key)});
     return fallback;
 }
 
@@ -135,7 +135,7 @@ void TomlReader::numbers(const toml::table& table, std::string_view key, std::sp
     const toml::node* node = table.get(key);
     if (node == nullptr) return;
     const toml::array* list = node->as_array();
-    const std::string wanted = quoted(key) + " must be a list of " + std::to_string(values.size()) + " numbers";
+    const Message wanted(msg::kKeyTakesNumbers, quoted(key), values.size());
     if (list == nullptr || list->size() != values.size()) return fail(*node, wanted);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const toml::node& each = *list->get(i);
@@ -152,7 +152,7 @@ std::vector<const toml::table*> TomlReader::tables(const toml::table& table, std
     const toml::array* list = node->as_array();
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) result.push_back(list->get(i)->as_table());
     if (list == nullptr || std::find(result.begin(), result.end(), nullptr) != result.end()) {
-        fail(*node, "begin each " + std::string(key) + " with a line [[" + std::string(key) + "]]");
+        fail(*node, {msg::kKeyTakesTables, key, key});
         return {};
     }
     return result;
@@ -161,7 +161,7 @@ std::vector<const toml::table*> TomlReader::tables(const toml::table& table, std
 const toml::table* TomlReader::table(const toml::table& table, std::string_view key) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return nullptr;
-    if (node->as_table() == nullptr) fail(*node, quoted(key) + " must be a list of names and values in braces");
+    if (node->as_table() == nullptr) fail(*node, {msg::kKeyTakesTable, quoted(key)});
     return node->as_table();
 }
 

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] toml::table parse(std::string_view text);
 
     /// Reports a mistake for each key that is not in the list. `what` names the table in the message: "a tooth".
-    void allow(const toml::table& table, std::string_view what, std::initializer_list<std::string_view> keys);
+    void allow(const toml::table& table, const MessageText& what, std::initializer_list<std::string_view> keys);
 
     [[nodiscard]] std::string text(const toml::table& table, std::string_view key, bool isNeeded);
     [[nodiscard]] std::vector<std::string> texts(const toml::table& table, std::string_view key);
@@ -47,20 +47,20 @@ public:
     [[nodiscard]] std::optional<std::string> textOf(const toml::node& node, std::string_view key);
 
     /// Reports a mistake; only the first one is kept.
-    void fail(const toml::node& where, const std::string& what);
-    void fail(const toml::key& where, const std::string& what);
+    void fail(const toml::node& where, const Message& what);
+    void fail(const toml::key& where, const Message& what);
 
     [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
 private:
-    void failAt(toml::source_index line, const std::string& what);
+    void failAt(toml::source_index line, const Message& what);
 
     std::string name_;
     std::optional<Error> error_;
 };
 
 /// Describes a node for a message: "-0.5", "a text in quotes", "a list".
-[[nodiscard]] std::string describedToml(const toml::node& node);
+[[nodiscard]] Message describedToml(const toml::node& node);
 
 /// Whether a text can be shown as it is: one line of at most 2000 bytes without control characters.
 [[nodiscard]] bool isPlainText(const std::string& text);

@@ -12,6 +12,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/parallel_for.h"
+#include "session/io/messages.h"
 #include "tooth/volume/remaining_fractions.h"
 
 namespace tactooth {
@@ -125,7 +126,7 @@ Expected<void> writeVdb(const CutVolume& volume, const Provenance& provenance, c
         openvdb::initialize();
         file->write(MemoryArchive().bytesOf(gridsOf(volume).finished(), metadataOf(provenance)));
     } catch (const std::exception& error) {  // the library throws
-        return unexpected(displayName(path) + ": cannot be written: OpenVDB says: " + displayText(error.what()) + ".");
+        return unexpected(msg::kVdbNotWritten, displayName(path), displayText(error.what()));
     }
     return file->commit();
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geometry/util/number_text.h"
+#include "session/io/messages.h"
 #include "session/io/vdb_file.h"
 
 namespace tactooth {
@@ -30,8 +31,7 @@ Expected<void> checkVdbSize(const LayeredTooth& tooth, double voxel) {
     const double side = kBrickSide * voxel;
     const double bytes = area / (side * side) * 2 * kBrickNodes * sizeof(float);
     if (bytes <= kMaxBytes) return {};
-    return unexpected("the voxel file would hold about " + std::to_string(std::llround(bytes / 1e9)) + " GB at " +
-                      numberText(voxel) + " mm a voxel; give a coarser --voxel (is the surface in micrometres?).");
+    return unexpected(msg::kVdbTooLarge, std::llround(bytes / 1e9), numberText(voxel));
 }
 
 }  // namespace tactooth

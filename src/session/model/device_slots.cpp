@@ -19,8 +19,8 @@ void DeviceSlots::suspendInput(bool suspended) {
     if (first_) first_->suspendInput(suspended);
 }
 
-std::optional<const char*> DeviceSlots::changedFault() {
-    const char* fault = first_ ? first_->faultMessage() : nullptr;
+std::optional<const Message*> DeviceSlots::changedFault() {
+    const Message* fault = first_ ? first_->faultMessage() : nullptr;
     if (fault == nullptr && second_) fault = second_->faultMessage();
     if (fault == std::exchange(reportedFault_, fault)) return std::nullopt;
     return fault;

@@ -35,8 +35,8 @@ public:
     /// See HapticDevice::suspendInput; for the first device.
     void suspendInput(bool suspended);
 
-    /// The fault sentence of a device, null for none, if it differs from that of the last call.
-    [[nodiscard]] std::optional<const char*> changedFault();
+    /// The fault message of a device, null for none, if it differs from that of the last call.
+    [[nodiscard]] std::optional<const Message*> changedFault();
 
     /// The motion scaling with which the devices reach all of `workspace` (a box in the tooth's frame); none without a
     /// first device, or if no device has a bounded workspace. `deviceInTooth`: see deviceRotation.
@@ -50,7 +50,7 @@ private:
     MouseDevice mouse_;
     std::unique_ptr<HapticDevice> first_;   // null: the mouse
     std::unique_ptr<HapticDevice> second_;  // null: one hand only
-    const char* reportedFault_ = nullptr;
+    const Message* reportedFault_ = nullptr;
 };
 
 /// From a device's frame to the tooth's: the device's +y ("away") is the direction in which the dentist looks at the

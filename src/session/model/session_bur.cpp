@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/session_bur.h"
 
+#include "geometry/util/messages.h"
 #include "instruments/bur_shape.h"
 #include "session/model/spin_envelope_mesh.h"
 
@@ -27,7 +28,7 @@ Expected<SessionBur> makeSessionBur(const BurSpec& spec) {
 
 Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file) {
     Expected<CuttingTool> cutting = makeCuttingTool(bur.surface, bur.sharpness);
-    if (!cutting) return unexpected((file.empty() ? bur.name : file.string()) + ": " + cutting.error().message);
+    if (!cutting) return unexpected(msg::kNamedSentence, file.empty() ? bur.name : file.string(), cutting.error());
     auto shown = std::make_shared<const TriangleMesh>(bur.surface);
     auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     const BurEdge edge = bur.edge();

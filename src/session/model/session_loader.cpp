@@ -4,14 +4,14 @@
 
 namespace tactooth {
 
-std::optional<std::string> SessionLoader::poll() {
-    std::optional<std::string> failure;
+std::optional<Error> SessionLoader::poll() {
+    std::optional<Error> failure;
     const auto install = [&](auto loaded) {
         if (!loaded) return;
         if (*loaded) {
             model_.install(std::move(**loaded));
         } else {
-            failure = loaded->error().message;
+            failure = loaded->error();
         }
     };
     install(tooth_.poll());

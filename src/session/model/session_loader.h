@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "session/model/session_model.h"
 #include "session/model/task.h"
@@ -21,8 +20,8 @@ public:
     void load(Task<SessionBur>::Function bur) { bur_.start(std::move(bur)); }
     [[nodiscard]] bool isBusy() const { return tooth_.isBusy() || bur_.isBusy(); }
 
-    /// Installs what is ready. Returns a sentence if loading has failed; the session then keeps its tooth and bur.
-    [[nodiscard]] std::optional<std::string> poll();
+    /// Installs what is ready. Returns an error if loading has failed; the session then keeps its tooth and bur.
+    [[nodiscard]] std::optional<Error> poll();
 
 private:
     SessionModel& model_;

@@ -49,7 +49,7 @@ public:
         bool newTooth = false;
         bool newSimulator = false;        ///< the times of ticks start at zero again
         std::optional<double> heavyTick;  ///< tickP99 in us, once for each simulator that turns out to be overloaded
-        std::optional<const char*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
+        std::optional<const Message*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
     };
     /// Call it at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] StepResult step(double dt);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/session_tooth.h"
 
+#include "geometry/util/messages.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/simulation/tooth_cache.h"
 
@@ -25,7 +26,7 @@ Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::
 }
 
 Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
-    return makeSessionTooth(builtinToothRequest(entry.kind), entry.name, "");
+    return makeSessionTooth(builtinToothRequest(entry.kind), std::string(entry.name), "");
 }
 
 Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth) {
@@ -66,7 +67,7 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
 
 Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan) {
     Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers, {}, {}, *scan.materials);
-    if (!layered) return unexpected(scan.name + ": " + layered.error().message + ".");
+    if (!layered) return unexpected(msg::kNamed, scan.name, layered.error());
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     SessionTooth tooth{scan.name, std::make_shared<CutModel>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
     for (const ImportNote& importNote : scan.importNotes) tooth.provenance.emplace_back("assumed", inWords(importNote));

@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/io/import_note.h"
 #include "instruments/builtin_tooth.h"
+#include "instruments/messages.h"
 #include "patient/scan_import.h"
 #include "session/model/session_bur.h"
 #include "session/simulation/tooth_file.h"
@@ -39,12 +41,12 @@ struct SessionTooth {
 /// The built-in teeth as a list shows them.
 struct BuiltinToothEntry {
     BuiltinToothKind kind;
-    const char* name;
+    std::string_view name;  ///< English
 };
 inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
-    {BuiltinToothKind::LowerFirstMolar, "Lower first molar (46)"},
-    {BuiltinToothKind::UpperCentralIncisor, "Upper central incisor (11)"},
-    {BuiltinToothKind::UpperCanine, "Upper canine (13)"},
+    {BuiltinToothKind::LowerFirstMolar, msg::kLowerFirstMolar.english},
+    {BuiltinToothKind::UpperCentralIncisor, msg::kUpperCentralIncisor.english},
+    {BuiltinToothKind::UpperCanine, msg::kUpperCanine.english},
 }};
 
 /// A tooth in a whole mouth of average teeth, open as for work.

@@ -7,6 +7,7 @@
 
 #include "geometry/util/number_text.h"
 #include "session/io/csv_table.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -25,21 +26,16 @@ Expected<std::vector<TimedPose>> posesOf(const Expected<CsvTable>& table) {
         const Quat rotation(value[4], value[5], value[6], value[7]);
         const double length = rotation.norm();
         if (std::abs(length - 1) > kUnitTolerance) {
-            return unexpected(table->where(row) +
-                              ": the quaternion qw,qx,qy,qz must have length 1, but its length is " +
-                              numberText(length) + "; write 1,0,0,0 for a tool that is not turned.");
+            return unexpected(msg::kQuaternionLength, table->where(row), numberText(length));
         }
         if (Vec3(value[1], value[2], value[3]).cwiseAbs().maxCoeff() > kFarthest) {
-            return unexpected(table->where(row) +
-                              ": the tool is farther than 10 m from the tooth's origin; x,y,z are in mm, so check the "
-                              "unit.");
+            return unexpected(msg::kToolTooFar, table->where(row));
         }
         if (std::abs(value[0]) > kLatest) {
-            return unexpected(table->where(row) + ": t is beyond any clock's seconds; t is in s, so check the unit.");
+            return unexpected(msg::kTimeTooLarge, table->where(row));
         }
         if (row > 0 && value[0] < trajectory.back().time) {
-            return unexpected(table->where(row) +
-                              ": time runs backwards (t is less than in the row above); sort the rows by t.");
+            return unexpected(msg::kTimeBackwards, table->where(row));
         }
         trajectory.push_back({value[0], {Vec3(value[1], value[2], value[3]), rotation.normalized()}});
     }

@@ -6,6 +6,7 @@
 
 #include "geometry/util/number_text.h"
 #include "haptics/cutting_force.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -20,27 +21,29 @@ constexpr double kPedalDown = 0.1;  // pedal position beyond any dead band: the 
 
 }  // namespace
 
-std::string_view cutEventName(CutEventKind kind) {
+const MessageText& cutEventText(CutEventKind kind) {
     switch (kind) {
         case CutEventKind::FirstContact:
-            return "first contact";
+            return msg::kFirstContact;
         case CutEventKind::DentinReached:
-            return "dentin reached";
+            return msg::kDentinReached;
         case CutEventKind::PulpExposed:
-            return "pulp exposed";
+            return msg::kPulpExposed;
         case CutEventKind::NeighbourTouched:
-            return "neighbour touched";
+            return msg::kNeighbourTouched;
         case CutEventKind::GingivaTouched:
-            return "gum or bone touched";
+            return msg::kGingivaTouched;
         case CutEventKind::AdjacentCut:
-            return "cut beside the tooth";
+            return msg::kAdjacentCut;
         case CutEventKind::BurStalled:
-            return "bur stalled";
+            return msg::kBurStalled;
         case CutEventKind::FragmentReleased:
-            return "piece came loose";
+            return msg::kFragmentReleased;
     }
-    return {};
+    return msg::kFirstContact;
 }
+
+std::string_view cutEventName(CutEventKind kind) { return cutEventText(kind).english; }
 
 std::string cutEventsCsv(std::span<const CutEvent> events) {
     std::string text = "t,event,x,y,z\n";

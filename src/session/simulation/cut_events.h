@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/util/message.h"
 #include "haptics/haptic_simulation.h"
 #include "session/simulation/cut_model.h"
 
@@ -34,6 +35,8 @@ inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,   CutE
 /// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "cut beside the
 /// tooth", "bur stalled", "piece came loose".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);
+/// The same in any language.
+[[nodiscard]] const MessageText& cutEventText(CutEventKind kind);
 
 struct CutEvent {
     CutEventKind kind;

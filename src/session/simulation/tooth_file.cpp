@@ -6,6 +6,8 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
+#include "session/io/messages.h"
 #include "session/io/run_metadata.h"
 
 namespace tactooth {
@@ -23,10 +25,7 @@ namespace {
 std::vector<ImportNote> notesOn(const std::vector<std::string>& unknownMaterials) {
     std::vector<ImportNote> notes;
     for (const std::string& name : unknownMaterials) {
-        notes.push_back({ImportNoteTopic::Layers,
-                         "The material '%1' of this tooth is not known here: it is felt, cut, seen and heard as bone. "
-                         "Give the file of its materials (--materials).",
-                         {name}});
+        notes.push_back({ImportNoteTopic::Layers, {msg::kNoteUnknownMaterial, name}});
     }
     return notes;
 }
@@ -41,7 +40,7 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path, const Materia
     if (!saved) return Unexpected{saved.error()};
     auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->toothContext,
                                     *saved->materials);
-    if (!tooth) return unexpected(displayName(path) + ": " + tooth.error().message + ".");
+    if (!tooth) return unexpected(msg::kNamed, displayName(path), tooth.error());
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
     return OpenedTooth{std::move(piece), std::move(saved->provenance), notesOn(saved->unknownMaterials)};
@@ -50,12 +49,11 @@ Expected<OpenedTooth> openTooth(const std::filesystem::path& path, const Materia
 Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double defaultVoxel) {
     if (isToothFile(source.outer)) {
         const std::string name = displayName(source.outer);
-        if (!source.layers.empty()) return unexpected(name + ": a saved tooth has its own layers; give no others.");
+        if (!source.layers.empty()) return unexpected(msg::kSavedToothHasLayers, name);
         auto opened = openTooth(source.outer, source.materials);
         if (opened && voxel && *voxel != opened->piece->volume().lattice().spacing()) {
-            return unexpected(name + ": a saved tooth keeps the spacing that it was cut with, " +
-                              std::to_string(std::lround(1e3 * opened->piece->volume().lattice().spacing())) +
-                              " um; give no other.");
+            return unexpected(msg::kSavedToothHasSpacing, name,
+                              std::lround(1e3 * opened->piece->volume().lattice().spacing()));
         }
         return opened;
     }

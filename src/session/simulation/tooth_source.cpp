@@ -4,13 +4,16 @@
 
 #include "collision/solid/solid_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/messages.h"
+#include "session/io/messages.h"
+#include "tooth/model/messages.h"
 
 namespace tactooth {
 namespace {
 
 Expected<MaterialId> materialNamed(const std::string& name, const MaterialRegistry& materials) {
     if (const auto id = materials.find(name)) return *id;
-    return unexpected("there is no material '" + name + "'; the materials are " + materials.names() + ".");
+    return unexpected(msg::kMaterialNamed, name, materials.names());
 }
 
 }  // namespace
@@ -18,7 +21,7 @@ Expected<MaterialId> materialNamed(const std::string& name, const MaterialRegist
 Expected<ToothSource::Layer> parseLayer(const std::string& text, const MaterialRegistry& materials) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-        return unexpected("the layer '" + text + "' must be given as NAME=FILE.stl, for example dentin=dentin.stl.");
+        return unexpected(msg::kLayerNotParsed, text);
     }
     const std::string name = text.substr(0, equals);
     if (const auto id = materialNamed(name, materials); !id) return Unexpected{id.error()};
@@ -32,19 +35,19 @@ Expected<std::shared_ptr<const LayeredTooth>> loadLayeredTooth(const ToothSource
                                           ? Expected<MaterialId>(materials.withRole(MaterialRole::Enamel))
                                           : materialNamed(source.material, materials);
     if (!body) return Unexpected{body.error()};
-    Expected<TriangleMesh> outer = loadSolid(source.outer, "the surface of the tooth", {}, importNotes);
+    Expected<TriangleMesh> outer = loadSolid(source.outer, {msg::kSurfaceOf, msg::kTheTooth}, {}, importNotes);
     if (!outer) return Unexpected{outer.error()};
     std::vector<LayerMesh> layers;
     for (const ToothSource::Layer& layer : source.layers) {
         const Expected<MaterialId> material = materialNamed(layer.material, materials);
         if (!material) return Unexpected{material.error()};
-        const std::string what = "the surface of layer '" + layer.material + "'";
+        const Message what(msg::kSurfaceOf, Message(msg::kLayerNamed, layer.material));
         Expected<TriangleMesh> mesh = loadSolid(layer.file, what, {.dropsSpecks = false}, importNotes);
         if (!mesh) return Unexpected{mesh.error()};
         layers.push_back({layer.material, *material, std::move(*mesh)});
     }
     Expected<LayeredTooth> tooth = LayeredTooth::make(std::move(*outer), std::move(layers), *body, {}, materials);
-    if (!tooth) return unexpected(displayName(source.outer) + ": " + tooth.error().message + ".");
+    if (!tooth) return unexpected(msg::kNamed, displayName(source.outer), tooth.error());
     return std::shared_ptr<const LayeredTooth>(std::make_shared<const LayeredTooth>(std::move(*tooth)));
 }
 

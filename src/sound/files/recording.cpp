@@ -8,6 +8,7 @@
 #include <numeric>
 #include <string>
 
+#include "sound/files/messages.h"
 #include "sound/files/windowed_sinc.h"
 
 namespace tactooth {
@@ -124,18 +125,15 @@ std::string secondsText(double seconds) {
 Expected<void> check(std::span<const float> mono, double rate, std::string_view name) {
     const std::string who(name);
     if (!(rate >= Recording::kMinRate && rate <= Recording::kMaxRate)) {
-        return unexpected(who + ": the recording has " + std::to_string(std::lround(std::clamp(rate, -1e9, 1e9))) +
-                          " samples a second, but 4000 to 192000 are needed; save it at 48000.");
+        return unexpected(msg::kRecordingRate, who, std::lround(std::clamp(rate, -1e9, 1e9)));
     }
     const double seconds = static_cast<double>(mono.size()) / rate;
     if (seconds < Recording::kMinLength || seconds > Recording::kMaxLength) {
-        return unexpected(who + ": the recording lasts " + secondsText(seconds) +
-                          " s, but a loop needs 0.05 to 30 s; cut out a steady piece.");
+        return unexpected(msg::kRecordingLength, who, secondsText(seconds));
     }
     const auto bad = std::find_if(mono.begin(), mono.end(), [](float sample) { return !std::isfinite(sample); });
     if (bad != mono.end()) {
-        return unexpected(who + ": sample " + std::to_string(bad - mono.begin() + 1) +
-                          " is not a finite number; save the recording again.");
+        return unexpected(msg::kRecordingNotFinite, who, bad - mono.begin() + 1);
     }
     return {};
 }
@@ -146,8 +144,7 @@ Expected<Recording> Recording::make(std::span<const float> mono, double rate, st
     if (auto checked = check(mono, rate, name); !checked) return Unexpected{checked.error()};
     const Samples sound = withoutMean(mono);
     const double level = rootMeanSquare(sound);
-    if (!(level > kSilence) || !std::isfinite(level))
-        return unexpected(std::string(name) + ": the recording is silent or far too loud to be one; record it again.");
+    if (!(level > kSilence) || !std::isfinite(level)) return unexpected(msg::kRecordingSilent, name);
 
     Samples loop = lowPassed(looped(sound, rate), kPassed, 1);
     const double loopLevel = rootMeanSquare(loop);

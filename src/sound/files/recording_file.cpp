@@ -8,6 +8,7 @@
 
 #include "geometry/files/file_bytes.h"
 #include "sound/files/memory_sound_file.h"
+#include "sound/files/messages.h"
 #include "sound/files/streamed_wav.h"
 
 namespace tactooth {
@@ -59,16 +60,13 @@ std::string errorText(SNDFILE* file) {
 Expected<void> check(const SF_INFO& info, std::span<const std::byte> bytes, const std::string& name) {
     const int kind = info.format & SF_FORMAT_TYPEMASK;
     if (kind != SF_FORMAT_WAV && kind != SF_FORMAT_WAVEX && kind != SF_FORMAT_FLAC && kind != SF_FORMAT_OGG)
-        return unexpected(name + ": this is neither WAV, FLAC nor Ogg; save the recording as one of these.");
+        return unexpected(msg::kRecordingFormat, name);
     if (info.channels < 1 || info.channels > kMaxChannels) {
-        return unexpected(name + ": the recording has " + std::to_string(info.channels) +
-                          " channels, but 1 to 8 are expected; save it with one.");
+        return unexpected(msg::kRecordingChannels, name, info.channels);
     }
     const double longest = Recording::kMaxLength * std::clamp<double>(info.samplerate, 1.0, Recording::kMaxRate);
-    if (info.frames < 0 || static_cast<double>(info.frames) > longest)
-        return unexpected(name + ": the recording lasts longer than the 30 s of a loop; cut out a steady piece.");
-    if (isCutOff(bytes, kind))
-        return unexpected(name + ": the file is shorter than it says; it was cut off, so copy or record it again.");
+    if (info.frames < 0 || static_cast<double>(info.frames) > longest) return unexpected(msg::kRecordingTooLong, name);
+    if (isCutOff(bytes, kind)) return unexpected(msg::kRecordingCutOff, name);
     return {};
 }
 
@@ -76,8 +74,7 @@ Expected<std::vector<float>> readMono(SNDFILE* file, const SF_INFO& info, const 
     const auto channels = static_cast<std::size_t>(info.channels);
     std::vector<float> all(static_cast<std::size_t>(info.frames) * channels);
     if (sf_readf_float(file, all.data(), info.frames) != info.frames)
-        return unexpected(name + ": the file breaks off or is damaged (" + errorText(file) +
-                          "); copy or record it again.");
+        return unexpected(msg::kRecordingDamaged, name, errorText(file));
     std::vector<float> mono(static_cast<std::size_t>(info.frames));
     for (std::size_t frame = 0; frame < mono.size(); ++frame) {
         for (std::size_t channel = 0; channel < channels; ++channel) mono[frame] += all[frame * channels + channel];
@@ -91,14 +88,13 @@ Expected<std::vector<float>> readMono(SNDFILE* file, const SF_INFO& info, const 
 Expected<Recording> parseRecording(std::span<const std::byte> bytes, std::string_view name) {
     const std::string who(name);
     if (!isAt(bytes, 0, "RIFF") && !isAt(bytes, 0, "RF64") && !isAt(bytes, 0, "fLaC") && !isAt(bytes, 0, "OggS"))
-        return unexpected(who + ": this is neither WAV, FLAC nor Ogg; save the recording as one of these.");
+        return unexpected(msg::kRecordingFormat, who);
     MemoryFile memory{{bytes.begin(), bytes.end()}, 0};
     completeStreamedWav(memory.bytes);
     SF_INFO info{};
     const SoundFile file = openInMemory(memory, SFM_READ, info);
     if (file == nullptr) {
-        return unexpected(who + ": this is not a recording that can be read (" + errorText(nullptr) +
-                          "); save it as WAV, FLAC or Ogg.");
+        return unexpected(msg::kRecordingNotRead, who, errorText(nullptr));
     }
     if (auto checked = check(info, memory.bytes, who); !checked) return Unexpected{checked.error()};
     const auto mono = readMono(file.get(), info, who);

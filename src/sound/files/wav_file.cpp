@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "geometry/util/assert.h"
+#include "sound/files/messages.h"
 #include "sound/files/sound_format.h"
 
 namespace tactooth {
@@ -70,7 +71,7 @@ std::int16_t pcmOf(float sample) {
 Expected<WavWriter> WavWriter::create(const std::filesystem::path& path, std::size_t frames) {
     constexpr std::size_t kMaxFrames = (std::numeric_limits<std::uint32_t>::max() - kHeadBytes) / kFrameBytes;
     if (frames > kMaxFrames) {
-        return unexpected("The sound could not be made into a WAV file, which holds at most 4 GB; make it shorter.");
+        return unexpected(msg::kWavTooLong);
     }
     Expected<AtomicFile> file = AtomicFile::create(path);
     if (!file) return Unexpected{file.error()};

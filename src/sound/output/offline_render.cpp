@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 
+#include "sound/files/messages.h"
 #include "sound/output/openal_stream.h"
 
 namespace tactooth {
@@ -75,16 +76,13 @@ private:
 
 Expected<void> check(std::span<const TimedSoundState> track, double seconds) {
     if (!(seconds > 0.0 && seconds <= kMaxSoundLength)) {
-        return unexpected("The length of the sound has to be more than 0 and at most " +
-                          std::to_string(static_cast<int>(kMaxSoundLength)) + " s, but is " + std::to_string(seconds) +
-                          " s.");
+        return unexpected(msg::kSoundLength, static_cast<int>(kMaxSoundLength), std::to_string(seconds));
     }
-    if (track.empty()) return unexpected("There is nothing to make a sound of: the session has no moment at all.");
+    if (track.empty()) return unexpected(msg::kSoundOfNothing);
     for (std::size_t i = 0; i < track.size(); ++i) {
         const bool ascends = i == 0 || track[i].time >= track[i - 1].time;
         if (std::isfinite(track[i].time) && ascends) continue;
-        return unexpected("The times of the sound's states may not run backwards, but number " + std::to_string(i + 1) +
-                          " is at " + std::to_string(track[i].time) + " s.");
+        return unexpected(msg::kSoundBackwards, i + 1, std::to_string(track[i].time));
     }
     return {};
 }
@@ -99,7 +97,7 @@ Expected<void> renderInChunks(std::span<const TimedSoundState> track, double sec
     const LoopbackFunctions loopback = loopbackFunctions();
     const std::unique_ptr<OpenAlStream> stream = openLoopback(loopback, settings.headphones);
     if (stream == nullptr) {
-        return unexpected("OpenAL has no loopback device (ALC_SOFT_loopback) to render to; install OpenAL Soft.");
+        return unexpected(msg::kNoLoopback);
     }
 
     const ThreadContext current(stream->context());

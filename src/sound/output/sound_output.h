@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "sound/files/messages.h"
 #include "sound/output/sound_placement.h"
 #include "sound/voices/drill_sound_state.h"
 #include "sound/voices/sound_kit.h"
@@ -15,16 +16,16 @@ namespace tactooth {
 enum class SoundStatus { Starting, Playing, Silent };
 
 /// A few words for a status line.
-[[nodiscard]] constexpr std::string_view statusText(SoundStatus status) {
+[[nodiscard]] constexpr const MessageText& statusText(SoundStatus status) {
     switch (status) {
         case SoundStatus::Starting:
-            return "sound starting";
+            return msg::kSoundStarting;
         case SoundStatus::Playing:
-            return "sound on";
+            return msg::kSoundOn;
         case SoundStatus::Silent:
-            return "no sound card: silent";
+            return msg::kNoSoundCard;
     }
-    return "";
+    return msg::kNoSoundCard;
 }
 
 /// Output of the drill's sound. No call waits or fails; without a sound card everything works, silently.

@@ -10,6 +10,7 @@
 
 #include "geometry/util/assert.h"
 #include "tooth/file/byte_stream.h"
+#include "tooth/model/messages.h"
 
 namespace tactooth {
 namespace {
@@ -80,15 +81,15 @@ public:
         if (failure_.empty()) readToothContext();
         if (failure_.empty()) readVolume();
         if (failure_.empty()) readEnd();
-        if (!failure_.empty()) return unexpected(name_ + ", byte " + std::to_string(in_.at()) + ": " + failure_);
+        if (!failure_.empty()) return unexpected(msg::kSavedToothRefused, name_, in_.at(), failure_);
         return std::move(tooth_);
     }
 
 private:
-    void require(bool holds, const std::string& otherwise) {
+    void require(bool holds, const MessageText& otherwise) {
         if (!failure_.empty()) return;
         if (!in_.ok()) {
-            failure_ = "the file is cut short; save the tooth again or use a complete copy.";
+            failure_ = msg::kSavedToothCutShort;
         } else if (!holds) {
             failure_ = otherwise;
         }
@@ -98,13 +99,15 @@ private:
         const std::span<const std::byte> magic = in_.getBytes(kMagic.size());
         const bool isOurs = in_.ok() && std::memcmp(magic.data(), kMagic.data(), kMagic.size()) == 0;
         if (!isOurs) {
-            failure_ = "this is no saved tooth; choose a file that Tactooth has saved.";
+            failure_ = msg::kNoSavedTooth;
             return;
         }
         version_ = in_.get<std::uint32_t>();
-        require(version_ >= 1 && version_ <= kVersion,
-                "the file has format version " + std::to_string(version_) +
-                    ", and this program reads versions 1 to 3; open it with the program that saved it.");
+        if (in_.ok() && (version_ < 1 || version_ > kVersion)) {
+            failure_ = {msg::kSavedToothVersion, version_};
+        } else {
+            require(true, kDamaged);
+        }
     }
 
     void readNotes() {
@@ -174,8 +177,7 @@ private:
             tooth_.unknownMaterials.push_back(name);
         }
         if (all.size() > kMaxMaterials) {
-            failure_ = "the tooth has more materials than this program can hold beside its own (" +
-                       std::to_string(kMaxMaterials) + "); take materials out of the file of --materials.";
+            failure_ = {msg::kSavedToothMaterials, kMaxMaterials};
         } else if (!tooth_.unknownMaterials.empty()) {
             tooth_.materials = &MaterialRegistry::make(std::move(all));
         }
@@ -263,10 +265,10 @@ private:
         const std::uint64_t expected = checksum(bytes_.first(in_.at()));
         const auto found = in_.get<std::uint64_t>();
         require(found == expected, kDamaged);
-        require(in_.left() == 0, "there is more in the file than the tooth; use an undamaged copy.");
+        require(in_.left() == 0, msg::kSavedToothTooLong);
     }
 
-    static constexpr const char* kDamaged = "the file is damaged; use another copy of it.";
+    static constexpr const MessageText& kDamaged = msg::kSavedToothDamaged;
 
     ByteReader in_;
     std::span<const std::byte> bytes_;
@@ -278,7 +280,7 @@ private:
         MaterialId id;
     };
     std::vector<FileMaterial> table_;  // in the order of the file
-    std::string failure_;
+    Message failure_;
 };
 
 /// The materials that a file must name: those of the layers and the body, and all that something was removed of.

@@ -11,7 +11,9 @@
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/mesh_extent.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/parallel_for.h"
+#include "tooth/model/messages.h"
 
 namespace tactooth {
 namespace {
@@ -27,36 +29,30 @@ double signedVolume(const TriangleMesh& mesh) {
     return sixfold / 6;
 }
 
-Expected<void> checkClosed(const TriangleMesh& mesh, const std::string& what) {
-    if (mesh.empty()) return unexpected("the surface of " + what + " holds no triangle: give a closed STL surface");
-    if (auto reach = checkExtent(mesh, "the surface of " + what); !reach) return reach;
+Expected<void> checkClosed(const TriangleMesh& mesh, const Message& what) {
+    if (mesh.empty()) return unexpected(msg::kSurfaceOfNothing, what);
+    if (auto reach = checkExtent(mesh, {msg::kSurfaceOf, what}); !reach) return reach;
     if (const EdgeBalance edges = edgeBalance(mesh); !edges.closed()) {
-        return unexpected("the surface of " + what + " is open (" + std::to_string(edges.odd + edges.against) +
-                          " edges without a neighbour), so it has no inside to cut: close its holes first");
+        return unexpected(msg::kSurfaceOpen, what, edges.odd + edges.against);
     }
     if (!(signedVolume(mesh) > 0)) {
-        return unexpected("the surface of " + what +
-                          " is inside out (its normals point inward): reverse the order of its triangles' corners");
+        return unexpected(msg::kSurfaceInsideOut, what);
     }
     return {};
-}
-
-std::string outsideSentence(const std::string& what) {
-    return what + " lies outside the tooth: give all layers in the frame of the outer surface";
 }
 
 Expected<void> checkLayers(const TriangleMesh& outer, const std::vector<LayerMesh>& layers) {
     const Box3 toothBox = boundingBox(outer);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        const std::string what = "layer '" + layers[i].name + "'";
+        const Message what(msg::kLayerNamed, layers[i].name);
         for (std::size_t j = 0; j < i; ++j) {
             if (layers[j].name == layers[i].name) {
-                return unexpected(what + " is given twice: give each layer of a tooth its own name");
+                return unexpected(msg::kLayerGivenTwice, what);
             }
         }
-        if (auto closed = checkClosed(layers[i].mesh, what); !closed) return unexpected(closed.error().message);
+        if (auto closed = checkClosed(layers[i].mesh, what); !closed) return unexpected(closed.error());
         if (!toothBox.intersects(boundingBox(layers[i].mesh))) {
-            return unexpected(outsideSentence(what));
+            return unexpected(msg::kLayerOutside, what);
         }
     }
     return {};
@@ -90,8 +86,8 @@ std::pair<int, MaterialId> nestingOf(MaterialId material, const MaterialRegistry
 Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerMesh> layers, MaterialId body,
                                           const ToothContext& toothContext, const MaterialRegistry& materials) {
     TACTOOTH_ASSERT(std::abs(toothContext.mesialX) == 1);
-    if (auto closed = checkClosed(outer, "the tooth"); !closed) return unexpected(closed.error().message);
-    if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error().message);
+    if (auto closed = checkClosed(outer, msg::kTheTooth); !closed) return unexpected(closed.error());
+    if (auto checked = checkLayers(outer, layers); !checked) return unexpected(checked.error());
     std::ranges::stable_sort(layers, {}, [&](const LayerMesh& layer) { return nestingOf(layer.material, materials); });
     LayeredTooth tooth;
     tooth.materials_ = &materials;
@@ -108,7 +104,8 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
     TACTOOTH_ASSERT(tooth.outer_->tags().empty() ||
                     tooth.outer_->tags().size() == tooth.outer_->mesh().triangles.size());
     for (const Layer& layer : tooth.layers_) {
-        if (areApart(*tooth.outer_, *layer.part)) return unexpected(outsideSentence("layer '" + layer.name + "'"));
+        if (areApart(*tooth.outer_, *layer.part))
+            return unexpected(msg::kLayerOutside, Message(msg::kLayerNamed, layer.name));
     }
     return tooth;
 }

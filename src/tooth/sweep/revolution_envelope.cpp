@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "geometry/util/assert.h"
+#include "tooth/model/messages.h"
 
 // Own method. The signed distance to a solid of revolution is that to its profile in the half-plane of radius and
 // height. A uniform grid lists the segments that can be nearest to the points of each of its cells.
@@ -27,9 +28,7 @@ Expected<RevolutionEnvelope> RevolutionEnvelope::make(const TriangleMesh& bur) {
     std::vector<ProfilePoint> profile = revolutionProfile(bur);
     const auto reaches = [](const ProfilePoint& point) { return point.radius > 0; };
     if (profile.size() < 3 || std::none_of(profile.begin(), profile.end(), reaches)) {
-        return unexpected(
-            "the tool's surface has no extent along its axis (z of the tool frame): give the bur's closed "
-            "STL with its tip at the origin and its shaft along +z");
+        return unexpected(msg::kToolWithoutExtent);
     }
     RevolutionEnvelope envelope(std::move(profile));
     TACTOOTH_ASSERT(envelope.maxRadius() > 0 && std::isfinite(envelope.maxRadius()));

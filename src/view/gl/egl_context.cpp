@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "view/gl/messages.h"
+
 namespace tactooth {
 
 namespace {
@@ -119,9 +121,7 @@ Expected<EglContext> EglContext::create() {
     if (!found) found = Handles::on(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     // Again: letting go of another context leaves none current.
     if (found && found->makeCurrent()) return EglContext(std::move(found));
-    return unexpected(
-        "no OpenGL 4.1 without a screen was found on this computer: install the packages libegl1 and libgl1-mesa-dri, "
-        "which draw without a graphics card");
+    return unexpected(msg::kNoOffscreenOpenGl);
 }
 
 std::string rendererName() { return reinterpret_cast<const char*>(glGetString(GL_RENDERER)); }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/gl/gl_objects.h"
 
+#include "view/gl/messages.h"
+
 namespace tactooth::gl {
 
 namespace {
@@ -39,14 +41,13 @@ std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
 
 }  // namespace
 
-Expected<void> checkErrors(const std::string& doing) {
+Expected<void> checkErrors(const Message& doing) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return {};
     // A lost context answers every question with an error: a bounded number of them is cleared.
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
     }
-    return unexpected(std::string("OpenGL reported \"") + nameOf(error) + "\" while " + doing +
-                      ": update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw without it");
+    return unexpected(msg::kOpenGlError, nameOf(error), doing);
 }
 
 void allocateTexture(const Texture& texture, GLenum internalFormat, int width, int height, GLenum filter) {

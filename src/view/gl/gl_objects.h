@@ -82,7 +82,7 @@ using Framebuffer = Object<FramebufferKind>;
 using Program = Object<ProgramKind>;
 
 /// Fails with a sentence if OpenGL has reported an error since the last call; `doing` completes "while ...".
-[[nodiscard]] Expected<void> checkErrors(const std::string& doing);
+[[nodiscard]] Expected<void> checkErrors(const Message& doing);
 
 /// Makes the current texture unit's 2-D texture `texture` with storage of one level, clamped, with this filter.
 void allocateTexture(const Texture& texture, GLenum internalFormat, int width, int height, GLenum filter);

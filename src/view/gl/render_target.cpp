@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "view/gl/messages.h"
+
 namespace tactooth {
 
 Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, ImageSize size) {
@@ -33,12 +35,10 @@ Expected<RenderTarget> RenderTarget::create(ImageSize size, int samples) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.colour_.name(), 0);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, target.depth_.name(), 0);
     if (target.samples_ > 0) target.makeMultisampled();
-    const auto problem = gl::checkErrors("making a picture of " + std::to_string(size.width) + " x " +
-                                         std::to_string(size.height) + " pixels");
+    const auto problem = gl::checkErrors({msg::kMakingPictureOf, size.width, size.height});
     if (!problem) return Unexpected{problem.error()};
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        return unexpected("the graphics driver cannot draw into a picture of " + std::to_string(size.width) + " x " +
-                          std::to_string(size.height) + " pixels: choose a smaller size");
+        return unexpected(msg::kPictureRefused, size.width, size.height);
     }
     return target;
 }

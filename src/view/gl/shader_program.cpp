@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "view/gl/messages.h"
+
 namespace tactooth {
 
 namespace {
@@ -18,9 +20,8 @@ std::string joined(const std::string& defines, std::initializer_list<std::string
 
 std::string firstLine(const std::string& log) { return log.substr(0, log.find('\n')); }
 
-Unexpected refusal(const std::string& name, const char* what, const std::string& log) {
-    return unexpected("the graphics driver cannot " + std::string(what) + " the shader \"" + name + "\" (" +
-                      firstLine(log) + "): update the driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw without it");
+Unexpected refusal(const std::string& name, const MessageText& what, const std::string& log) {
+    return unexpected(msg::kShaderRefused, what, name, firstLine(log));
 }
 
 /// Compiles one stage and attaches it; the shader object goes with the program.
@@ -38,7 +39,7 @@ Expected<void> attach(GLuint program, GLenum stage, const std::string& name, con
     GLsizei length = 0;
     glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<std::size_t>(length));
-    return refusal(name, "compile", log);
+    return refusal(name, msg::kCompile, log);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ Expected<ShaderProgram> ShaderProgram::create(const std::string& name, const std
         GLsizei length = 0;
         glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &length, log.data());
         log.resize(static_cast<std::size_t>(length));
-        return refusal(name, "link", log);
+        return refusal(name, msg::kLink, log);
     }
     const GLuint block = glGetUniformBlockIndex(program, "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, kFrameBinding);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "view/gl/messages.h"
 #include "view/gl/shaders.h"
 
 namespace tactooth {
@@ -48,7 +49,7 @@ Expected<void> OcclusionPass::fitTo(ImageSize size) {
     gl::allocateTexture(ambientVisibility_, GL_R8, half.width, half.height, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, ambientVisibilityFramebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, ambientVisibility_.name(), 0);
-    return gl::checkErrors("preparing ambient occlusion");
+    return gl::checkErrors(msg::kPreparingOcclusion);
 }
 
 Expected<void> OcclusionPass::apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera) {

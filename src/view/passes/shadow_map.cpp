@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/util/pose.h"
+#include "view/gl/messages.h"
 #include "view/gl/shaders.h"
 
 namespace tactooth {
@@ -79,7 +80,7 @@ Expected<ShadowMap> ShadowMap::create() {
     map.combinedMap_ = depthTexture();
     map.staticFramebuffer_ = framebufferFor(map.staticMap_);
     map.combinedFramebuffer_ = framebufferFor(map.combinedMap_);
-    const auto problem = gl::checkErrors("making the shadow map");
+    const auto problem = gl::checkErrors(msg::kMakingShadowMap);
     if (!problem) return Unexpected{problem.error()};
     return map;
 }

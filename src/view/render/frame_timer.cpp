@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "view/gl/egl_context.h"
+#include "view/gl/messages.h"
 #include "view/gl/render_target.h"
 #include "view/gl/shader_program.h"
 #include "view/gl/shaders.h"
@@ -104,7 +105,7 @@ Expected<void> FrameTimer::Parts::drawBare(const Scene& scene, ShapeCache& shape
         oneColour.set("objectToClip", objectToClip);
         drawable.buffers->draw({objectToClip, Eigen::Vector4d::Zero(), false});
     }
-    return gl::checkErrors("drawing in one colour");
+    return gl::checkErrors(msg::kDrawingColour);
 }
 
 Expected<void> FrameTimer::Parts::draw(const Candidate& candidate, int picture, Turn& turn) {

@@ -10,6 +10,7 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/util/assert.h"
+#include "view/gl/messages.h"
 
 namespace tactooth {
 
@@ -42,8 +43,7 @@ Expected<void> writePng(const Image& image, const std::filesystem::path& file) {
         png_image_write_to_memory(&png.header, encoded.data(), &bytes, 0, image.pixels.data(), 0, nullptr);
     }
     if (PNG_IMAGE_FAILED(png.header)) {
-        return unexpected("cannot encode the picture " + file.string() + " (" + png.header.message +
-                          "): choose a smaller size");
+        return unexpected(msg::kPictureNotEncoded, file.string(), png.header.message);
     }
     return writeFile(file, {encoded.data(), bytes});
 }
@@ -51,14 +51,13 @@ Expected<void> writePng(const Image& image, const std::filesystem::path& file) {
 Expected<Image> readPng(const std::filesystem::path& file) {
     PngImage png;
     if (png_image_begin_read_from_file(&png.header, file.c_str()) == 0) {
-        return unexpected("cannot read the picture " + file.string() + " (" + png.header.message +
-                          "): give a PNG file");
+        return unexpected(msg::kPictureNotRead, file.string(), png.header.message);
     }
     png.header.format = PNG_FORMAT_RGBA;
     Image image{{static_cast<int>(png.header.width), static_cast<int>(png.header.height)}, {}};
     image.pixels.resize(std::size_t{png.header.width} * png.header.height);
     if (png_image_finish_read(&png.header, nullptr, image.pixels.data(), 0, nullptr) == 0) {
-        return unexpected("the picture " + file.string() + " is damaged (" + png.header.message + "): save it again");
+        return unexpected(msg::kPictureDamaged, file.string(), png.header.message);
     }
     return image;
 }

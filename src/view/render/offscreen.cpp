@@ -6,6 +6,7 @@
 
 #include "view/gl/egl_context.h"
 #include "view/gl/gl_objects.h"
+#include "view/gl/messages.h"
 
 namespace tactooth {
 
@@ -37,7 +38,7 @@ Expected<void> OffscreenRenderer::Parts::fitTo(ImageSize wanted) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
     size = wanted;
-    return gl::checkErrors("making a picture");
+    return gl::checkErrors(msg::kMakingPicture);
 }
 
 Expected<OffscreenRenderer> OffscreenRenderer::create() {
@@ -61,8 +62,7 @@ Expected<Image> OffscreenRenderer::render(const Scene& scene, ImageSize size, co
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (std::min(size.width, size.height) <= 0 || std::max(size.width, size.height) > largest) {
-        return unexpected("a picture of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                          " pixels cannot be drawn: choose 1 to " + std::to_string(largest) + " for each side.");
+        return unexpected(msg::kPictureSize, size.width, size.height, largest);
     }
     if (auto done = parts_->fitTo(size); !done) return Unexpected{done.error()};
     if (auto done = parts_->renderer.render(scene, parts_->framebuffer.name(), size, settings); !done) {
@@ -73,7 +73,7 @@ Expected<Image> OffscreenRenderer::render(const Scene& scene, ImageSize size, co
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
     flipRows(image);
-    if (auto done = gl::checkErrors("reading the picture back"); !done) return Unexpected{done.error()};
+    if (auto done = gl::checkErrors(msg::kReadingPicture); !done) return Unexpected{done.error()};
     return image;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/render/renderer.h"
 
+#include "view/gl/messages.h"
 #include "view/gl/shape_cache.h"
 #include "view/passes/ghost_pass.h"
 #include "view/passes/mirror_pass.h"
@@ -310,10 +311,7 @@ void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result&
 
 Expected<Renderer> Renderer::create() {
     if (epoxy_gl_version() < 41 || !epoxy_is_desktop_gl()) {
-        return unexpected("this computer offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
-                          std::to_string(epoxy_gl_version() % 10) +
-                          ", but OpenGL 4.1 or newer is needed: update the graphics driver, or set "
-                          "LIBGL_ALWAYS_SOFTWARE=1 to draw without it");
+        return unexpected(msg::kOpenGlTooOld, epoxy_gl_version() / 10, epoxy_gl_version() % 10);
     }
     auto solid = SolidPass::create();
     if (!solid) return Unexpected{solid.error()};
@@ -329,7 +327,7 @@ Expected<Renderer> Renderer::create() {
     if (!stereo) return Unexpected{stereo.error()};
     auto shadows = ShadowMap::create();
     if (!shadows) return Unexpected{shadows.error()};
-    const auto problem = gl::checkErrors("starting the renderer");
+    const auto problem = gl::checkErrors(msg::kStartingRenderer);
     if (!problem) return Unexpected{problem.error()};
     return Renderer(std::unique_ptr<Parts>(new Parts{std::move(*solid),
                                                      std::move(*mirror),
@@ -380,7 +378,7 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, ImageSize s
         }
     }
     leaveCleanState(target);
-    return gl::checkErrors("drawing the picture");
+    return gl::checkErrors(msg::kDrawingPicture);
 }
 
 }  // namespace tactooth

@@ -30,7 +30,8 @@ TriangleMesh cube(double half) { return test::box(Vec3(-half, -half, -half), Vec
 
 std::string wordsOf(const SolidReport& report) {
     std::string words;
-    for (const ImportNote& importNote : notesOn(report, "outer")) words += inWords(importNote) + '\n';
+    for (const ImportNote& importNote : notesOn(report, Message::verbatim("outer")))
+        words += inWords(importNote) + '\n';
     return words;
 }
 
@@ -134,7 +135,8 @@ TEST(Solid, VoxelsThatTouchAlongEdgesAreSolidInAnyOrientation) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         TriangleMesh mesh = voxelSurface(shapes[i]);
         const ExaminedSolid examined = examineSolid(mesh);
-        ASSERT_TRUE(examined.report.isSolid()) << i << ": " << flawSentence(examined.report, "it");
+        ASSERT_TRUE(examined.report.isSolid())
+            << i << ": " << flawSentence(examined.report, Message::verbatim("it")).in(Language::English);
         EXPECT_EQ(examined.mesh.triangles, mesh.triangles) << i;
         EXPECT_NEAR(reportOn(mesh).volume().value(), double(shapes[i].size()), 1e-6);
         const ExaminedSolid back = examineSolid(turned(mesh));
@@ -183,7 +185,8 @@ TEST_P(OverlappingBodies, AreNoSolid) {
     EXPECT_EQ(examined.report.flaw, SolidFlaw::Overlapping);
     EXPECT_GT(examined.report.overlap, 0.1);
     EXPECT_GT(examined.report.selfIntersectingTriangles, 0u);
-    EXPECT_THAT(flawSentence(examined.report, "it"), HasSubstr("reach into each other by"));
+    EXPECT_THAT(flawSentence(examined.report, Message::verbatim("it")).in(Language::English),
+                HasSubstr("reach into each other by"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, OverlappingBodies, ::testing::Range(0, 6));
@@ -192,7 +195,8 @@ TEST(Solid, AFoldBelowTheResolutionOfTheCtIsLeftAsItIs) {
     TriangleMesh mesh = test::sphere(Vec3(0, 0, 0), 3, 96, 64);
     append(mesh, test::sphere(Vec3(5.995, 0, 0), 3, 96, 64));
     const ExaminedSolid examined = examineSolid(mesh);
-    EXPECT_TRUE(examined.report.isSolid()) << flawSentence(examined.report, "it");
+    EXPECT_TRUE(examined.report.isSolid())
+        << flawSentence(examined.report, Message::verbatim("it")).in(Language::English);
     EXPECT_EQ(examined.mesh.triangles, mesh.triangles);
     EXPECT_THAT(wordsOf(examined.report), HasSubstr("they are left as they are"));
 }
@@ -208,7 +212,7 @@ TEST(Solid, AFlawIsExplained) {
     flat.triangles = {{0, 1, 2}, {0, 2, 1}};
     EXPECT_EQ(examineSolid(flat).report.flaw, SolidFlaw::Empty);
     for (const TriangleMesh& mesh : {open, TriangleMesh(), flat}) {
-        EXPECT_FALSE(flawSentence(examineSolid(mesh).report, "it").empty());
+        EXPECT_FALSE(flawSentence(examineSolid(mesh).report, Message::verbatim("it")).in(Language::English).empty());
     }
 }
 

@@ -26,11 +26,11 @@ TEST(PoseMonitor, AFaultIsSaidForThreeSecondsAndTheNewestOne) {
     PoseMonitor monitor;
     monitor.update(PoseFault::Jump, kTick);
     ASSERT_NE(monitor.faultMessage(), nullptr);
-    EXPECT_THAT(monitor.faultMessage(), HasSubstr("has jumped"));
+    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("has jumped"));
     for (int i = 0; i < 2990; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_NE(monitor.faultMessage(), nullptr);
     monitor.update(PoseFault::NotANumber, kTick);
-    EXPECT_THAT(monitor.faultMessage(), HasSubstr("is no number"));
+    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("is no number"));
     for (int i = 0; i < 3010; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_EQ(monitor.faultMessage(), nullptr);
 }
@@ -39,11 +39,12 @@ TEST(PoseMonitor, EachFaultHasASentenceOfItsOwn) {
     std::set<std::string> sentences;
     for (const PoseFault fault : {PoseFault::NotANumber, PoseFault::InvalidRotation, PoseFault::Jump,
                                   PoseFault::TooFast, PoseFault::RotatesTooFast, PoseFault::Stale, PoseFault::Force}) {
-        ASSERT_NE(poseFaultText(fault), nullptr);
-        EXPECT_THAT(poseFaultText(fault), EndsWith("."));
-        EXPECT_TRUE(sentences.insert(poseFaultText(fault)).second);
+        const Message* const message = poseFaultMessage(fault);
+        ASSERT_NE(message, nullptr);
+        EXPECT_THAT(message->in(Language::English), EndsWith("."));
+        EXPECT_TRUE(sentences.insert(message->in(Language::English)).second);
     }
-    EXPECT_EQ(poseFaultText(PoseFault::None), nullptr);
+    EXPECT_EQ(poseFaultMessage(PoseFault::None), nullptr);
 }
 
 }  // namespace

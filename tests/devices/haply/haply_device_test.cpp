@@ -38,7 +38,7 @@ bool lean(StandinHaply& service) {
 std::string openError(const std::string& name, const std::string& address) {
     HaplyDevice device(name, address);
     const auto opened = device.open();
-    return opened ? "" : opened.error().message;
+    return opened ? "" : opened.error().message();
 }
 
 TEST(HaplyDevice, TellsWhatTheDeviceIs) {
@@ -120,8 +120,8 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
 
 /// A machine that stalls is a trouble of its own, and may be said before.
 bool says(const HapticDevice& device, const std::string& part) {
-    const char* const faultMessage = device.faultMessage();
-    return faultMessage != nullptr && std::string(faultMessage).find(part) != std::string::npos;
+    const Message* const faultMessage = device.faultMessage();
+    return faultMessage != nullptr && faultMessage->in(Language::English).find(part) != std::string::npos;
 }
 
 struct Fault {

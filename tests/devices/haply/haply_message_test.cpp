@@ -26,13 +26,13 @@ std::string messageWith(const std::string& place, const std::string& status = "{
 
 HaplyReading readingOf(const std::string& message) {
     const auto reading = readHaply(message, {"049D", "61576"});
-    EXPECT_TRUE(reading) << (reading ? "" : reading.error().message);
+    EXPECT_TRUE(reading) << (reading ? "" : reading.error().message());
     return reading ? *reading : HaplyReading();
 }
 
 std::string errorOf(const std::string& message) {
     const auto reading = readHaply(message, {"049D", "61576"});
-    return reading ? "" : reading.error().message;
+    return reading ? "" : reading.error().message();
 }
 
 constexpr const char* kMiddle = R"({"x":0.01,"y":-0.02,"z":0.15})";
@@ -52,8 +52,8 @@ TEST(HaplyMessage, AnArmIsFoundByItsNameAndTheFirstWithoutOne) {
     EXPECT_EQ(findHaply(kTwoArms, "0B1C")->grip, "61576");
     const auto none = findHaply(kTwoArms, "FFFF");
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error().message, "The Haply Inverse Service knows no Inverse3 'FFFF': it finds 049D, 0B1C.");
-    EXPECT_THAT(findHaply(R"({"inverse3":[]})", "").error().message, HasSubstr("check its cable and power supply"));
+    EXPECT_EQ(none.error().message(), "The Haply Inverse Service knows no Inverse3 'FFFF': it finds 049D, 0B1C.");
+    EXPECT_THAT(findHaply(R"({"inverse3":[]})", "").error().message(), HasSubstr("check its cable and power supply"));
 }
 
 TEST(HaplyMessage, MetresBecomeMillimetresAndAxesStay) {
@@ -97,7 +97,7 @@ TEST(HaplyMessage, FourNumbersThatAreNoTurnAreAFaultAndNotAnotherTurn) {
         const HaplyReading reading = readingOf(messageWith(kMiddle, "{}", grip));
         EXPECT_FALSE(reading.usable) << turn;
         ASSERT_NE(reading.faultMessage, nullptr);
-        EXPECT_THAT(reading.faultMessage, HasSubstr("a direction that is none"));
+        EXPECT_THAT(reading.faultMessage->in(Language::English), HasSubstr("a direction that is none"));
     }
     const std::string rounded = R"({"device_id":"61576","state":{"orientation":{"w":0.7,"x":0.71,"y":0.0,"z":0.04}}})";
     EXPECT_TRUE(readingOf(messageWith(kMiddle, "{}", rounded)).hasTurn) << "text may be rounded";
@@ -107,7 +107,7 @@ TEST(HaplyMessage, EachStateThatKeepsItFromWorkingHasItsSentence) {
     const auto expectFault = [](const std::string& message, const char* part, bool usable) {
         const HaplyReading reading = readingOf(message);
         ASSERT_NE(reading.faultMessage, nullptr) << part;
-        EXPECT_THAT(reading.faultMessage, HasSubstr(part));
+        EXPECT_THAT(reading.faultMessage->in(Language::English), HasSubstr(part));
         EXPECT_EQ(reading.usable, usable) << part;
     };
     expectFault(messageWith(kMiddle, R"({"power_supply":false})"), "plug in its power supply", false);
@@ -128,7 +128,8 @@ TEST(HaplyMessage, WhatCannotBeMeantIsRefusedWithItsSentence) {
     EXPECT_THAT(errorOf(messageWith("[0.1,0.2,0.3]")), HasSubstr("install version 3"));
     EXPECT_THAT(errorOf(messageWith(R"({"x":10,"y":-20,"z":150})")), HasSubstr("not in metres"));
     EXPECT_THAT(errorOf(R"({"inverse3":[{"device_id":"0B1C"}]})"), HasSubstr("is gone"));
-    EXPECT_THAT(haplyDevices(R"({"inverse3":[{"device_id":"a\"b"}]})").error().message, HasSubstr("install version 3"));
+    EXPECT_THAT(haplyDevices(R"({"inverse3":[{"device_id":"a\"b"}]})").error().message(),
+                HasSubstr("install version 3"));
     EXPECT_EQ(errorOf(R"({"version":"3.1.2",)" + messageWith(kMiddle).substr(1)), "");
 }
 

@@ -49,7 +49,7 @@ protected:
     static std::string openError(const std::string& name = {}, const std::string& library = TACTOOTH_STANDIN_HD) {
         OpenHapticsDevice device(name, library);
         const auto opened = device.open();
-        return opened ? "" : opened.error().message;
+        return opened ? "" : opened.error().message();
     }
     /// Lifts off and leans on the plane, as often as it takes until it is felt; down is -y in HDAPI's frame.
     static bool lean() {
@@ -153,7 +153,7 @@ TEST_F(OpenHaptics, TwoPensAreTwoDevicesAndOneCannotBeStartedTwice) {
     EXPECT_EQ(standin().startedPens(), 2);
     const auto opened = again.open();
     ASSERT_FALSE(opened);
-    EXPECT_THAT(opened.error().message, HasSubstr("the device 'Left': The device is in use"));
+    EXPECT_THAT(opened.error().message(), HasSubstr("the device 'Left': The device is in use"));
     const Servo servo(right);
     const Servo other(left);
     EXPECT_TRUE(lean());
@@ -179,7 +179,7 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(standin().strongestWhileFaulty(), 0) << "from 5 ms on";
     if (device.faultMessage() != nullptr) {
-        EXPECT_THAT(device.faultMessage(), HasSubstr(GetParam().sentence));
+        EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr(GetParam().sentence));
     }
     EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
     RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
@@ -283,7 +283,7 @@ TEST_F(OpenHaptics, APenThatIsNotCalibratedIsLimpAndSaysWhatToDo) {
     const Servo servo(device);
     standin().wantPosition(0, kWall - 4, 0);
     ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
-    EXPECT_THAT(device.faultMessage(), HasSubstr("into its inkwell"));
+    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("into its inkwell"));
     std::this_thread::sleep_for(200ms);
     EXPECT_EQ(force(), 0);
     set(HdFault::None);
@@ -303,7 +303,7 @@ TEST_F(OpenHaptics, WarmMotorsAreSpared) {
     set(HdFault::WarmMotors);
     EXPECT_TRUE(soon([&] { return servo.state() == ForceState::Warm && force() < 0.9; }));
     ASSERT_NE(device.faultMessage(), nullptr);
-    EXPECT_THAT(device.faultMessage(), HasSubstr("motors are warm"));
+    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("motors are warm"));
 }
 
 TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
@@ -313,7 +313,7 @@ TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
     ASSERT_TRUE(lean());
     set(HdFault::TooMuchForce);
     ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
-    EXPECT_THAT(device.faultMessage(), HasSubstr("press more gently"));
+    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("press more gently"));
     EXPECT_TRUE(soon([] { return force() > 0.3; }));
     EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; })) << "it is not shown for ever";
 }

@@ -36,13 +36,13 @@ TEST(ChildProbe, ACrashStaysInTheChild) {
         },
         20);
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("it crashes"));
+    EXPECT_THAT(answer.error().message(), HasSubstr("it crashes"));
 }
 
 TEST(ChildProbe, AnExitIsNoAnswer) {
     const auto answer = inChildProcess([]() -> std::string { std::_Exit(3); }, 20);
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("ends the program"));
+    EXPECT_THAT(answer.error().message(), HasSubstr("ends the program"));
 }
 
 TEST(ChildProbe, AnExitThatReportsSuccessIsNoAnswerEither) {
@@ -54,14 +54,14 @@ TEST(ChildProbe, AnExitThatReportsSuccessIsNoAnswerEither) {
             },
             20);
         ASSERT_FALSE(answer);
-        EXPECT_THAT(answer.error().message, HasSubstr("ends the program"));
+        EXPECT_THAT(answer.error().message(), HasSubstr("ends the program"));
     }
 }
 
 TEST(ChildProbe, AnExceptionEndsTheChildAndDoesNotRunTheProgramOnInIt) {
     const auto answer = inChildProcess([]() -> std::string { throw std::runtime_error("no licence"); }, 20);
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("it crashes"));
+    EXPECT_THAT(answer.error().message(), HasSubstr("it crashes"));
 }
 
 TEST(ChildProbe, SignalsThatTheProgramBlocksOrCatchesEndTheChild) {
@@ -77,7 +77,7 @@ TEST(ChildProbe, SignalsThatTheProgramBlocksOrCatchesEndTheChild) {
         20);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("it crashes"));
+    EXPECT_THAT(answer.error().message(), HasSubstr("it crashes"));
 }
 
 TEST(ChildProbe, WhatTheChildHasLeftBehindIsEndedAndNotWaitedFor) {
@@ -92,7 +92,7 @@ TEST(ChildProbe, WhatTheChildHasLeftBehindIsEndedAndNotWaitedFor) {
             return std::to_string(left);
         },
         20);
-    ASSERT_TRUE(answer) << answer.error().message;
+    ASSERT_TRUE(answer) << answer.error().message();
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
     const pid_t left = std::stoi(*answer);
     const auto isGone = [left] {
@@ -116,11 +116,11 @@ TEST_P(LibraryEndings, OfAConstructorAreToldForWhatTheyAre) {
         [] { return std::string(dlopen(TACTOOTH_ENDING_HD, RTLD_NOW) != nullptr ? "loaded" : "not loaded"); },
         GetParam().seconds);
     if (GetParam().words == nullptr) {
-        ASSERT_TRUE(answer) << answer.error().message;
+        ASSERT_TRUE(answer) << answer.error().message();
         EXPECT_EQ(*answer, "loaded");
     } else {
         ASSERT_FALSE(answer) << *answer;
-        EXPECT_THAT(answer.error().message, HasSubstr(GetParam().words));
+        EXPECT_THAT(answer.error().message(), HasSubstr(GetParam().words));
     }
 }
 
@@ -151,7 +151,7 @@ TEST(LibraryProbe, ALibraryThatExitsWhileItIsLoadedIsRefusedWithASentence) {
     const test::ScopedVariable how("TACTOOTH_TEST_ENDING", "exit");
     const auto tried = HdLibrary::probeLibrary(TACTOOTH_ENDING_HD);
     ASSERT_FALSE(tried);
-    EXPECT_EQ(tried.error().message, TACTOOTH_ENDING_HD
+    EXPECT_EQ(tried.error().message(), TACTOOTH_ENDING_HD
               " is broken, it ends the program that uses it: install the device's driver anew; Tactooth leaves it "
               "alone.");
 }
@@ -165,7 +165,7 @@ TEST(ChildProbe, AChildThatHangsIsGivenUp) {
         },
         0.2);
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("does not return"));
+    EXPECT_THAT(answer.error().message(), HasSubstr("does not return"));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 

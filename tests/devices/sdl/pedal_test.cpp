@@ -31,7 +31,7 @@ TEST(Pedal, WhatIsNoneIsRefusedWithASentence) {
     for (const char* text : {"axis", "axis:", "axis:-1", "axis:32", "axis:1.5", "pedal:0", ":", "axis:x:Name"}) {
         const auto choice = parsePedal(text);
         ASSERT_FALSE(choice) << text;
-        EXPECT_THAT(choice.error().message, ::testing::HasSubstr("axis:N or button:N"));
+        EXPECT_THAT(choice.error().message(), ::testing::HasSubstr("axis:N or button:N"));
     }
 }
 

@@ -29,8 +29,8 @@ bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::
 /// Whether a device soon says this. A busy machine may stall it for a moment, of which it speaks first.
 inline bool soonSays(const HapticDevice& device, const std::string& text) {
     return soon([&] {
-        const char* const faultMessage = device.faultMessage();
-        return faultMessage != nullptr && std::string(faultMessage).find(text) != std::string::npos;
+        const Message* const faultMessage = device.faultMessage();
+        return faultMessage != nullptr && faultMessage->in(Language::English).find(text) != std::string::npos;
     });
 }
 

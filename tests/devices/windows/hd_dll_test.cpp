@@ -87,11 +87,11 @@ private:
 std::string openError(const std::string& library) {
     OpenHapticsDevice device("", library);
     const auto opened = device.open();
-    return opened ? std::string() : opened.error().message;
+    return opened ? std::string() : opened.error().message();
 }
 
 bool says(const HapticDevice& device, const std::string& part) {
-    return device.faultMessage() != nullptr && contains(device.faultMessage(), part);
+    return device.faultMessage() != nullptr && contains(device.faultMessage()->in(Language::English), part);
 }
 
 void leanAndLose(const std::string& library, const HdStandinControl& pen) {

@@ -30,7 +30,7 @@ std::size_t filesIn(const std::filesystem::path& folder) {
 TEST(AtomicFile, HasItsNameOnlyAfterCommit) {
     const test::TemporaryFolder folder;
     Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
-    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_TRUE(file) << file.error().message();
     file->write("hello ");
     file->write("world");
     EXPECT_FALSE(std::filesystem::exists(folder / "out.txt"));
@@ -161,14 +161,14 @@ TEST(AtomicFile, RefusesANameThatCannotBeBeforeAnythingIsWritten) {
     for (const auto& [name, sentence] : wrong) {
         const auto file = AtomicFile::create(folder / name);
         ASSERT_FALSE(file) << name;
-        EXPECT_THAT(file.error().message, ::testing::HasSubstr(sentence)) << name;
+        EXPECT_THAT(file.error().message(), ::testing::HasSubstr(sentence)) << name;
     }
 }
 
 TEST(AtomicFile, RefusesAFolderAndADevice) {
     const test::TemporaryFolder folder;
-    EXPECT_THAT(AtomicFile::create(folder.path()).error().message, ::testing::HasSubstr("this is a folder"));
-    EXPECT_THAT(AtomicFile::create("/dev/null").error().message, ::testing::HasSubstr("not a regular file"));
+    EXPECT_THAT(AtomicFile::create(folder.path()).error().message(), ::testing::HasSubstr("this is a folder"));
+    EXPECT_THAT(AtomicFile::create("/dev/null").error().message(), ::testing::HasSubstr("not a regular file"));
 }
 
 TEST(AtomicFile, RefusesAFolderThatTheUserMayNotWrite) {
@@ -181,7 +181,7 @@ TEST(AtomicFile, RefusesAFolderThatTheUserMayNotWrite) {
     const Expected<AtomicFile> file = AtomicFile::create(folder / "out.txt");
     ASSERT_TRUE(!steppedDown || ::seteuid(0) == 0);
     ASSERT_FALSE(file);
-    EXPECT_THAT(file.error().message, ::testing::HasSubstr("this user may not write into its folder"));
+    EXPECT_THAT(file.error().message(), ::testing::HasSubstr("this user may not write into its folder"));
 }
 
 TEST(AtomicFile, AFullDiskIsAnErrorAndLeavesNothing) {
@@ -199,7 +199,7 @@ TEST(AtomicFile, AFullDiskIsAnErrorAndLeavesNothing) {
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
     std::signal(SIGXFSZ, oldHandler);
     ASSERT_FALSE(committed);
-    EXPECT_THAT(committed.error().message, ::testing::HasSubstr("out.txt: cannot be written"));
+    EXPECT_THAT(committed.error().message(), ::testing::HasSubstr("out.txt: cannot be written"));
     EXPECT_EQ(filesIn(folder.path()), 0U);
 }
 

@@ -17,7 +17,7 @@ TEST(FileBytes, ReadsAFileOfJustTheMostBytes) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "a.txt", "12345");
     const auto read = readFile(folder / "a.txt", 5);
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->text(), "12345");
 }
 
@@ -32,9 +32,10 @@ TEST(FileBytes, RefusesALargerOneWithoutTakingItsMemory) {
         if (tooSmallADisk) continue;
         const auto read = readFile(folder / "huge.csv");
         ASSERT_FALSE(read) << size;
-        EXPECT_EQ(read.error().message, (folder / "huge.csv").string() + ": the file holds " + std::to_string(size) +
-                                            " bytes, and at most 2147483648 are read of such a file; choose another or "
-                                            "a smaller one.");
+        EXPECT_EQ(read.error().message(),
+                  (folder / "huge.csv").string() + ": the file holds " + std::to_string(size) +
+                      " bytes, and at most 2147483648 are read of such a file; choose another or "
+                      "a smaller one.");
     }
 }
 

@@ -71,7 +71,7 @@ TEST(FileTransaction, WhereOneNameFailsTheOthersAreTakenBack) {
         fs::create_directory(folder / names[failing]);
         const auto done = set.commit();
         ASSERT_FALSE(done);
-        EXPECT_THAT(done.error().message, HasSubstr(names[failing] + ": cannot be written: "));
+        EXPECT_THAT(done.error().message(), HasSubstr(names[failing] + ": cannot be written: "));
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (i == failing) continue;
             const bool wasThere = names[i].starts_with("old");
@@ -99,7 +99,7 @@ TEST(FileTransaction, RefusesTheSameFileTwiceHoweverItIsWritten) {
         ASSERT_TRUE(set.open(folder / first)) << first;
         const auto again = set.open(folder / second);
         ASSERT_FALSE(again) << first << " and " << second;
-        EXPECT_THAT(again.error().message, HasSubstr("it is the same file as "));
+        EXPECT_THAT(again.error().message(), HasSubstr("it is the same file as "));
     }
 }
 
@@ -116,7 +116,7 @@ TEST(FileTransaction, RefusesWhatIsRead) {
     for (const char* name : {"in.stl", "./in.stl", "link", "case/tooth.stl"}) {
         const auto opened = set.open(folder / name);
         ASSERT_FALSE(opened) << name;
-        EXPECT_THAT(opened.error().message, HasSubstr("this command reads it (as "));
+        EXPECT_THAT(opened.error().message(), HasSubstr("this command reads it (as "));
     }
     EXPECT_TRUE(set.open(folder / "case/new.stl")) << "a new file beside those that are read is allowed";
     EXPECT_EQ(contentOf(folder / "in.stl"), "x");

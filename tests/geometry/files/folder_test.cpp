@@ -24,8 +24,8 @@ TEST(Folder, ThatCannotBeMadeIsNamed) {
     for (const char* const name : {"file", "file/below"}) {
         const auto made = makeFolder(folder / name);
         ASSERT_FALSE(made) << name;
-        EXPECT_NE(made.error().message.find((folder / name).string() + " cannot be made ("), std::string::npos)
-            << made.error().message;
+        EXPECT_NE(made.error().message().find((folder / name).string() + " cannot be made ("), std::string::npos)
+            << made.error().message();
     }
 }
 

@@ -24,7 +24,7 @@ TEST(LoadMesh, TheContentDecidesNotTheName) {
     for (const char* name : {"a.stl", "a.STL", "a.obj", "a"}) {
         write(folder / name, test::binaryStl("", 4, test::kTetrahedron));
         const Expected<TriangleMesh> mesh = loadMesh(folder / name);
-        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_TRUE(mesh) << mesh.error().message();
         EXPECT_EQ(mesh->triangles.size(), 4U);
     }
 }
@@ -32,7 +32,7 @@ TEST(LoadMesh, TheContentDecidesNotTheName) {
 TEST(LoadMesh, AnotherMeshFormatIsNamed) {
     const test::TemporaryFolder folder;
     write(folder / "a.OFF", "OFF\n0 0 0\n");
-    EXPECT_THAT(loadMesh(folder / "a.OFF").error().message,
+    EXPECT_THAT(loadMesh(folder / "a.OFF").error().message(),
                 HasSubstr(".off files cannot be read; export the surface as STL, OBJ or PLY"));
 }
 
@@ -53,7 +53,7 @@ TEST(LoadMesh, TextInUtf16IsNamed) {
     for (const char* const name : {"a.obj", "a.ply", "a.stl"}) {
         for (const std::string& text : {"\xFF\xFEv\0 \0"s, "\xFE\xFF\0v\0 "s}) {
             write(folder / name, text);
-            EXPECT_THAT(loadMesh(folder / name).error().message,
+            EXPECT_THAT(loadMesh(folder / name).error().message(),
                         HasSubstr("this is text in UTF-16; save it as UTF-8."));
         }
     }
@@ -63,7 +63,7 @@ TEST(LoadMesh, TheMacsNotesOnAFileAreNamed) {
     using namespace std::string_literals;
     const test::TemporaryFolder folder;
     write(folder / "._a.stl", "\0\5\x16\7\0\2\0\0Mac OS X        "s);
-    EXPECT_THAT(loadMesh(folder / "._a.stl").error().message, HasSubstr("this is a Mac's notes on a file"));
+    EXPECT_THAT(loadMesh(folder / "._a.stl").error().message(), HasSubstr("this is a Mac's notes on a file"));
 }
 
 const char* const kFar =
@@ -74,7 +74,7 @@ TEST(ReadMesh, AFarSurfaceComesWithItsOffsetAndTheFileNameAlone) {
     const test::TemporaryFolder folder;
     write(folder / "a.stl", kFar);
     const auto read = readMesh(folder / "a.stl");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->offset, Vec3(1000010, 10, 0));
     EXPECT_EQ(read->mesh.vertices[0], Vec3f(-9.999F, -10, 0));
     EXPECT_TRUE(inWords(read->importNotes.at(0)).starts_with("a.stl: the surface lies too far from zero"));
@@ -83,7 +83,7 @@ TEST(ReadMesh, AFarSurfaceComesWithItsOffsetAndTheFileNameAlone) {
 TEST(LoadMesh, NeverShiftsInSilence) {
     const test::TemporaryFolder folder;
     write(folder / "a.stl", kFar);
-    EXPECT_THAT(loadMesh(folder / "a.stl").error().message, HasSubstr("lies too far from zero for single precision"));
+    EXPECT_THAT(loadMesh(folder / "a.stl").error().message(), HasSubstr("lies too far from zero for single precision"));
 }
 
 TEST(LoadMesh, HandsRemarksOn) {
@@ -96,7 +96,7 @@ TEST(LoadMesh, HandsRemarksOn) {
 }
 
 TEST(LoadMesh, AMissingFileIsToldBeforeItsFormat) {
-    EXPECT_THAT(loadMesh("/nowhere/a.obj").error().message, HasSubstr("there is no such file"));
+    EXPECT_THAT(loadMesh("/nowhere/a.obj").error().message(), HasSubstr("there is no such file"));
 }
 
 }  // namespace

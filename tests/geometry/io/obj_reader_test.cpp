@@ -28,7 +28,7 @@ const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 TEST(ObjReader, ReadsATetrahedron) {
     const auto mesh = parse("# made by hand\no t\n" + kCorners + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_TRUE(reportOn(*mesh).watertight());
     EXPECT_NEAR(reportOn(*mesh).signedVolume, 1.0 / 6, 1e-6);
 }
@@ -36,28 +36,28 @@ TEST(ObjReader, ReadsATetrahedron) {
 TEST(ObjReader, TakesTextureAndNormalNumbersAndCountsFromTheEnd) {
     const auto mesh =
         parse(kCorners + "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1/1 2/1/1\r\nf 1//1 2//1 4//1\nf -3/1 -2/1 -1/1\nf 3 1 4\n");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_TRUE(reportOn(*mesh).watertight());
 }
 
 TEST(ObjReader, SplitsPolygonsAndWeldsEqualPositions) {
     const auto mesh = parse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nf 1 2 3 4\nf 5 2 3\n");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_EQ(mesh->triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
     EXPECT_EQ(mesh->vertices.size(), 4u);
 }
 
 TEST(ObjReader, NamesTheLineThatIsWrong) {
-    EXPECT_THAT(parse(kCorners + "f 1 2 5\n").error().message, HasSubstr("a.obj, line 5"));
-    EXPECT_THAT(parse(kCorners + "f 1 2\n").error().message, HasSubstr("three corners"));
-    EXPECT_THAT(parse("v 0 zero 0\n").error().message,
+    EXPECT_THAT(parse(kCorners + "f 1 2 5\n").error().message(), HasSubstr("a.obj, line 5"));
+    EXPECT_THAT(parse(kCorners + "f 1 2\n").error().message(), HasSubstr("three corners"));
+    EXPECT_THAT(parse("v 0 zero 0\n").error().message(),
                 HasSubstr("line 1: expected a finite coordinate, but found 'zero'"));
-    EXPECT_THAT(parse("v 0 inf 0\n").error().message, HasSubstr("finite"));
-    EXPECT_THAT(parse(kCorners + "f 0 1 2\n").error().message, HasSubstr("'0'"));
+    EXPECT_THAT(parse("v 0 inf 0\n").error().message(), HasSubstr("finite"));
+    EXPECT_THAT(parse(kCorners + "f 0 1 2\n").error().message(), HasSubstr("'0'"));
 }
 
 TEST(ObjReader, RefusesAFileWithoutFaces) {
-    EXPECT_THAT(parse(kCorners).error().message, HasSubstr("holds no faces"));
+    EXPECT_THAT(parse(kCorners).error().message(), HasSubstr("holds no faces"));
     EXPECT_FALSE(parse(""));
 }
 
@@ -83,16 +83,16 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(AnyWriting, IsTheSameSurface) {
     const auto mesh = parse(GetParam());
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_EQ(mesh->vertices.size(), 4u);
     EXPECT_EQ(mesh->triangles.front(), (Triangle{0, 2, 1}));
     EXPECT_NEAR(reportOn(*mesh).area, 1.5 + std::sqrt(3) / 2, GetParam().ends_with('\\') ? 0.6 : 1e-6);
 }
 
 TEST(ObjReader, CountsLinesThatWereContinued) {
-    EXPECT_THAT(parse(kCorners + "f 1 \\\n2 \\\n3\nf 1 2 9\n").error().message, HasSubstr("line 8: "));
-    EXPECT_THAT(parse(kCorners + "f 1 \\\n2 \\\n9\n").error().message, HasSubstr("line 5: "));
-    EXPECT_THAT(parse(replaced(kCorners, "\n", "\r") + "f 1 2 9\r").error().message, HasSubstr("line 5: "));
+    EXPECT_THAT(parse(kCorners + "f 1 \\\n2 \\\n3\nf 1 2 9\n").error().message(), HasSubstr("line 8: "));
+    EXPECT_THAT(parse(kCorners + "f 1 \\\n2 \\\n9\n").error().message(), HasSubstr("line 5: "));
+    EXPECT_THAT(parse(replaced(kCorners, "\n", "\r") + "f 1 2 9\r").error().message(), HasSubstr("line 5: "));
 }
 
 TEST(ObjReader, NamesLinesThatItDoesNotUnderstand) {
@@ -114,13 +114,13 @@ TEST(ObjReader, SplitsFacesWithinTheirOutline) {
     const std::string arrow = "v 0 0 0\nv 2 -2 0\nv 1 0 0\nv 2 2 0\n";
     for (const char* const face : {"f 1 2 3 4", "f 2 3 4 1", "f 3 4 1 2", "f 4 3 2 1", "f -4 -3 -2 -1"}) {
         const auto mesh = parse(arrow + face + "\n");
-        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_TRUE(mesh) << mesh.error().message();
         EXPECT_DOUBLE_EQ(reportOn(*mesh).area, 2) << face;
     }
 }
 
 TEST(ObjReader, RefusesAFaceThatCrossesItself) {
-    EXPECT_EQ(parse("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 3 4\n").error().message,
+    EXPECT_EQ(parse("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 3 4\n").error().message(),
               "a.obj, line 6: the outline of the face crosses itself; repair or export the surface again.");
 }
 
@@ -139,7 +139,7 @@ TEST(ObjReader, SubtractsAnOffsetBeforeItRoundsAndSaysSo) {
     for (const Vec3& at :
          {Vec3(1e6, 0, 0), Vec3(-1e6, 2e6, 5), Vec3(0, 0, 1e5 + 0.003), Vec3(1e7, 1e7, 1e7), Vec3(3e5, 0, 7)}) {
         const auto mesh = read(farAway(at));
-        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_TRUE(mesh) << mesh.error().message();
         EXPECT_NEAR(reportOn(mesh->mesh).signedVolume, 8000.0 / 6, 1e-3);
         EXPECT_NEAR((mesh->mesh.vertices[0].cast<double>() + mesh->offset - at - Vec3(0.001, 0, 0)).norm(), 0, 1e-5);
         ASSERT_EQ(mesh->importNotes.size(), 1u);
@@ -159,7 +159,7 @@ TEST(ObjReader, AFaceThatOnlyRoundingMakesCrossItselfIsReadWithAnOffset) {
     const auto mesh = read(
         "v 1000000.00 0 0\nv 1000000.30 0 0\nv 1000000.30 0.3 0\nv 1000000.21 0.3 0\nv 1000000.20 0.1 0\n"
         "v 1000000.19 0.3 0\nv 1000000.00 0.3 0\nf 1 2 3 4 5 6 7\n");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_NEAR(reportOn(mesh->mesh).area, 0.09 - 0.002, 1e-6);
 }
 

@@ -47,19 +47,19 @@ std::string replaced(std::string_view text, std::string_view what, std::string_v
 
 TriangleMesh parsed(std::string_view bytes) {
     Expected<TriangleMesh> mesh = parseStl(asBytes(bytes), "t.stl");
-    EXPECT_TRUE(mesh) << mesh.error().message;
+    EXPECT_TRUE(mesh) << mesh.error().message();
     return mesh ? *mesh : TriangleMesh{};
 }
 
 /// The error for `bytes`, or "accepted".
 std::string refusal(std::string_view bytes) {
     const Expected<TriangleMesh> mesh = parseStl(asBytes(bytes), "t.stl");
-    return mesh ? "accepted" : mesh.error().message;
+    return mesh ? "accepted" : mesh.error().message();
 }
 
 std::string refusalOfFile(const std::filesystem::path& path) {
     const Expected<TriangleMesh> mesh = readStl(path);
-    return mesh ? "accepted" : mesh.error().message;
+    return mesh ? "accepted" : mesh.error().message();
 }
 
 void expectTheAsciiTriangle(const TriangleMesh& mesh) {
@@ -263,7 +263,7 @@ TEST(StlReader, ReadsAFileWithANonAsciiName) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "Моляр 牙.stl", std::ios::binary) << binaryStl("", 4, kTetrahedron);
     const Expected<TriangleMesh> mesh = readStl(folder / "Моляр 牙.stl");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << mesh.error().message();
     EXPECT_EQ(mesh->triangles.size(), 4U);
 }
 

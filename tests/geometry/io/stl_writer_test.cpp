@@ -41,7 +41,7 @@ class StlWriterFormats : public ::testing::TestWithParam<StlFormat> {};
 TEST_P(StlWriterFormats, EveryCoordinateComesBackBitForBit) {
     for (const TriangleMesh& mesh : {randomBitsMesh(), test::sphere(Vec3(1, -2, 3), 4.2, 24, 12)}) {
         const Expected<TriangleMesh> back = parseStl(stlBytes(mesh, GetParam()), "memory");
-        ASSERT_TRUE(back) << back.error().message;
+        ASSERT_TRUE(back) << back.error().message();
         EXPECT_EQ(coordinateBits(*back), coordinateBits(mesh));
     }
 }
@@ -50,7 +50,7 @@ TEST_P(StlWriterFormats, DegenerateTrianglesComeBackInTheirPlace) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     mesh.triangles.insert(mesh.triangles.begin() + 5, Triangle{3, 3, 4});
     const Expected<TriangleMesh> back = parseStl(stlBytes(mesh, GetParam()), "memory");
-    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(coordinateBits(*back), coordinateBits(mesh));
 }
 
@@ -76,7 +76,7 @@ TEST(StlWriter, WritesAFileThatReadsBack) {
     const TriangleMesh mesh = test::cylinder(Vec3(0, 0, 0), 0.6, 4, 16);
     ASSERT_TRUE(writeStl(mesh, folder / "bur.stl"));
     const Expected<TriangleMesh> back = readStl(folder / "bur.stl");
-    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(coordinateBits(*back), coordinateBits(mesh));
 }
 
@@ -84,7 +84,7 @@ TEST(StlWriter, AMissingFolderIsAnErrorThatNamesTheFile) {
     const test::TemporaryFolder folder;
     const Expected<void> written = writeStl(test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), folder / "no" / "such.stl");
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error().message,
+    EXPECT_THAT(written.error().message(),
                 ::testing::HasSubstr("such.stl: cannot be written: its folder does not exist"));
 }
 

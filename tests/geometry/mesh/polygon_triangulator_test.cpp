@@ -102,8 +102,8 @@ TEST_P(AnyOutline, IsCoveredOnceWhateverItsPlaneAndFirstCorner) {
         const Face face =
             faceOf(outline, anyRotation(random), Vec3(uniform(random, -20, 20), 7, uniform(random, -20, 20)), first);
         std::vector<Triangle> triangles;
-        const char* const problem = splitter.split(face.positions, face.corners, triangles);
-        ASSERT_EQ(problem, nullptr) << round << ": " << problem;
+        const MessageText* const problem = splitter.split(face.positions, face.corners, triangles);
+        ASSERT_EQ(problem, nullptr) << round;
         EXPECT_NEAR(areaOf(face, triangles), areaOf(outline), 1e-4) << round;
         EXPECT_EQ(borderOf(triangles), borderOf(face)) << round;
     }
@@ -158,11 +158,11 @@ std::vector<Triangle> splitPlain(const Outline& outline) {
     return triangles;
 }
 
-const char* problemOf(const Outline& outline) {
+const MessageText* problemOf(const Outline& outline) {
     const Face face = faceOf(outline, Quat::Identity(), Vec3::Zero(), 0);
     std::vector<Triangle> triangles;
     PolygonTriangulator splitter;
-    const char* const problem = splitter.split(face.positions, face.corners, triangles);
+    const MessageText* const problem = splitter.split(face.positions, face.corners, triangles);
     EXPECT_EQ(problem == nullptr, !triangles.empty());
     return problem;
 }

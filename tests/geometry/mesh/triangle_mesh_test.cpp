@@ -30,7 +30,7 @@ TEST(ValidateMesh, NamesATriangleWithACornerThatIsNoVertex) {
     mesh.triangles[5][2] = 8;
     const auto result = validate(mesh);
     ASSERT_FALSE(result);
-    EXPECT_EQ(result.error().message, "triangle 5 has the corner 8, which is not a vertex of the mesh");
+    EXPECT_EQ(result.error().message(), "triangle 5 has the corner 8, which is not a vertex of the mesh");
 }
 
 TEST(ValidateMesh, NamesATriangleWithACornerThatIsNotFinite) {
@@ -39,7 +39,7 @@ TEST(ValidateMesh, NamesATriangleWithACornerThatIsNotFinite) {
         mesh.vertices[mesh.triangles[0][1]].y() = bad;
         const auto result = validate(mesh);
         ASSERT_FALSE(result);
-        EXPECT_NE(result.error().message.find("which is not finite"), std::string::npos);
+        EXPECT_NE(result.error().message().find("which is not finite"), std::string::npos);
     }
 }
 
@@ -106,7 +106,7 @@ TEST(ValidateMesh, HoldsAfterEachOfManyRandomOperations) {
         for (int i = 0; i < 25; ++i) {
             mesh.step();
             const auto result = validate(mesh.mesh());
-            ASSERT_TRUE(result) << "seed " << seed << ", step " << i << ": " << result.error().message;
+            ASSERT_TRUE(result) << "seed " << seed << ", step " << i << ": " << result.error().message();
             triangles += mesh.mesh().triangles.size();
         }
     }

@@ -32,7 +32,7 @@ TEST(Assert, NamesConditionFileLineAndFunction) {
 TEST(Assert, TakesConditionsWithCommas) { EXPECT_ASSERT(TACTOOTH_ASSERT(std::pair<int, int>{1, 2}.first == 2)); }
 
 TEST(Assert, FiresForTheValueOfAFailure) {
-    Expected<int> failed = unexpected("a reason");
+    Expected<int> failed = unexpected(Message::verbatim("a reason"));
     EXPECT_ASSERT(static_cast<void>(failed.value()));
     Expected<int> fine = 1;
     EXPECT_ASSERT(static_cast<void>(fine.error()));

@@ -25,7 +25,7 @@ TEST(ValidGingiva, IsThatOfTheFirstResolutionThatDoesNotCrossItself) {
             cells.push_back(cell);
             return {meshOf(static_cast<int>(cells.size())), cells.size() < 3};
         },
-        "The gum");
+        Message::verbatim("The gum"));
     ASSERT_TRUE(gum);
     EXPECT_EQ(gum->triangles.size(), 3U);
     EXPECT_EQ(cells.size(), 3U);
@@ -41,19 +41,21 @@ TEST(ValidGingiva, OneThatAlwaysCrossesItselfIsRefused) {
         [&](double) -> GingivaCandidate {
             return {meshOf(++tries), true};
         },
-        "The upper gum of the mouth with seed 5");
+        Message::verbatim("The upper gum of the mouth with seed 5"));
     ASSERT_FALSE(gum);
     EXPECT_EQ(tries, 8);
-    EXPECT_THAT(gum.error().message, testing::StartsWith("The upper gum of the mouth with seed 5 crosses itself"));
-    EXPECT_TRUE(gum.error().message.ends_with('.'));
+    EXPECT_THAT(gum.error().message(), testing::StartsWith("The upper gum of the mouth with seed 5 crosses itself"));
+    EXPECT_TRUE(gum.error().message().ends_with('.'));
 }
 
 TEST(ValidGingiva, AMouthWithoutASoundGumIsRefusedWithItsSentence) {
-    const auto none = [](const MouthRequest&) -> Expected<MouthLayout> { return unexpected("It crosses itself."); };
+    const auto none = [](const MouthRequest&) -> Expected<MouthLayout> {
+        return unexpected(Message::verbatim("It crosses itself."));
+    };
     const auto noTooth = [](const ToothRequest&) { return BuiltinTooth(); };
     const auto mouth = makeMouth({.missing = {}}, noTooth, none);
     ASSERT_FALSE(mouth);
-    EXPECT_EQ(mouth.error().message, "It crosses itself.");
+    EXPECT_EQ(mouth.error().message(), "It crosses itself.");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ protected:
     }
     std::string refusal(const std::string& text) {
         const auto kit = read(text);
-        return kit ? "accepted" : kit.error().message;
+        return kit ? "accepted" : kit.error().message();
     }
 
     test::TemporaryFolder folder_;
@@ -37,7 +37,7 @@ TEST_F(SoundPreset, SaysWhichRecordingStandsForWhat) {
     const auto kit = read(
         "[motor]\nfile = \"sounds/turbine.wav\"\nspeed_rpm = 380000\ngain_db = -6\n\n"
         "[cutting.enamel]\nfile = \"sounds/cut.flac\"\n\n[suction]\nfile = \"sounds/cut.flac\"\n");
-    ASSERT_TRUE(kit) << kit.error().message;
+    ASSERT_TRUE(kit) << kit.error().message();
     const SoundKit& read = **kit;
     ASSERT_TRUE(read.motor);
     EXPECT_EQ(read.motor->speedRpm, 380000);
@@ -52,7 +52,7 @@ TEST_F(SoundPreset, SaysWhichRecordingStandsForWhat) {
 
 TEST_F(SoundPreset, ARecordingAloneIsTheDriveRunningFree) {
     const auto kit = readSoundKit(folder_ / "sounds/turbine.wav", spindlePresets()[1]);
-    ASSERT_TRUE(kit) << kit.error().message;
+    ASSERT_TRUE(kit) << kit.error().message();
     EXPECT_EQ((*kit)->motor->speedRpm, spindlePresets()[1].freeSpeedRpm);
 }
 
@@ -78,7 +78,7 @@ TEST_F(SoundPreset, NamesNoFileOutsideItsFolder) {
     const auto refused = [&](const std::string& entry) {
         test::writeText(folder_ / "preset/p.toml", "[water]\nfile = '" + entry + "'\n");
         const auto kit = readSoundKit(folder_ / "preset/p.toml", spindlePresets()[0]);
-        return kit ? "accepted" : kit.error().message;
+        return kit ? "accepted" : kit.error().message();
     };
     for (const std::string entry :
          {"../tone.wav", "a/../../tone.wav", "/etc/passwd", "", "..", "..\\tone.wav", "C:/tone.wav"}) {

@@ -25,12 +25,12 @@ Expected<std::vector<TimedSoundState>> read(const std::string& rows, std::size_t
 
 std::string refusal(const std::string& rows) {
     const auto track = read(rows);
-    return track ? "accepted" : track.error().message;
+    return track ? "accepted" : track.error().message();
 }
 
 TEST(SoundProfile, ReadsTimesFromTheFirstRowOnAndWhatTheBurDoes) {
     const auto track = read("7,0,0,none\n7.5,300000,4,dentin\n");
-    ASSERT_TRUE(track) << track.error().message;
+    ASSERT_TRUE(track) << track.error().message();
     ASSERT_EQ(track->size(), 2U);
     EXPECT_EQ((*track)[0].time, 0);
     EXPECT_EQ((*track)[1].time, 0.5);

@@ -37,7 +37,7 @@ CaseDescription example() {
 TEST(CaseDescription, WhatIsWrittenIsRead) {
     const std::string text = caseText(example());
     const auto read = parseCase(text, "case.toml");
-    ASSERT_TRUE(read) << read.error().message << "\n" << text;
+    ASSERT_TRUE(read) << read.error().message() << "\n" << text;
     EXPECT_EQ(caseText(*read), text);
     EXPECT_EQ(read->title, example().title);
     EXPECT_EQ(read->provenance, example().provenance);
@@ -61,8 +61,8 @@ class CaseMistake : public ::testing::TestWithParam<Mistake> {};
 TEST_P(CaseMistake, IsSaidWithItsLine) {
     const auto read = parseCase(GetParam().text, "case.toml");
     ASSERT_FALSE(read) << GetParam().text;
-    EXPECT_NE(read.error().message.find(GetParam().said), std::string::npos) << read.error().message;
-    EXPECT_TRUE(read.error().message.starts_with("case.toml, line ")) << read.error().message;
+    EXPECT_NE(read.error().message().find(GetParam().said), std::string::npos) << read.error().message();
+    EXPECT_TRUE(read.error().message().starts_with("case.toml, line ")) << read.error().message();
 }
 
 #define TOOTH "format = 1\ntitle = \"t\"\n[[tooth]]\nname = \"a\"\nouter = \"a.stl\"\n"

@@ -27,7 +27,7 @@ protected:
     }
     [[nodiscard]] std::string refusal(const std::vector<fs::path>& from) const {
         const auto surfaces = readCaseSurfaces(from);
-        return surfaces ? "taken" : surfaces.error().message;
+        return surfaces ? "taken" : surfaces.error().message();
     }
 
     test::TemporaryFolder folder_;
@@ -37,7 +37,7 @@ TEST_F(CaseSurfaceFiles, AreSortedIntoTeethAndWhatIsAround) {
     for (const char* const name : {"b/L7.stl", "L6_outer.stl", "L6_pulp.stl", "jaw_bone.stl"}) put(name);
     std::ofstream(folder_ / "notes.txt") << "no surface";
     const auto surfaces = readCaseSurfaces({folder_.path()});
-    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    ASSERT_TRUE(surfaces) << surfaces.error().message();
     ASSERT_EQ(surfaces->teeth.size(), 2u);
     EXPECT_EQ(surfaces->teeth[0].name, "L6");
     EXPECT_FALSE(surfaces->teeth[0].outer.empty());
@@ -81,7 +81,7 @@ TEST_F(CaseSurfaceFiles, HiddenAndForeignFilesArePassedOver) {
         std::ofstream(folder_ / name) << "no surface";
     }
     const auto surfaces = readCaseSurfaces({folder_.path()});
-    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    ASSERT_TRUE(surfaces) << surfaces.error().message();
     EXPECT_THAT(surfaces->files, ElementsAre("36.stl"));
 }
 
@@ -94,7 +94,7 @@ TEST_F(CaseSurfaceFiles, HandOnWhatReadingThemSays) {
     std::ofstream(folder_ / "36.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n";
     std::ofstream(folder_ / "jaw.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nwhat\n";
     const auto surfaces = readCaseSurfaces({folder_.path()});
-    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    ASSERT_TRUE(surfaces) << surfaces.error().message();
     ASSERT_EQ(surfaces->teeth[0].importNotes.size(), 1u);
     EXPECT_EQ(surfaces->teeth[0].importNotes[0].topic, ImportNoteTopic::File);
     EXPECT_THAT(inWords(surfaces->teeth[0].importNotes[0]), testing::StartsWith("36.obj: line 5 was not understood"));
@@ -109,7 +109,7 @@ TEST_F(CaseSurfaceFiles, FarFromZeroStayInOneFrame) {
     write("36.obj", 1000000);
     write("37.obj", 1000010);
     const auto surfaces = readCaseSurfaces({folder_.path()});
-    ASSERT_TRUE(surfaces) << surfaces.error().message;
+    ASSERT_TRUE(surfaces) << surfaces.error().message();
     const Vec3f apart = surfaces->teeth[1].outer.vertices[0] - surfaces->teeth[0].outer.vertices[0];
     EXPECT_NEAR(apart.x(), 10, 1e-5);
 }

@@ -36,7 +36,7 @@ TEST_F(CustomBurFiles, TheDescriptionBesideItCounts) {
             describe("surface = \"mine.stl\"\nname = \"My bur\"\nflutes = 12\nsharpness = 0.7\n");
         }
         const auto bur = readCustomBur(folder_ / file);
-        ASSERT_TRUE(bur) << bur.error().message;
+        ASSERT_TRUE(bur) << bur.error().message();
         EXPECT_EQ(bur->name, "My bur");
         EXPECT_EQ(bur->flutes, 12);
         EXPECT_EQ(bur->sharpness, 0.7);
@@ -53,7 +53,7 @@ TEST_F(CustomBurFiles, WhatIsWrittenIsRead) {
     bur.sharpness = 0.725;
     describe(customBurText(bur, "mine.stl"));
     const auto read = readCustomBur(folder_ / "mine.toml");
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << read.error().message();
     EXPECT_EQ(read->name, bur.name);
     EXPECT_EQ(read->material, bur.material);
     EXPECT_EQ(read->flutes, 0);
@@ -64,7 +64,7 @@ TEST_F(CustomBurFiles, WhatIsWrittenIsRead) {
 TEST_F(CustomBurFiles, APathThatCannotBeLookedUpIsRefusedWithASentence) {
     const auto bur = readCustomBur(folder_ / (std::string(300, 'a') + ".stl"));  // longer than a name may be
     ASSERT_FALSE(bur);
-    EXPECT_NE(bur.error().message.find("aaa"), std::string::npos);
+    EXPECT_NE(bur.error().message().find("aaa"), std::string::npos);
 }
 
 TEST_F(CustomBurFiles, MistakesAreSaid) {
@@ -78,7 +78,7 @@ TEST_F(CustomBurFiles, MistakesAreSaid) {
         describe(text);
         const auto bur = readCustomBur(folder_ / "mine.stl");
         ASSERT_FALSE(bur) << text;
-        EXPECT_NE(bur.error().message.find(said), std::string::npos) << bur.error().message;
+        EXPECT_NE(bur.error().message().find(said), std::string::npos) << bur.error().message();
     }
 }
 

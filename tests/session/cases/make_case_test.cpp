@@ -46,12 +46,12 @@ protected:
 
 TEST_F(MouthOfFiles, BecomesACaseWhereAllStandsInPlace) {
     const auto made = makeCase({.from = {folder_.path()}, .title = "Mouth", .licence = "CC0-1.0"});
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message();
     ASSERT_EQ(made->description.teeth.size(), 4u);
     ASSERT_EQ(made->description.around.size(), 1u);
     const auto bytes = packCase(made->files).value();
     const auto store = CaseStore::openArchive(bytes, "m.ttcase");
-    ASSERT_TRUE(store) << store.error().message;
+    ASSERT_TRUE(store) << store.error().message();
     const auto bodies = caseBodies(*store, *readCaseDescription(*store));
     ASSERT_TRUE(bodies);
     for (const CaseBody& body : *bodies) {
@@ -71,19 +71,19 @@ TEST_F(MouthOfFiles, BecomesACaseWhereAllStandsInPlace) {
             << tooth.name;
     }
     const auto opened = openCase(*store, "36");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->teeth->layers().size(), 13u);
 }
 
 TEST_F(MouthOfFiles, IsWrittenAsAFolderThatOpens) {
     const auto made = makeCase({.from = {folder_ / "T36_outer.stl", folder_ / "T36_pulp.stl"}});
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message();
     const fs::path out = folder_ / "case";
     ASSERT_TRUE(writeCase(made->files, out));
     EXPECT_TRUE(openCase(out));
     const auto again = writeCase(made->files, out);
     ASSERT_FALSE(again);
-    EXPECT_NE(again.error().message.find("there is something already"), std::string::npos);
+    EXPECT_NE(again.error().message().find("there is something already"), std::string::npos);
 }
 
 TEST_F(MouthOfFiles, ASurfaceGivenTwiceIsRefused) {
@@ -91,7 +91,7 @@ TEST_F(MouthOfFiles, ASurfaceGivenTwiceIsRefused) {
     fs::copy_file(folder_ / "T36_outer.stl", folder_ / "again/T36.stl");
     const auto made = makeCase({.from = {folder_.path()}});
     ASSERT_FALSE(made);
-    EXPECT_NE(made.error().message.find("has this surface already"), std::string::npos) << made.error().message;
+    EXPECT_NE(made.error().message().find("has this surface already"), std::string::npos) << made.error().message();
 }
 
 TEST(MakeCase, ASingleSurfaceGetsAModelAndSaysSo) {
@@ -101,7 +101,7 @@ TEST(MakeCase, ASingleSurfaceGetsAModelAndSaysSo) {
     for (Vec3f& vertex : inCentimetres.vertices) vertex *= 0.1F;
     ASSERT_TRUE(writeStl(inCentimetres, folder / "L6.stl"));
     const auto made = makeCase({.from = {folder / "L6.stl"}, .quadrant = 3});
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message();
     const CaseTooth& tooth = made->description.teeth.front();
     EXPECT_EQ(tooth.fdi, 36);
     EXPECT_TRUE(tooth.isModelled);
@@ -121,13 +121,13 @@ TEST(MakeCase, NamesThatDifferInForeignLettersAloneGetFilesOfTheirOwn) {
             writeStl(test::box(low.array() + 1, high.array() - 1), folder / (std::string(name) + "_dentin.stl")));
     }
     const auto made = makeCase({.from = {folder.path()}, .quadrant = {}});
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message();
     EXPECT_EQ(made->description.teeth[0].name, "右");
     EXPECT_EQ(made->description.teeth[1].name, "左");
     EXPECT_NE(made->description.teeth[0].outer, made->description.teeth[1].outer);
     EXPECT_EQ(made->files.size(), 5u);
     const auto bytes = packCase(made->files);
-    ASSERT_TRUE(bytes) << bytes.error().message;
+    ASSERT_TRUE(bytes) << bytes.error().message();
     EXPECT_TRUE(openCase(CaseStore::openArchive(*bytes, "x").value()));
 }
 
@@ -136,7 +136,7 @@ TEST(MakeCase, AnUnusableSurfaceIsNamed) {
     std::ofstream(folder / "bad.stl") << "nothing";
     const auto made = makeCase({.from = {folder / "bad.stl"}});
     ASSERT_FALSE(made);
-    EXPECT_NE(made.error().message.find("bad.stl"), std::string::npos);
+    EXPECT_NE(made.error().message().find("bad.stl"), std::string::npos);
     EXPECT_FALSE(makeCase({.from = {folder / "missing"}}));
 }
 
@@ -146,7 +146,7 @@ TEST(MakeCase, TheTeethOfACtBecomeOneCase) {
     if (!data || !fs::exists(*data / "openmandible")) GTEST_SKIP() << "no CT teeth here";
     const auto made = makeCase(
         {.from = {*data / "openmandible/layered", *data / "openmandible/mandible_cortical_bone.stl"}, .quadrant = 3});
-    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_TRUE(made) << made.error().message();
     ASSERT_EQ(made->description.teeth.size(), 7u);
     for (const CaseTooth& tooth : made->description.teeth) {
         EXPECT_FALSE(tooth.isModelled) << tooth.name;
@@ -158,7 +158,7 @@ TEST(MakeCase, TheTeethOfACtBecomeOneCase) {
     EXPECT_LT((made->description.teeth[0].toothInCase.rotation * Vec3::UnitY()).y(), -0.6);
     const auto bytes = packCase(made->files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "ct.ttcase").value(), "36");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->teeth->layers().size(), 22u);
 }
 

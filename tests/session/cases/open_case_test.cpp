@@ -31,7 +31,7 @@ Expected<OpenedCase> openChanged(const std::string& from, const std::string& to,
 
 TEST(OpenCase, AllStandsInItsPlace) {
     const auto opened = openChanged("", "");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->tooth, "36");
     EXPECT_EQ(opened->mesialX, 1);
     EXPECT_NEAR(opened->box.sizes().z(), 10, 1e-9);
@@ -74,7 +74,7 @@ TEST(OpenCase, ItsSurfaceIsThatOfTheFileBitForBit) {
 TEST(OpenCase, MistakesAreSaid) {
     const auto expectSaid = [](const Expected<OpenedCase>& opened, const std::string& said) {
         ASSERT_FALSE(opened);
-        EXPECT_NE(opened.error().message.find(said), std::string::npos) << opened.error().message;
+        EXPECT_NE(opened.error().message().find(said), std::string::npos) << opened.error().message();
     };
     expectSaid(openChanged("bone.stl", "none.stl"), "x.ttcase: none.stl: there is no such file in the case.");
     expectSaid(openChanged("bone.stl", "case.toml"), "case.toml");
@@ -92,7 +92,7 @@ TEST(OpenCase, MaterialsAndBurOfTheCaseAreRead) {
     files.push_back({"burs/mine.stl", stlBytes(test::cylinder(Vec3::Zero(), 0.5, 4, 24))});
     const auto bytes = packCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->teeth->materials()[test::kEnamel].numbers.stiffness, 0.9);
     ASSERT_TRUE(opened->bur);
     EXPECT_EQ(opened->bur->material, BurMaterial::Diamond);
@@ -115,7 +115,7 @@ std::vector<CaseFile> compositeCase() {
 TEST(OpenCase, ItsOwnFileMayAddAMaterialThatALayerIsMadeOf) {
     const auto bytes = packCase(compositeCase()).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const MaterialRegistry& materials = opened->teeth->materials();
     const MaterialId at = opened->teeth->materialAt(Vec3(0, 0, 0));
     EXPECT_EQ(materials.nameOf(at), "composite");
@@ -128,13 +128,13 @@ TEST(OpenCase, MaterialsThatAreGivenStandInForItsOwn) {
     const auto store = CaseStore::openArchive(bytes, "x.ttcase").value();
     const auto without = openCase(store, {}, &builtinMaterials());
     ASSERT_FALSE(without);
-    EXPECT_NE(without.error().message.find("there is no material 'composite'; the materials are enamel, "),
+    EXPECT_NE(without.error().message().find("there is no material 'composite'; the materials are enamel, "),
               std::string::npos)
-        << without.error().message;
+        << without.error().message();
     const auto other = parseMaterials("[composite]\nstiffness = 0.3\n", "m.toml");
     ASSERT_TRUE(other);
     const auto opened = openCase(store, {}, *other);
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(&opened->teeth->materials(), *other);
 }
 
@@ -144,7 +144,7 @@ TEST(OpenCase, AMistakeInItsMaterialsIsSaidWithThatFile) {
     const auto bytes = packCase(files).value();
     const auto opened = openCase(CaseStore::openArchive(bytes, "x.ttcase").value());
     ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().message.find("m.toml, line 2: 'stiffness' must be a number"), std::string::npos);
+    EXPECT_NE(opened.error().message().find("m.toml, line 2: 'stiffness' must be a number"), std::string::npos);
 }
 
 TEST(OpenCase, OverlapsAreFound) {
@@ -159,7 +159,7 @@ TEST(OpenCase, OverlapsAreFound) {
 
 TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
     const auto opened = openChanged("", "", "37");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const CutModel piece(opened->teeth, 0.1);
     HapticSettings settings;
     HapticSimulation simulation(std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.5, 6, 24)), 0.5,
@@ -180,7 +180,7 @@ TEST(OpenCase, EveryToothOfACaseCanBeCut) {
     const auto bytes = packCase(test::blockCase()).value();
     ASSERT_TRUE(writeFile(folder / "x.ttcase", bytes));
     const auto tooth = loadModelOrCase({.outer = folder / "x.ttcase", .layers = {}}, "37", 0.1, 0.1);
-    ASSERT_TRUE(tooth) << tooth.error().message;
+    ASSERT_TRUE(tooth) << tooth.error().message();
     EXPECT_EQ(tooth->place.name, "Two blocks, 37");
     EXPECT_EQ(tooth->place.teethOfCase, (std::vector<std::string>{"36", "37"}));
     const auto tool = makeCuttingTool(test::cylinder(Vec3::Zero(), 0.5, 6, 24));

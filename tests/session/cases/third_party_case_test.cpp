@@ -71,17 +71,17 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(AnyPacker, MakesAnArchiveThatOpens) {
     const auto bytes = repacked(GetParam().rename, GetParam().more);
     const auto store = CaseStore::openArchive(bytes, "x.ttcase");
-    ASSERT_TRUE(store) << GetParam().name << ": " << store.error().message;
+    ASSERT_TRUE(store) << GetParam().name << ": " << store.error().message();
     EXPECT_EQ(store->entries().size(), test::blockCase().size());
     const auto opened = openCase(*store);
-    EXPECT_TRUE(opened) << GetParam().name << ": " << opened.error().message;
+    EXPECT_TRUE(opened) << GetParam().name << ": " << opened.error().message();
 }
 
 TEST(ThirdPartyCase, WhatCannotBeANameIsToldTruly) {
     const auto reason = [](const std::string& name) {
         const auto bytes = archiveWith(name);
         const auto store = CaseStore::openArchive(bytes, "x.ttcase");
-        return store ? "opened" : store.error().message;
+        return store ? "opened" : store.error().message();
     };
     EXPECT_NE(reason("a\nb").find("named 'a?b', which has control characters in its name"), std::string::npos);
     EXPECT_NE(reason(std::string(1001, 'a')).find("whose name is longer than 1000 bytes"), std::string::npos);
@@ -100,7 +100,8 @@ TEST(ThirdPartyCase, SeveralCasesInOneArchiveAreRefused) {
     const auto bytes = packCase(std::move(files)).value();
     const auto store = CaseStore::openArchive(bytes, "x.ttcase");
     ASSERT_FALSE(store);
-    EXPECT_EQ(store.error().message, "x.ttcase: the archive holds several cases, in a/ and b/; pack each on its own.");
+    EXPECT_EQ(store.error().message(),
+              "x.ttcase: the archive holds several cases, in a/ and b/; pack each on its own.");
 }
 
 constexpr const char* kComposed = "\xC3\xA4u\xC3\x9F\x65res.stl";     // äußeres
@@ -159,7 +160,7 @@ TEST(ThirdPartyCase, LinksInAnArchiveAreRefused) {
     const auto raw = bytesOf(bytes);
     const auto store = CaseStore::openArchive(raw, "x.ttcase");
     ASSERT_FALSE(store);
-    EXPECT_NE(store.error().message.find("'link.stl', which points out of it"), std::string::npos);
+    EXPECT_NE(store.error().message().find("'link.stl', which points out of it"), std::string::npos);
 }
 
 }  // namespace

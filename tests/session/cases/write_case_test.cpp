@@ -58,7 +58,7 @@ TEST(WriteCase, WhatIsThereAlreadyStays) {
     for (const char* const name : {"case", "file"}) {
         const auto again = writeCase(test::blockCase(), folder / name);
         ASSERT_FALSE(again);
-        EXPECT_THAT(again.error().message, HasSubstr("there is something already"));
+        EXPECT_THAT(again.error().message(), HasSubstr("there is something already"));
     }
     EXPECT_EQ(fs::file_size(folder / "file"), 4u);
 }
@@ -67,8 +67,8 @@ TEST(WriteCase, AFailureLeavesNoFolderBehind) {
     const test::TemporaryFolder folder;
     const auto written = writeCase(brokenCase(), folder / "case");
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error().message, HasSubstr((folder / "case").string() + "/bone.stl"));
-    EXPECT_THAT(written.error().message, Not(HasSubstr(".tmp")));
+    EXPECT_THAT(written.error().message(), HasSubstr((folder / "case").string() + "/bone.stl"));
+    EXPECT_THAT(written.error().message(), Not(HasSubstr(".tmp")));
     EXPECT_THAT(namesIn(folder.path()), IsEmpty());
 }
 
@@ -85,7 +85,7 @@ TEST(WriteCase, AFolderThatCannotBeMadeIsNamed) {
     std::ofstream(folder / "file") << "mine";
     const auto written = writeCase(test::blockCase(), folder / "file/case");
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error().message, HasSubstr("file/case"));
+    EXPECT_THAT(written.error().message(), HasSubstr("file/case"));
     fs::create_symlink(folder / "nowhere", folder / "link");
     EXPECT_FALSE(writeCase(test::blockCase(), folder / "link"));
     EXPECT_EQ(namesIn(folder.path()).size(), 2u);

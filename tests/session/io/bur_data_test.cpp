@@ -17,7 +17,7 @@ class BurData : public ::testing::Test {
 protected:
     void SetUp() override {
         auto read = readToml(test::sourceFolder() / "data/burs.toml");
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << read.error().message();
         root_ = std::move(*read);
         rows_ = toml_.tables(root_, "bur");
     }
@@ -35,7 +35,7 @@ TEST_F(BurData, HasNoKeyThatTheCatalogueDoesNotRead) {
         const bool isDiamond = row->get("grit_um") != nullptr;
         EXPECT_NE(isDiamond, row->get("blades") != nullptr) << toml_.text(*row, "number", true);
     }
-    EXPECT_FALSE(toml_.error()) << toml_.error()->message;
+    EXPECT_FALSE(toml_.error()) << toml_.error()->message();
 }
 
 TEST_F(BurData, EachRowIsABurOfTheCatalogueInTheSameOrder) {
@@ -55,7 +55,7 @@ TEST_F(BurData, EachRowIsABurOfTheCatalogueInTheSameOrder) {
         EXPECT_EQ(bur.gritMicrometres, toml_.number(row, "grit_um", 0, 1, 500));
         EXPECT_EQ(bur.material == BurMaterial::Diamond, bur.gritMicrometres > 0);
     }
-    EXPECT_FALSE(toml_.error()) << toml_.error()->message;
+    EXPECT_FALSE(toml_.error()) << toml_.error()->message();
 }
 
 TEST_F(BurData, NoNumberStandsThereTwice) {

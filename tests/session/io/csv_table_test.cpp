@@ -25,13 +25,13 @@ constexpr std::array<std::string_view, 2> kColumns = {"t", "x"};
 
 CsvTable parsed(std::string_view text) {
     Expected<CsvTable> table = parseCsv(text, "p.csv", kColumns);
-    EXPECT_TRUE(table) << table.error().message;
+    EXPECT_TRUE(table) << table.error().message();
     return table ? *table : CsvTable{};
 }
 
 std::string refusal(std::string_view text) {
     const Expected<CsvTable> table = parseCsv(text, "p.csv", kColumns);
-    return table ? "accepted" : table.error().message;
+    return table ? "accepted" : table.error().message();
 }
 
 TEST(CsvTable, ReadsColumnsByNameInTheOrderAskedFor) {
@@ -47,18 +47,18 @@ TEST(CsvTable, BlanksCommentsEmptyLinesAndWindowsLineEndsDoNotMatter) {
     ASSERT_EQ(table.rows(), 2U);
     EXPECT_THAT(table.row(0), ElementsAre(0, 1));
     EXPECT_THAT(table.row(1), ElementsAre(1, 2));
-    EXPECT_EQ(table.where(0), "p.csv, line 4");
-    EXPECT_EQ(table.where(1), "p.csv, line 7");
+    EXPECT_EQ(table.where(0).in(Language::English), "p.csv, line 4");
+    EXPECT_EQ(table.where(1).in(Language::English), "p.csv, line 7");
 }
 
 TEST(CsvTable, ReadsColumnsOfWordsAsTheyAreWritten) {
     constexpr std::array<std::string_view, 1> kWords = {"name"};
     const auto table = parseCsv("t,name,x\n0, soft caries ,1\n2,,3\n", "p.csv", kColumns, kWords);
-    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_TRUE(table) << table.error().message();
     EXPECT_THAT(table->row(1), ElementsAre(2, 3));
     EXPECT_EQ(table->wordAt(0, 0), "soft caries");
     EXPECT_EQ(table->wordAt(1, 0), "");
-    EXPECT_EQ(parseCsv("t,x\n0,1\n", "p.csv", kColumns, kWords).error().message,
+    EXPECT_EQ(parseCsv("t,x\n0,1\n", "p.csv", kColumns, kWords).error().message(),
               "p.csv, line 1: the column 'name' is missing; expected the columns t,x,name, separated by commas, but "
               "found 't,x'.");
 }
@@ -115,7 +115,7 @@ TEST_P(AnyTable, HoldsTheSame) {
 TEST(CsvTable, WordsComeWithoutTheirQuotes) {
     constexpr std::array<std::string_view, 1> kWords = {"name"};
     const auto table = parseCsv("t,name,x\n0,\"soft, \"\"old\"\" caries\",1\n2,\"\",3\n", "p.csv", kColumns, kWords);
-    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_TRUE(table) << table.error().message();
     EXPECT_EQ(table->wordAt(0, 0), "soft, \"old\" caries");
     EXPECT_EQ(table->wordAt(1, 0), "");
 }
@@ -147,14 +147,14 @@ TEST(CsvTable, RefusesATextWithoutHeaderOrRows) {
 TEST(CsvTable, RefusesAnEmptyAndAMissingFile) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "empty.csv").close();
-    EXPECT_THAT(readCsv(folder / "empty.csv", kColumns).error().message, HasSubstr("empty.csv: the file is empty"));
-    EXPECT_THAT(readCsv(folder / "none.csv", kColumns).error().message, HasSubstr("there is no such file"));
+    EXPECT_THAT(readCsv(folder / "empty.csv", kColumns).error().message(), HasSubstr("empty.csv: the file is empty"));
+    EXPECT_THAT(readCsv(folder / "none.csv", kColumns).error().message(), HasSubstr("there is no such file"));
 }
 
 TEST(CsvWriter, WritesTheShortestTextOfANumber) {
     const test::TemporaryFolder folder;
     Expected<CsvWriter> writer = CsvWriter::create(folder / "r.csv", kColumns);
-    ASSERT_TRUE(writer) << writer.error().message;
+    ASSERT_TRUE(writer) << writer.error().message();
     writer->row(std::array{0.1, 3.0});
     writer->row(std::array{-1e-9, 1.0 / 3});
     ASSERT_TRUE(writer->commit());
@@ -176,7 +176,7 @@ TEST(CsvWriter, EveryFiniteDoubleReadsBackBitForBit) {
     for (const auto& row : rows) writer->row(row);
     ASSERT_TRUE(writer->commit());
     const Expected<CsvTable> table = readCsv(folder / "r.csv", kColumns);
-    ASSERT_TRUE(table) << table.error().message;
+    ASSERT_TRUE(table) << table.error().message();
     ASSERT_EQ(table->rows(), rows.size());
     for (std::size_t row = 0; row < rows.size(); ++row) {
         ASSERT_THAT(table->row(row), ElementsAre(rows[row][0], rows[row][1]));
@@ -203,7 +203,7 @@ TEST(CsvWriter, ANumberThatIsNotFiniteLeavesNoFile) {
         file->row(std::array{1.0, bad});
         const auto done = file->commit();
         ASSERT_FALSE(done);
-        EXPECT_EQ(done.error().message,
+        EXPECT_EQ(done.error().message(),
                   "row 2 of the table has a number that is not finite, so nothing is written; check size and unit of "
                   "the surfaces.");
     }

@@ -25,7 +25,7 @@ std::string repeated(const std::string& text, std::size_t times) {
 
 std::string refusal(const std::string& text) {
     const auto table = parseToml(text, "a.toml");
-    return table ? "accepted" : table.error().message;
+    return table ? "accepted" : table.error().message();
 }
 
 /// Nesting depth of tables and lists, computed without recursion.
@@ -117,7 +117,7 @@ TEST(LimitedToml, ReadsAFileAndRefusesALargeOneUnread) {
     std::filesystem::resize_file(folder / "a.toml", std::uintmax_t{1} << 33);
     const auto large = readToml(folder / "a.toml");
     ASSERT_FALSE(large);
-    EXPECT_THAT(large.error().message, HasSubstr("a.toml: the file holds 8589934592 bytes, and at most 1048576"));
+    EXPECT_THAT(large.error().message(), HasSubstr("a.toml: the file holds 8589934592 bytes, and at most 1048576"));
 }
 
 // Limiter and parser must see the same strings and comments, or a deep key may hide in what the limiter takes for text.

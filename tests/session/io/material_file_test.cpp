@@ -25,7 +25,7 @@ void expectEqual(const MaterialTable& got, const MaterialTable& expected) {
 
 const MaterialRegistry& registryOf(std::string_view text) {
     const auto registry = parseMaterials(text, "m.toml");
-    EXPECT_TRUE(registry) << registry.error().message;
+    EXPECT_TRUE(registry) << registry.error().message();
     return registry ? **registry : builtinMaterials();
 }
 
@@ -33,7 +33,7 @@ MaterialTable parsed(std::string_view text) { return MaterialTable(registryOf(te
 
 std::string refusal(std::string_view text) {
     const auto registry = parseMaterials(text, "m.toml");
-    return registry ? "accepted" : registry.error().message;
+    return registry ? "accepted" : registry.error().message();
 }
 
 /// The layers below know no TOML: CMake makes their materials from the same file.
@@ -41,7 +41,7 @@ TEST(MaterialFile, TheProgramsTextGivesTheMaterialsThatAreBuiltIn) {
     std::vector<MaterialDefinition> blank = builtinMaterials().definitions();
     for (MaterialDefinition& one : blank) one.titleEn = one.titleJa = {}, one.numbers = {};
     const auto registry = parseMaterials(defaultMaterialsText(), "data/materials.toml", MaterialRegistry::make(blank));
-    ASSERT_TRUE(registry) << registry.error().message;
+    ASSERT_TRUE(registry) << registry.error().message();
     EXPECT_EQ((*registry)->definitions(), builtinMaterials().definitions());
 }
 
@@ -64,7 +64,7 @@ TEST(MaterialFile, AFileOverridesOnlyWhatItNames) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "mine.toml", "[caries]\nstiffness = 0.4\ncolour = [0, 0.5, 1]\n\n[pulp]\nremoval = 2\n");
     const auto registry = readMaterials(folder / "mine.toml");
-    ASSERT_TRUE(registry) << registry.error().message;
+    ASSERT_TRUE(registry) << registry.error().message();
     MaterialTable expected;
     expected[test::kCaries].stiffness = 0.4;
     expected[test::kCaries].colour = {0, 0.5F, 1};
@@ -192,7 +192,7 @@ TEST(MaterialFile, SaysWhichFileIsMissing) {
     const test::TemporaryFolder folder;
     const auto registry = readMaterials(folder / "none.toml");
     ASSERT_FALSE(registry);
-    EXPECT_THAT(registry.error().message, HasSubstr("none.toml: there is no such file"));
+    EXPECT_THAT(registry.error().message(), HasSubstr("none.toml: there is no such file"));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 TEST(TickCsv, WritesOneRowATickUnderTheDocumentedNames) {
     const test::TemporaryFolder folder;
     auto file = TickCsv::create(folder / "ticks.csv");
-    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_TRUE(file) << file.error().message();
     Tick tick;
     tick.hand.position = Vec3(1, 2, 3);
     tick.depth = 0.25;
@@ -46,7 +46,7 @@ TEST(TickCsv, SaysWhereItCannotWrite) {
     const test::TemporaryFolder folder;
     const auto file = TickCsv::create(folder / "none" / "ticks.csv");
     ASSERT_FALSE(file);
-    EXPECT_THAT(file.error().message, ::testing::HasSubstr("ticks.csv"));
+    EXPECT_THAT(file.error().message(), ::testing::HasSubstr("ticks.csv"));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ class VdbFile : public ::testing::Test {
 protected:
     Read written(const CutModel& piece) {
         const auto done = writeVdb(piece.volume(), kNotes, folder_ / "cut.vdb");
-        EXPECT_TRUE(done) << done.error().message;
+        EXPECT_TRUE(done) << done.error().message();
         return Read(folder_ / "cut.vdb");
     }
     test::TemporaryFolder folder_;
@@ -157,7 +157,7 @@ TEST_F(VdbFile, LeavesNothingWhereItCannotWrite) {
     const auto piece = cutBlock();
     const auto done = writeVdb(piece->volume(), kNotes, folder_ / "no/cut.vdb");
     ASSERT_FALSE(done);
-    EXPECT_NE(done.error().message.find("make the folder first"), std::string::npos) << done.error().message;
+    EXPECT_NE(done.error().message().find("make the folder first"), std::string::npos) << done.error().message();
     EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 

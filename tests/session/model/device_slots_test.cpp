@@ -63,16 +63,19 @@ TEST(DeviceSlots, OnlyTheFirstDeviceIsSuspended) {
     EXPECT_FALSE(one.isSuspended());
 }
 
+const Message kFirstFault = Message::verbatim("the cable is loose.");
+const Message kSecondFault = Message::verbatim("the motor is warm.");
+
 TEST(DeviceSlots, AFaultIsReportedOnceAndSoIsItsEnd) {
     DeviceSlots slots(kStart);
     auto device = test::unboundedDevice();
     StillDevice& hand = *device;
     slots.set(DeviceSlot::First, std::move(device));
     EXPECT_FALSE(slots.changedFault());
-    hand.setFault("the cable is loose.");
+    hand.setFault(&kFirstFault);
     const auto fault = slots.changedFault();
     ASSERT_TRUE(fault);
-    EXPECT_EQ(std::string(*fault), "the cable is loose.");
+    EXPECT_EQ(*fault, &kFirstFault);
     EXPECT_FALSE(slots.changedFault());
     hand.setFault(nullptr);
     const auto end = slots.changedFault();
@@ -84,14 +87,14 @@ TEST(DeviceSlots, TheFaultOfTheFirstDeviceComesBeforeThatOfTheSecond) {
     DeviceSlots slots(kStart);
     auto first = test::unboundedDevice(), second = test::unboundedDevice();
     StillDevice& one = *first;
-    second->setFault("second.");
+    second->setFault(&kSecondFault);
     slots.set(DeviceSlot::Second, std::move(second));
-    EXPECT_EQ(std::string(slots.changedFault().value()), "second.");
-    one.setFault("first.");
+    EXPECT_EQ(slots.changedFault().value(), &kSecondFault);
+    one.setFault(&kFirstFault);
     slots.set(DeviceSlot::First, std::move(first));
-    EXPECT_EQ(std::string(slots.changedFault().value()), "first.");
+    EXPECT_EQ(slots.changedFault().value(), &kFirstFault);
     one.setFault(nullptr);
-    EXPECT_EQ(std::string(slots.changedFault().value()), "second.");
+    EXPECT_EQ(slots.changedFault().value(), &kSecondFault);
 }
 
 TEST(DeviceSlots, WithoutAFirstDeviceOrABoundedWorkspaceNothingFits) {

@@ -79,17 +79,17 @@ public:
     }
     void write(const SafeWrench&) override {}
     void suspendInput(bool suspended) override { suspended_ = suspended; }
-    [[nodiscard]] const char* faultMessage() const override { return fault_; }
+    [[nodiscard]] const Message* faultMessage() const override { return fault_; }
 
     void setButtons(std::uint32_t buttons) { buttons_ = buttons; }
-    void setFault(const char* fault) { fault_ = fault; }
+    void setFault(const Message* fault) { fault_ = fault; }
     [[nodiscard]] bool isSuspended() const { return suspended_; }
 
 private:
     DeviceInfo info_;
     Vec3 hand_;
     std::atomic<std::uint32_t> buttons_{0};
-    std::atomic<const char*> fault_{nullptr};
+    std::atomic<const Message*> fault_{nullptr};
     std::atomic<bool> suspended_{false};
 };
 

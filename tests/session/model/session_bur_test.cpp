@@ -42,10 +42,10 @@ TEST(SessionBur, OfACaseKeepsItsDescription) {
 TEST(SessionBur, AFailureNamesTheFileOrElseTheBur) {
     const auto ofCase = makeSessionBur(customBur({}), {});
     ASSERT_FALSE(ofCase);
-    EXPECT_EQ(ofCase.error().message.find("My bur: "), 0U);
+    EXPECT_EQ(ofCase.error().message().find("My bur: "), 0U);
     const auto ofFile = makeSessionBur(customBur({}), "bur.stl");
     ASSERT_FALSE(ofFile);
-    EXPECT_EQ(ofFile.error().message.find("bur.stl: "), 0U);
+    EXPECT_EQ(ofFile.error().message().find("bur.stl: "), 0U);
 }
 
 TEST(SessionBur, AFileThatIsMissingFails) { EXPECT_FALSE(loadSessionBur("/nowhere/bur.stl")); }

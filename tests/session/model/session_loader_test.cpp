@@ -41,20 +41,20 @@ TEST_F(SessionLoaderTest, LoadsToothAndBurAtTheSameTime) {
 
 TEST_F(SessionLoaderTest, AFailureIsReportedOnceAndKeepsTheTooth) {
     model_.install(test::blockTooth());
-    loader_.load([]() -> Expected<SessionTooth> { return unexpected("no such file."); });
+    loader_.load([]() -> Expected<SessionTooth> { return unexpected(Message::verbatim("no such file.")); });
     later_.runNext();
     const auto failure = loader_.poll();
     ASSERT_TRUE(failure);
-    EXPECT_EQ(*failure, "no such file.");
+    EXPECT_EQ(failure->message(), "no such file.");
     EXPECT_FALSE(loader_.poll());
     EXPECT_EQ(model_.tooth()->name, "Block");
 }
 
 TEST_F(SessionLoaderTest, AFailingBurKeepsTheBur) {
     model_.install(test::flatSessionBur());
-    loader_.load([]() -> Expected<SessionBur> { return unexpected("no bur."); });
+    loader_.load([]() -> Expected<SessionBur> { return unexpected(Message::verbatim("no bur.")); });
     later_.runNext();
-    EXPECT_EQ(loader_.poll().value(), "no bur.");
+    EXPECT_EQ(loader_.poll().value().message(), "no bur.");
     EXPECT_EQ(model_.bur()->name, "Flat");
 }
 

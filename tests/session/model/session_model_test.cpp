@@ -267,10 +267,11 @@ TEST_F(SessionModelTest, ASlowDeviceIsReportedOnceWithTheTimeOfItsTicks) {
 TEST_F(SessionModelTest, AFaultAndItsEndAreReportedOnce) {
     StillDevice& device = installStill(DeviceSlot::First);
     EXPECT_FALSE(model_.step(0.01).faultMessage);
-    device.setFault("the cable is loose.");
+    const Message loose = Message::verbatim("the cable is loose.");
+    device.setFault(&loose);
     const auto fault = model_.step(0.01).faultMessage;
     ASSERT_TRUE(fault);
-    EXPECT_EQ(std::string(*fault), "the cable is loose.");
+    EXPECT_EQ(*fault, &loose);
     EXPECT_FALSE(model_.step(0.01).faultMessage);
     device.setFault(nullptr);
     EXPECT_EQ(model_.step(0.01).faultMessage.value(), nullptr);

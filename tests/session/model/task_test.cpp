@@ -31,8 +31,8 @@ TEST(Task, DeliversOnce) {
 
 TEST(Task, DeliversTheReasonOfAFailure) {
     Task<int> task;
-    task.start([]() -> Expected<int> { return unexpected("no."); });
-    EXPECT_EQ(resultOf(task).error().message, "no.");
+    task.start([]() -> Expected<int> { return unexpected(Message::verbatim("no.")); });
+    EXPECT_EQ(resultOf(task).error().message(), "no.");
 }
 
 TEST(Task, OfTasksDuringTheWorkOnlyTheLastCounts) {

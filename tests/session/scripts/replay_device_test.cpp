@@ -22,7 +22,7 @@ Expected<std::unique_ptr<HapticDevice>> replay(std::string_view text) {
 
 TEST(ReplayDevice, GoesTheWayOfTheFileAndRestsAtItsEnd) {
     const auto hand = replay("t,x,y,z,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n0.5,4,2,3,0.6,0,0.8,0\n");
-    ASSERT_TRUE(hand) << hand.error().message;
+    ASSERT_TRUE(hand) << hand.error().message();
     EXPECT_EQ((*hand)->info().name, "way.csv");
     EXPECT_TRUE((*hand)->info().isInToothFrame);
     EXPECT_EQ((*hand)->read(0.25).hand.position, Vec3(2.5, 2, 3));
@@ -33,14 +33,14 @@ TEST(ReplayDevice, GoesTheWayOfTheFileAndRestsAtItsEnd) {
 }
 
 TEST(ReplayDevice, SaysWhatIsWrongWithTheFile) {
-    EXPECT_THAT(openDeviceOrReplay("replay:/no/such.csv").error().message,
+    EXPECT_THAT(openDeviceOrReplay("replay:/no/such.csv").error().message(),
                 HasSubstr("/no/such.csv: there is no such file"));
-    EXPECT_THAT(replay("t,x,y,z,qw,qx,qy,qz\n").error().message, HasSubstr("way.csv"));
-    EXPECT_THAT(replay("t,x,y,z,qw,qx,qy,qz\n0,a,2,3,1,0,0,0\n").error().message, HasSubstr("line 2"));
+    EXPECT_THAT(replay("t,x,y,z,qw,qx,qy,qz\n").error().message(), HasSubstr("way.csv"));
+    EXPECT_THAT(replay("t,x,y,z,qw,qx,qy,qz\n0,a,2,3,1,0,0,0\n").error().message(), HasSubstr("line 2"));
 }
 
 TEST(ReplayDevice, OtherNamesAreThoseOfDevices) {
-    EXPECT_THAT(openDeviceOrReplay("replay:").error().message, HasSubstr("replay:FILE.csv"));
+    EXPECT_THAT(openDeviceOrReplay("replay:").error().message(), HasSubstr("replay:FILE.csv"));
     EXPECT_TRUE(checkDeviceName("replay:way.csv", "--device"));
     EXPECT_FALSE(checkDeviceName("replay:", "--device"));
 }

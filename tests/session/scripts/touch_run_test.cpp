@@ -79,9 +79,9 @@ TEST(TouchRun, WhatIsNotFiniteInATickIsNamedWithItsTime) {
             spoil(tick);
             const auto finite = checkFinite(0.25, tick);
             ASSERT_FALSE(finite) << what;
-            EXPECT_TRUE(finite.error().message.starts_with("at t = 0.25 s the " + std::string(what) +
-                                                           " is not a finite number, so nothing is written; "))
-                << finite.error().message;
+            EXPECT_TRUE(finite.error().message().starts_with("at t = 0.25 s the " + std::string(what) +
+                                                             " is not a finite number, so nothing is written; "))
+                << finite.error().message();
         }
     }
 }

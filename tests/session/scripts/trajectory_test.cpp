@@ -21,12 +21,12 @@ Expected<std::vector<TimedPose>> read(std::string_view text) {
 
 std::string refusal(std::string_view text) {
     const auto trajectory = read(text);
-    return trajectory ? "accepted" : trajectory.error().message;
+    return trajectory ? "accepted" : trajectory.error().message();
 }
 
 TEST(Trajectory, ReadsTimesPositionsAndRotations) {
     const auto trajectory = read("t,x,y,z,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n0.5,4,5,6,0.6,0,0.8,0\n");
-    ASSERT_TRUE(trajectory) << trajectory.error().message;
+    ASSERT_TRUE(trajectory) << trajectory.error().message();
     ASSERT_EQ(trajectory->size(), 2U);
     EXPECT_EQ((*trajectory)[0].toolInTooth.position, Vec3(1, 2, 3));
     EXPECT_EQ((*trajectory)[1].time, 0.5);
@@ -55,7 +55,7 @@ TEST(Trajectory, RefusesATimeThatRunsBackwardsButNotAPause) {
 TEST(Trajectory, RefusesWhatIsNoTable) {
     EXPECT_THAT(refusal("t,x,y,z\n0,0,0,0\n"), HasSubstr("the column 'qw' is missing"));
     const test::TemporaryFolder folder;
-    EXPECT_THAT(readTrajectory(folder / "none.csv").error().message, HasSubstr("there is no such file"));
+    EXPECT_THAT(readTrajectory(folder / "none.csv").error().message(), HasSubstr("there is no such file"));
 }
 
 TEST(Trajectory, RefusesPlacesAndTimesThatNobodyMeans) {

@@ -389,7 +389,7 @@ TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
     simulator.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
     const auto saved = parseSavedTooth(simulator.toothFile({}), "saved");
-    ASSERT_TRUE(saved) << saved.error().message;
+    ASSERT_TRUE(saved) << saved.error().message();
     EXPECT_GT(saved->removed[static_cast<std::size_t>(test::kCaries)], 0.01);
     EXPECT_FALSE(saved->cuts.empty());
 }

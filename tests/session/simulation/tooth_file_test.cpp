@@ -29,7 +29,7 @@ TEST(ToothFile, BringsBackEveryBit) {
     const auto path = folder / "cut.tactooth";
     ASSERT_TRUE(saveTooth(*piece, kNotes, path));
     const auto opened = openTooth(path);
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->provenance, kNotes);
     const CutModel& again = *opened->piece;
     EXPECT_EQ(again.hash(), piece->hash());
@@ -49,7 +49,7 @@ TEST(ToothFile, AnOpenedToothIsCutOnAsIfItHadNeverBeenSaved) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(*piece, {}, folder / "cut.tactooth"));
     const auto opened = openTooth(folder / "cut.tactooth");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const auto cutOn = [](CutModel& one) {
         return one.sweep(test::flatBur().cutting, at(0.5, 0.3, -0.5), at(-0.6, 0.4, -0.7));
     };
@@ -64,7 +64,7 @@ TEST(ToothFile, AWholeToothIsSavedToo) {
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(*piece, {}, folder / "whole.tactooth"));
     const auto opened = openTooth(folder / "whole.tactooth");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_EQ(opened->piece->hash(), piece->hash());
     EXPECT_TRUE(opened->piece->surface()->patches.empty());
 }
@@ -79,12 +79,12 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
             {"layer " + std::to_string(i), test::kDentin, test::box(Vec3(x, -0.5, -2), Vec3(x + 0.02, 0.5, -1))});
     }
     auto tooth = LayeredTooth::make(outer, std::move(layers), test::kEnamel, {.mesialX = -1, .firstAdjacent = 12});
-    ASSERT_TRUE(tooth) << tooth.error().message;
+    ASSERT_TRUE(tooth) << tooth.error().message();
     const CutModel piece(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(piece, {}, folder / "x.tactooth"));
     const auto opened = openTooth(folder / "x.tactooth");
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const LayeredTooth& again = opened->piece->tooth();
     EXPECT_EQ(again.layers().size(), 100U);
     EXPECT_EQ(again.toothContext().mesialX, -1);
@@ -99,7 +99,7 @@ std::filesystem::path oldFile() { return test::sourceFolder() / "tests/session/d
 
 TEST(ToothFile, OfTheSecondVersionIsStillRead) {
     const auto opened = openTooth(oldFile());
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     EXPECT_TRUE(opened->importNotes.empty());
     const LayeredTooth& tooth = opened->piece->tooth();
     EXPECT_EQ(&tooth.materials(), &builtinMaterials());
@@ -116,11 +116,11 @@ TEST(ToothFile, OfTheSecondVersionIsStillRead) {
 
 TEST(ToothFile, OfTheSecondVersionIsSavedAgainAsTheNewOne) {
     const auto opened = openTooth(oldFile());
-    ASSERT_TRUE(opened) << opened.error().message;
+    ASSERT_TRUE(opened) << opened.error().message();
     const std::vector<std::byte> bytes = toothFileBytes(*opened->piece, opened->provenance);
     EXPECT_EQ(bytes[8], std::byte{3});
     const auto parsed = parseSavedTooth(bytes, "new");
-    ASSERT_TRUE(parsed) << parsed.error().message;
+    ASSERT_TRUE(parsed) << parsed.error().message();
     EXPECT_EQ(parsed->removed, opened->piece->removed());
     EXPECT_EQ(parsed->layers[1].material, test::kRestoration);
     EXPECT_EQ(parsed->cuts.size(), opened->piece->volume().cutBricks().size());
@@ -141,7 +141,7 @@ TEST(ToothFile, OfTheFirstVersionIsStillRead) {
     const std::uint64_t sum = checksum(std::span(bytes).first(bytes.size() - sizeof sum));
     std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
     const auto parsed = parseSavedTooth(bytes, "old");
-    ASSERT_TRUE(parsed) << parsed.error().message;
+    ASSERT_TRUE(parsed) << parsed.error().message();
     EXPECT_EQ(parsed->cuts.size(), openTooth(oldFile())->piece->volume().cutBricks().size());
     EXPECT_EQ(parsed->layers[2].material, test::kCaries);
     EXPECT_EQ(parsed->toothContext.mesialX, 1);
@@ -153,7 +153,7 @@ TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {
     const auto refusal = [&](const std::string& bytes) {
         std::ofstream(folder / "x.tactooth", std::ios::binary) << bytes;
         const auto opened = openTooth(folder / "x.tactooth");
-        return opened ? std::string("opened") : opened.error().message;
+        return opened ? std::string("opened") : opened.error().message();
     };
     EXPECT_NE(refusal("solid tooth").find("no saved tooth"), std::string::npos);
     EXPECT_NE(refusal("").find("empty"), std::string::npos);
@@ -164,7 +164,7 @@ TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {
     EXPECT_NE(refusal(bytes + "x").find("more in the file"), std::string::npos);
     bytes[8] = 9;
     EXPECT_NE(refusal(bytes).find("format version 9"), std::string::npos);
-    EXPECT_NE(openTooth(folder / "missing").error().message.find("no such file"), std::string::npos);
+    EXPECT_NE(openTooth(folder / "missing").error().message().find("no such file"), std::string::npos);
 }
 
 TEST(ToothFile, OneChangedByteAnywhereIsNoticed) {
@@ -175,8 +175,8 @@ TEST(ToothFile, OneChangedByteAnywhereIsNoticed) {
         bytes[random() % bytes.size()] ^= static_cast<std::byte>(1 + random() % 255);
         const auto parsed = parseSavedTooth(bytes, "tooth");
         ASSERT_FALSE(parsed);
-        EXPECT_TRUE(parsed.error().message.starts_with("tooth, byte "));
-        EXPECT_TRUE(parsed.error().message.ends_with("."));
+        EXPECT_TRUE(parsed.error().message().starts_with("tooth, byte "));
+        EXPECT_TRUE(parsed.error().message().ends_with("."));
     }
 }
 

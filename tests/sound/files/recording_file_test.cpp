@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 
 std::string refusal(const std::filesystem::path& path) {
     const auto recording = readRecording(path);
-    return recording ? "accepted" : recording.error().message;
+    return recording ? "accepted" : recording.error().message();
 }
 
 /// The same file, but with the bytes from `place` on replaced.
@@ -44,7 +44,7 @@ TEST_F(RecordingFile, ReadsWavFlacAndOgg) {
     for (const auto& [name, format] : kinds) {
         writeTone(file(name), 1000.0, 0.5, {format, 44100, 2});
         const auto recording = readRecording(file(name));
-        ASSERT_TRUE(recording) << recording.error().message;
+        ASSERT_TRUE(recording) << recording.error().message();
         EXPECT_EQ(recording->rate(), 44100.0) << name;
         EXPECT_GT(recording->size(), 15000u) << name;
         EXPECT_LT(recording->size(), 22050u) << name;
@@ -98,7 +98,7 @@ TEST_P(StreamedWav, IsReadToItsEnd) {
         patch(file("a.wav"), kFileLengthAt, number(GetParam().file));
         patch(file("a.wav"), data + 4, number(GetParam().samples));
         const auto recording = readRecording(file("a.wav"));
-        ASSERT_TRUE(recording) << recording.error().message;
+        ASSERT_TRUE(recording) << recording.error().message();
         EXPECT_NEAR(static_cast<double>(recording->size()), static_cast<double>(whole), 16) << GetParam().writer;
     }
 }

@@ -35,7 +35,7 @@ std::vector<float> noise(double seconds) {
 
 Recording recorded(const std::vector<float>& samples, double rate = kSoundRate) {
     auto recording = Recording::make(samples, rate, "test");
-    EXPECT_TRUE(recording) << recording.error().message;
+    EXPECT_TRUE(recording) << recording.error().message();
     return std::move(*recording);
 }
 
@@ -48,7 +48,7 @@ std::vector<float> played(const Recording& recording, double seconds, double pit
 
 std::string refusal(const std::vector<float>& samples, double rate = kSoundRate) {
     const auto recording = Recording::make(samples, rate, "mine.wav");
-    return recording ? "accepted" : recording.error().message;
+    return recording ? "accepted" : recording.error().message();
 }
 
 TEST(Recording, ToneGoesOnInPhaseWhereTheLoopCloses) {

@@ -78,7 +78,7 @@ TEST(WavFile, HoldsTheBytesThatLibsndfileWritesWhateverThePieces) {
         for (float& sample : stereo)
             sample = random() % 50 == 0 ? (random() % 2 == 0 ? 1.0f : -1.0f) : anywhere(random);
         auto file = WavWriter::create(folder / "a.wav", frames);
-        ASSERT_TRUE(file) << file.error().message;
+        ASSERT_TRUE(file) << file.error().message();
         for (std::size_t at = 0; at < stereo.size();) {
             const std::size_t count = std::min<std::size_t>(1 + random() % 5000, stereo.size() - at);
             file->write(std::span<const float>(stereo).subspan(at, count));
@@ -96,7 +96,7 @@ TEST(WavFile, MoreThanFourGigabytesAreRefusedBeforeAFileIsMade) {
     const test::TemporaryFolder folder;
     const auto file = WavWriter::create(folder / "a.wav", std::size_t{1} << 30);
     ASSERT_FALSE(file);
-    EXPECT_NE(file.error().message.find("at most 4 GB"), std::string::npos);
+    EXPECT_NE(file.error().message().find("at most 4 GB"), std::string::npos);
     EXPECT_EQ(filesIn(folder.path()), 0u);
 }
 
@@ -112,7 +112,7 @@ TEST(WavFile, MissingFolderIsASentenceWithTheFilesName) {
     const test::TemporaryFolder folder;
     const auto written = writeWav(folder / "not/there.wav", std::vector<float>(2));
     ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("not/there.wav"), std::string::npos) << written.error().message;
+    EXPECT_NE(written.error().message().find("not/there.wav"), std::string::npos) << written.error().message();
     EXPECT_EQ(filesIn(folder.path()), 0u);
 }
 

@@ -33,7 +33,7 @@ OfflineSettings headphonesIf(bool headphones) {
 TEST(OfflineRender, HasExactlyTheLengthAskedFor) {
     for (const double seconds : {0.001, 0.5, 1.2345}) {
         const auto sound = renderOffline(steady(spinning(100000.0)), seconds);
-        ASSERT_TRUE(sound) << sound.error().message;
+        ASSERT_TRUE(sound) << sound.error().message();
         EXPECT_EQ(sound->size(), 2 * static_cast<std::size_t>(std::llround(seconds * kSoundRate)));
     }
 }
@@ -42,7 +42,7 @@ TEST(OfflineRender, ToneInTheSamplesFollowsTheTrack) {
     const std::vector<TimedSoundState> track{
         {0.0, spinning(0.0), {}}, {1.0, spinning(400000.0), {}}, {1.5, spinning(100000.0), {}}};
     const auto sound = renderOffline(track, 1.5);
-    ASSERT_TRUE(sound) << sound.error().message;
+    ASSERT_TRUE(sound) << sound.error().message();
     const auto left = channel(*sound, 0);
     for (double t = 0.1; t < 1.4; t += 0.05) {
         if (std::abs(t - 1.0) < 0.03) continue;
@@ -56,7 +56,7 @@ TEST(OfflineRender, ToneInTheSamplesFollowsTheTrack) {
 
 TEST(OfflineRender, StraightAheadIsEquallyLoudOnBothSides) {
     const auto sound = renderOffline(steady(cutting("enamel", 5.0)), 1.0);
-    ASSERT_TRUE(sound) << sound.error().message;
+    ASSERT_TRUE(sound) << sound.error().message();
     EXPECT_NEAR(rms(channel(*sound, 0)), rms(channel(*sound, 1)), 1e-4);
     EXPECT_GT(rms(*sound), 0.05);
 }
@@ -77,7 +77,7 @@ TEST(OfflineRender, ABurThatPassesFromLeftToRightMovesTheEnergyAlong) {
         auto track = steady(cutting("dentin", 5.0), {-300.0, 0.0, -100.0});
         track.push_back({4.0, track[0].state, {{300.0, 0.0, -100.0}, {}}});
         const auto sound = renderOffline(track, 4.0, headphonesIf(headphones));
-        ASSERT_TRUE(sound) << sound.error().message;
+        ASSERT_TRUE(sound) << sound.error().message();
         double last = -1.0;
         for (std::size_t part = 0; part < 8; ++part) {
             const auto piece = std::span(*sound).subspan(part * kSoundRate, kSoundRate);
@@ -109,7 +109,7 @@ TEST(OfflineRender, ListenerThatTurnsHearsTheSourceMove) {
     auto track = steady(cutting("dentin", 5.0));
     track[0].placement.listenerInWorld.rotation = Eigen::AngleAxisd(-0.8, Vec3::UnitY());  // turned to the right
     const auto sound = renderOffline(track, 0.5);
-    ASSERT_TRUE(sound) << sound.error().message;
+    ASSERT_TRUE(sound) << sound.error().message();
     EXPECT_GT(rms(channel(*sound, 0)), 1.5 * rms(channel(*sound, 1)));
 }
 
@@ -124,7 +124,7 @@ TEST(OfflineRender, LoadedSessionNeverClips) {
     DrillSoundState state = cutting("enamel", 30.0, 400000.0);
     for (const bool headphones : {false, true}) {
         const auto sound = renderOffline(steady(state, {-300.0, 0.0, 0.0}), 3.0, headphonesIf(headphones));
-        ASSERT_TRUE(sound) << sound.error().message;
+        ASSERT_TRUE(sound) << sound.error().message();
         EXPECT_LT(peak(*sound), 1.0f) << "headphones " << headphones;
     }
 }
@@ -138,7 +138,7 @@ TEST(OfflineRender, RefusesWhatMakesNoSense) {
     const std::vector<TimedSoundState> backwards{{1.0, {}, {}}, {0.5, {}, {}}};
     const auto refused = renderOffline(backwards, 1.0);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("number 2"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message().find("number 2"), std::string::npos) << refused.error().message();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ LayerMesh boxLayer(const std::string& name, MaterialId material, double halfSide
 
 std::string failure(TriangleMesh outer, std::vector<LayerMesh> layers) {
     const auto tooth = LayeredTooth::make(std::move(outer), std::move(layers));
-    return tooth ? "" : tooth.error().message;
+    return tooth ? "" : tooth.error().message();
 }
 
 TEST(LayeredTooth, WithoutLayersItIsOneMaterial) {

@@ -101,7 +101,7 @@ TEST(RevolutionEnvelope, AFlatMeshIsRefused) {
     flat.triangles = {{0, 1, 2}};
     const auto envelope = RevolutionEnvelope::make(flat);
     ASSERT_FALSE(envelope);
-    EXPECT_NE(envelope.error().message.find("along its axis"), std::string::npos);
+    EXPECT_NE(envelope.error().message().find("along its axis"), std::string::npos);
 }
 
 // A facet that rotates about an axis beside it makes a hollow band. It is less than half a micrometre deep and is

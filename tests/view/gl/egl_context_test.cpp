@@ -26,13 +26,13 @@ TEST(EglContext, DrawsBySoftwareWhereThatIsAskedFor) {
     ASSERT_EQ(setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1), 0);
     const auto context = EglContext::create();
     ASSERT_EQ(setenv("LIBGL_ALWAYS_SOFTWARE", kept.c_str(), 1), 0);
-    ASSERT_TRUE(context) << context.error().message;
+    ASSERT_TRUE(context) << context.error().message();
     EXPECT_TRUE(isSoftwareRenderer(rendererName())) << rendererName();
 }
 
 TEST(EglContext, AContextIsCurrentWhileItLives) {
     const auto context = EglContext::create();
-    ASSERT_TRUE(context) << context.error().message;
+    ASSERT_TRUE(context) << context.error().message();
     EXPECT_FALSE(rendererName().empty());
 }
 

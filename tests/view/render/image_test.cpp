@@ -32,7 +32,7 @@ TEST(Image, MissingFolderIsASentenceAndLeavesNothing) {
     const test::TemporaryFolder folder;
     const auto result = writePng(pattern(), folder / "missing/a.png");
     ASSERT_FALSE(result);
-    EXPECT_NE(result.error().message.find("missing"), std::string::npos);
+    EXPECT_NE(result.error().message().find("missing"), std::string::npos);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

@@ -159,7 +159,7 @@ TEST_F(RendererTest, ImpossibleSizesAreASentence) {
     for (const ImageSize size : {ImageSize{0, 10}, ImageSize{10, -1}, ImageSize{1000000, 10}}) {
         const auto image = renderer().render(sceneOf({}), size);
         ASSERT_FALSE(image);
-        EXPECT_NE(image.error().message.find("choose"), std::string::npos);
+        EXPECT_NE(image.error().message().find("choose"), std::string::npos);
     }
 }
 

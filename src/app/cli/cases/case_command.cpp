@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
@@ -36,9 +37,7 @@ Expected<ImportOptions> choicesOf(const CaseNewOptions& options) {
                    factor && *factor >= kFinestUnit && *factor <= kCoarsestUnit) {
             choices.mmPerUnit = *factor;
         } else {
-            return unexpected("--units " + quotedWord(options.units) +
-                              " is no unit; give mm, cm, inch, m, um, or how many mm one unit is, "
-                              "from 0.000001 to 1000000.");
+            return unexpected(msg::kUnitUnknown, quotedWord(options.units));
         }
     }
     choices.holes = options.holes == "all"    ? HolesToFill::All
@@ -101,8 +100,7 @@ std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescripti
 Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
     std::vector<CaseFile> files;
     for (const std::string& entry : store.entries()) {
-        if (const std::string name = validUtf8(entry); name != entry)
-            return unexpected(name + ": an archive takes names in UTF-8 only; give the file another name.");
+        if (const std::string name = validUtf8(entry); name != entry) return unexpected(msg::kArchiveNeedsUtf8, name);
         auto bytes = store.read(entry);
         if (!bytes) return Unexpected{bytes.error()};
         files.push_back({entry, std::move(*bytes)});
@@ -193,8 +191,7 @@ int runCasePack(const CasePackOptions& options) {
         out += kCaseEnding;
     }
     if (out.extension() != kCaseEnding) {
-        return reportError(
-            {displayName(out) + ": a packed case is a file whose name ends in " + std::string(kCaseEnding) + "."});
+        return reportError({msg::kCaseNameEnding, displayName(out), kCaseEnding});
     }
     const std::size_t count = files->size();
     if (const auto written = writeCase(*files, out); !written) return reportError(written.error());

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "assessment/cavity_metrics.h"
@@ -51,10 +52,7 @@ Expected<void> tell(const ExerciseOptions& options) {
     const CavityWalls walls = cavityWalls(surface->mesh(), *outer);
     CavityMetrics metrics(surface, *outer, walls);
     if (metrics.empty()) {
-        return unexpected(
-            displayName(options.file) +
-            ": the ideal shape leaves nothing to cut; it must lie in the frame of the tooth, and have its "
-            "cavity inside it.");
+        return unexpected(msg::kIdealLeavesNothing, displayName(options.file));
     }
     if (auto named = files.commit(); !named) return named;
     Surface whole;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "assessment/cavity_metrics.h"
@@ -25,9 +26,7 @@ Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem
     printImportNotes(importNotes);
     CavityMetrics metrics(std::make_shared<const SurfacePart>(std::move(*ideal)), *piece.tooth().ownOuter());
     if (metrics.empty()) {
-        return unexpected(displayName(target) +
-                          " leaves nothing to cut: no part of it lies inside the uncut tooth; choose the same tooth "
-                          "with its cavity, in the same frame.");
+        return unexpected(msg::kTargetLeavesNothing, displayName(target));
     }
     return metrics.of(*piece.surface(), total(piece.removed()));
 }
@@ -63,10 +62,7 @@ std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, c
 
 int runScore(const ScoreOptions& options) {
     if (!isToothFile(options.tooth)) {
-        return reportError(
-            {displayName(options.tooth) +
-             " is no saved tooth: give one that 'tactooth cut --save' or the window (Ctrl+S) has written, "
-             "which knows what was cut from it."});
+        return reportError({msg::kNoSavedToothGiven, displayName(options.tooth)});
     }
     const Expected<OpenedTooth> opened = openTooth(options.tooth);
     if (!opened) return reportError(opened.error());

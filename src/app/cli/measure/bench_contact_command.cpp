@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "experiments/contact_timing.h"
@@ -142,9 +143,7 @@ int runBenchContact(const BenchContactOptions& options) {
     }
     const std::vector<int> percents = percentsOf(options);
     if (own && percents.front() < 100 && !reportOn(own->mesh).watertight()) {
-        return reportError(
-            {displayName(options.tooth) +
-             " is not closed, so its triangles cannot be made fewer; measure it with --resolution 100."});
+        return reportError({msg::kToothNotClosed, displayName(options.tooth)});
     }
     const auto tool = std::make_shared<const ToolShape>(std::move(bur));
     BenchOutput output(options, burName, tool->mesh().triangles.size());

@@ -9,6 +9,7 @@
 #include "app/cli/measure/bench_mouth.h"
 #include "app/cli/measure/drilling_scene.h"
 #include "app/cli/pictures/render_arguments.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "experiments/standard_teeth.h"
@@ -114,7 +115,7 @@ Expected<DrillingScene> workOnMolar(ImageSize size, int frames) {
 
 Expected<DrillingScene> workOn(const TriangleMesh& mesh, ImageSize size, int frames) {
     Expected<LayeredTooth> layered = LayeredTooth::make(mesh, {});
-    if (!layered) return unexpected("the tooth cannot be cut: " + layered.error().message + ".");
+    if (!layered) return unexpected(msg::kToothNotCut, layered.error());
     return DrillingScene::make(std::make_shared<const LayeredTooth>(std::move(*layered)), std::nullopt, size, frames);
 }
 

@@ -16,6 +16,7 @@
 #include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "geometry/files/staging_folder.h"
+#include "geometry/util/messages.h"
 
 namespace tactooth {
 namespace {
@@ -77,8 +78,7 @@ int runReproduce(const ReproduceOptions& options) {
     FileTransaction files;
     if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
     const auto scratch = StagingFolder::make(options.out);
-    if (!scratch)
-        return reportError({displayName(options.out) + ": cannot be written: " + scratch.error().message + "."});
+    if (!scratch) return reportError({msg::kOutputNotWritten, displayName(options.out), scratch.error()});
     const auto data = realTeethFolder();
     print("teeth: {}\n", data ? "real ones from " + displayName(*data)
                               : "built-in ones ($TACTOOTH_DATA and ../shared/data hold no real ones)");

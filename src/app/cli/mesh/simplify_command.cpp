@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "assessment/mesh_deviation.h"
@@ -17,6 +18,7 @@
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_edges.h"
 #include "geometry/mesh/simplify.h"
+#include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -27,8 +29,7 @@ Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangl
     const bool isShare = keep.ends_with('%');
     const auto number = toNumber<double>(isShare ? keep.substr(0, keep.size() - 1) : keep);
     if (!number || !(*number > 0) || !(isShare ? *number <= 100 : *number == std::floor(*number) && *number < 1e15)) {
-        return unexpected("--keep " + quotedWord(keep) +
-                          " is neither a share, for example 50%, nor a number of triangles, for example 20000.");
+        return unexpected(msg::kKeepUnknown, quotedWord(keep));
     }
     const double wanted = isShare ? *number / 100 * static_cast<double>(triangles) : *number;
     return static_cast<std::size_t>(std::llround(wanted));
@@ -42,7 +43,7 @@ int runSimplify(const SimplifyOptions& options) {
     if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     if (const auto wanted = wantedTriangles(options.keep, 1); !wanted) return reportError(wanted.error());
     std::vector<ImportNote> importNotes;
-    auto mesh = loadSolid(options.in, "the surface", {.dropsSpecks = false}, &importNotes);
+    auto mesh = loadSolid(options.in, msg::kTheSurface, {.dropsSpecks = false}, &importNotes);
     if (!mesh) return reportError(mesh.error());
     printImportNotes(importNotes);
     std::erase_if(mesh->triangles, [](const Triangle& triangle) { return isDegenerate(triangle); });
@@ -50,9 +51,8 @@ int runSimplify(const SimplifyOptions& options) {
     print(stderr, "simplifying {} triangles to {}\n", mesh->triangles.size(), wanted);
     const TriangleMesh fewer = simplified(*mesh, wanted);
     if (const SolidReport now = examineSolid(fewer, {.dropsSpecks = false}).report; !now.isSolid()) {
-        return reportError(
-            {fmt::format("{}: with {} triangles the surface would cross itself by {:.2f} mm; keep more of them.",
-                         displayName(options.in), fewer.triangles.size(), now.overlap)});
+        return reportError({msg::kSimplifiedCrossing, displayName(options.in), fewer.triangles.size(),
+                            fmt::format("{:.2f}", now.overlap)});
     }
     if (const auto done = writeStl(fewer, options.out); !done) return reportError(done.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "assessment/mesh_deviation.h"
@@ -30,8 +31,8 @@ int runSubdivide(const SubdivideOptions& options) {
     const double wanted = options.triangles ? static_cast<double>(*options.triangles)
                                             : static_cast<double>(mesh->triangles.size()) * std::pow(4.0, times);
     if (wanted > static_cast<double>(kMaxSubdivided)) {
-        return reportError({fmt::format("{}: {:.0f} triangles would be made, and {} are the most; ask for fewer.",
-                                        displayName(options.in), wanted, kMaxSubdivided)});
+        return reportError(
+            {msg::kTooManyTriangles, displayName(options.in), fmt::format("{:.0f}", wanted), kMaxSubdivided});
     }
     print(stderr, "subdividing {} triangles to {:.0f}\n", mesh->triangles.size(), wanted);
     const TriangleMesh more = options.triangles ? subdividedTo(*mesh, *options.triangles) : subdivided(*mesh, times);

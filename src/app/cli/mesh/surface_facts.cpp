@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/terminal/info_text.h"
+#include "app/cli/terminal/messages.h"
 
 namespace tactooth {
 
@@ -14,10 +15,10 @@ SurfaceFacts surfaceFacts(const TriangleMesh& mesh) {
 
 std::vector<std::string> SurfaceFacts::findings() const {
     std::vector<std::string> sentences = tactooth::findings(used);
-    for (const ImportNote& importNote : notesOn(solid, "When used")) sentences.push_back(inWords(importNote));
+    for (const ImportNote& importNote : notesOn(solid, msg::kWhenUsed)) sentences.push_back(inWords(importNote));
     if (solid.flaw == SolidFlaw::Overlapping || solid.flaw == SolidFlaw::SelfIntersecting ||
         solid.flaw == SolidFlaw::Empty || (solid.flaw == SolidFlaw::NonOrientable && used.oriented())) {
-        sentences.push_back(flawSentence(solid, "The surface") + ".");
+        sentences.push_back(flawSentence(solid, msg::kTheSurfaceItself).in(Language::English) + ".");
     }
     return sentences;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/cli/terminal/messages.h"
 #include "app/common/inspection.h"
 #include "geometry/util/number_text.h"
 
@@ -56,12 +57,10 @@ Expected<ImageSize> parseSize(const std::string& text) {
     const auto sides = numbers(text, 'x', 2, kMaxSide);
     const auto fits = [](double side) { return side >= kMinSide && side == std::trunc(side); };
     if (!sides || !fits(sides->front()) || !fits(sides->back())) {
-        return unexpected("the size " + quotedWord(text) +
-                          " is none: write WIDTHxHEIGHT in pixels, each 16 to 16384, as 1920x1080.");
+        return unexpected(msg::kPictureSizeUnknown, quotedWord(text));
     }
     if (sides->front() * sides->back() > kMaxPixels) {
-        return unexpected("a picture of " + quotedWord(text) +
-                          " pixels is too large: 16.8 million pixels in all, as 4096x4096 or 5120x3200, are the most.");
+        return unexpected(msg::kPictureTooLarge, quotedWord(text));
     }
     return ImageSize{static_cast<int>(sides->front()), static_cast<int>(sides->back())};
 }
@@ -72,15 +71,12 @@ Expected<ViewArgument> parseView(const std::string& text) {
     if (const auto angles = numbers(text, ',', 2, kMaxTurn)) {
         return ViewArgument{std::nullopt, {(*angles)[0] * kDegree, (*angles)[1] * kDegree}};
     }
-    return unexpected("the view " + quotedWord(text) +
-                      " is none: choose occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
-                      "degrees.");
+    return unexpected(msg::kViewUnknown, quotedWord(text));
 }
 
 Expected<Vec3> parsePoint(const std::string& text) {
     if (const auto at = numbers(text, ',', 3, kFarthest)) return Vec3((*at)[0], (*at)[1], (*at)[2]);
-    return unexpected("the point " + quotedWord(text) +
-                      " is none: write X,Y,Z in mm, each from -1000 to 1000, as 1.5,-2,7.");
+    return unexpected(msg::kPointUnknown, quotedWord(text));
 }
 
 Expected<ClipArgument> parseClip(const std::string& text) {
@@ -89,9 +85,7 @@ Expected<ClipArgument> parseClip(const std::string& text) {
     const std::optional<double> way = parts.size() == 2 ? toNumber<double>(parts[1]) : std::optional<double>(0);
     const bool isNear = way && std::abs(*way) <= kFarthest;
     if (side != nullptr && isNear && parts.size() <= 2) return ClipArgument{*side, *way};
-    return unexpected("the clip plane " + quotedWord(text) +
-                      " is none: choose occlusal, buccal, lingual, mesial or distal, and if need be how far from the "
-                      "tooth's middle, as buccal=1.5 (mm).");
+    return unexpected(msg::kClipPlaneUnknown, quotedWord(text));
 }
 
 Expected<OpacityArgument> parseOpacity(const std::string& text, const MaterialRegistry& materials) {
@@ -99,8 +93,7 @@ Expected<OpacityArgument> parseOpacity(const std::string& text, const MaterialRe
     const double opacity = parts.size() == 2 ? toNumber<double>(parts[1]).value_or(-1) : -1;
     const std::optional<MaterialId> material = materials.find(parts.front());
     if (material && opacity >= 0 && opacity <= 1) return OpacityArgument{*material, static_cast<float>(opacity)};
-    return unexpected(quotedWord(text) +
-                      " makes nothing transparent: write a material and its opacity from 0 to 1, as enamel=0.3.");
+    return unexpected(msg::kNothingTransparent, quotedWord(text));
 }
 
 std::filesystem::path numberedFile(const std::filesystem::path& file, int number) {

@@ -6,6 +6,7 @@
 
 #include "app/cli/pictures/render_arguments.h"
 #include "app/cli/pictures/render_mouth.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/distance_legend.h"
 #include "app/common/exit_code.h"
@@ -50,9 +51,7 @@ Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, co
     if (!mesh) return Unexpected{mesh.error()};
     auto ghost = std::make_shared<CavityGhost>(*mesh, uncut);
     if (ghost->empty()) {
-        return unexpected(displayName(options.target) +
-                          " leaves nothing to cut: no part of it lies inside the uncut tooth, so there is no ghost; "
-                          "choose the surface of the same tooth with its cavity, in the same frame.");
+        return unexpected(msg::kTargetLeavesNoGhost, displayName(options.target));
     }
     return ghost;
 }

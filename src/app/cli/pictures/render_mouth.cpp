@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/cli/pictures/render_arguments.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/mouth_scene.h"
 #include "geometry/files/file_bytes.h"
@@ -36,9 +37,7 @@ Expected<MouthView> viewOf(const std::string& name) {
     if (found != kViews.end()) return *found;
     const auto free = parseView(name);
     if (free && !free->standard) return MouthView{"", free->free};
-    return unexpected("there is no view '" + name +
-                      "' of the mouth; choose front, right, left, upper, lower, dentist, or AZIMUTH,ELEVATION in "
-                      "degrees.");
+    return unexpected(msg::kMouthViewUnknown, name);
 }
 
 /// What the picture has to show: all crowns and some gum around them.

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "app/cli/terminal/messages.h"
 #include "app/common/exit_code.h"
 #include "app/gui/settings/window_settings.h"
 #include "app/gui/window/run_window.h"
@@ -132,15 +133,14 @@ int runWindowCommand(const WindowArguments& arguments) {
         const std::filesystem::path file = arguments.tooth;
         std::error_code unused;
         if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
-            return reportError({"there is no command and no case '" + arguments.tooth + "'; see 'tactooth --help'."});
+            return reportError({msg::kCommandUnknown, arguments.tooth});
         }
         options.tooth = ToothSource{.outer = file, .layers = {}};
         options.workOn = arguments.workOn;
     }
     if (arguments.mouth) {
         if (!isPermanentTooth(*arguments.mouth)) {
-            return reportError(
-                {"what follows --mouth must be the number of a permanent tooth: 11-18, 21-28, 31-38 or 41-48."});
+            return reportError(msg::kMouthNeedsTooth);
         }
         options.mouth = MouthChoice{*arguments.mouth, !arguments.noCache};
     }

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "collision/bvh/surface.h"
@@ -16,6 +17,7 @@
 #include "geometry/files/folder.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/util/display_text.h"
+#include "geometry/util/messages.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
@@ -172,7 +174,7 @@ Expected<CustomBur> burOf(const CutOptions& options, const ToothPlacement& place
                           std::vector<ImportNote>& importNotes) {
     if (!options.tool.empty()) return readCustomBur(options.tool, &importNotes);
     if (place.bur) return *place.bur;
-    return unexpected("there is no bur: give --tool, or a case that brings one.");
+    return unexpected(msg::kNoBurGiven);
 }
 
 void printLoss(const ToothLoss& loss, const MaterialRegistry& materials) {
@@ -204,7 +206,7 @@ int runCut(const CutOptions& options) {
     if (!bur) return reportError(bur.error());
     printImportNotes(importNotes);
     const auto tool = makeCuttingTool(bur->surface, bur->sharpness);
-    if (!tool) return reportError({bur->name + ": " + tool.error().message});
+    if (!tool) return reportError({msg::kNamedSentence, bur->name, tool.error()});
     CutModel& piece = *tooth->piece;
     const MaterialVolumes before = piece.removed();
     const MaterialTable materials(piece.tooth().materials());

@@ -18,6 +18,7 @@
 #include "geometry/files/file_transaction.h"
 #include "geometry/files/folder.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/messages.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
@@ -118,7 +119,7 @@ Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
         cast.props.tool.edge = spec.edge();
     }
     auto cutting = makeCuttingTool(felt, sharpness);
-    if (!cutting) return unexpected(cast.burName + ": " + cutting.error().message);
+    if (!cutting) return unexpected(msg::kNamedSentence, cast.burName, cutting.error());
     cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     cast.instrument =
         Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), cast.props.tool.edge};

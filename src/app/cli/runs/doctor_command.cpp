@@ -25,7 +25,7 @@ constexpr std::array<const char*, 3> kVerdicts = {"fine", "optional", "missing"}
 
 Finding checkDisplayServer() {
     const Expected<void> display = checkDisplay();
-    if (!display) return {"display", Verdict::Missing, asSentence(display.error().message)};
+    if (!display) return {"display", Verdict::Missing, asSentence(display.error().message())};
     return {"display", Verdict::Fine, "A window can be opened."};
 }
 
@@ -33,12 +33,12 @@ Finding checkOpenGlRenderer() {
     const auto answer = inChildProcess(
         [] {
             const auto context = EglContext::create();
-            return context ? std::string() : context.error().message;
+            return context ? std::string() : context.error().message();
         },
         kDriverTimeout);
     if (!answer) {
         return {"OpenGL", Verdict::Missing,
-                "The graphics driver is broken, " + answer.error().message + ": install it anew."};
+                "The graphics driver is broken, " + answer.error().message() + ": install it anew."};
     }
     if (!answer->empty()) return {"OpenGL", Verdict::Missing, asSentence(*answer)};
     return {"OpenGL", Verdict::Fine, "OpenGL 4.1 works."};

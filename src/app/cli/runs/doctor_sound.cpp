@@ -24,7 +24,7 @@ std::string tryToMix() {
     constexpr double kShort = 0.01;  // s
     const TimedSoundState still;
     const auto rendered = renderOffline({&still, 1}, kShort);
-    return rendered ? std::string() : rendered.error().message;
+    return rendered ? std::string() : rendered.error().message();
 }
 
 /// The name of the device that plays, which may be empty, behind a '+'.
@@ -57,7 +57,7 @@ Finding checkSoundCard() {
     const auto answer = inChildProcess(tryToPlay, kDriverTimeout);
     if (!answer) {
         return {kCard, Verdict::Missing,
-                "The sound card's driver is broken, " + answer.error().message +
+                "The sound card's driver is broken, " + answer.error().message() +
                     ": choose another card in the system's settings or restart the sound server; until then start "
                     "Tactooth with ALSOFT_DRIVERS=null, without sound."};
     }
@@ -75,7 +75,7 @@ std::vector<Finding> checkSound() {
     const auto answer = inChildProcess(tryToMix, kDriverTimeout);
     if (!answer) {
         return {{kSystem, Verdict::Missing,
-                 "The sound library (OpenAL) is broken, " + answer.error().message +
+                 "The sound library (OpenAL) is broken, " + answer.error().message() +
                      ": install the package libopenal1 anew; until then it takes the window down with it."},
                 {kCard, Verdict::Optional, "It was not tried: mend the sound system first."}};
     }

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
@@ -35,13 +36,12 @@ int printList() {
 
 int runBur(const BurOptions& options) {
     if (options.list) return printList();
-    if (options.number.empty()) return reportError({"no bur is named; give a number, or --list for all of them."});
+    if (options.number.empty()) return reportError(msg::kNoBurNamed);
     const auto spec = findBur(options.number);
     if (!spec) {
-        return reportError(
-            {fmt::format("the catalogue has no bur '{}'; 'tactooth bur --list' shows what it has.", options.number)});
+        return reportError({msg::kBurNotListed, options.number});
     }
-    if (options.out.empty()) return reportError({"--out is missing; name the STL file to write."});
+    if (options.out.empty()) return reportError(msg::kOutMissing);
     const Bur bur = makeBurWithTriangles(*spec, options.triangles);
     if (const auto done = writeStl(bur.surface, options.out); !done) return reportError(done.error());
     print("{} (ISO {}), head {:.2f} x {:.2f} mm\n{}: {}\n", spec->name, isoNumber(*spec), spec->headDiameter,

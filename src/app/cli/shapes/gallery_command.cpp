@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/shapes/gallery_pictures.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/exit_code.h"
@@ -117,13 +118,11 @@ Expected<void> openFiles(const GalleryOptions& options, FileTransaction& files) 
 int runGallery(const GalleryOptions& options) {
     constexpr std::size_t kMaxTeeth = 32;
     if (options.teeth.size() > kMaxTeeth) {
-        return reportError({fmt::format("--teeth names {} teeth, and a sheet has room for {}; name each once.",
-                                        options.teeth.size(), kMaxTeeth)});
+        return reportError({msg::kTooManyTeeth, options.teeth.size(), kMaxTeeth});
     }
     for (const int fdi : options.teeth) {
         if (!isPermanentTooth(fdi)) {
-            return reportError(
-                {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi)});
+            return reportError({msg::kNoPermanentToothGiven, fdi});
         }
     }
     FileTransaction files;

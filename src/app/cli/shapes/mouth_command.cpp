@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
@@ -79,8 +80,7 @@ Expected<void> writeMouth(const MouthOptions& options) {
 Expected<BuiltinMouth> mouthFromSpec(const MouthSpec& spec) {
     for (const int fdi : spec.missing) {
         if (isPermanentTooth(fdi)) continue;
-        return unexpected(
-            fmt::format("{} in --missing is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", fdi));
+        return unexpected(msg::kMissingNotPermanent, fdi);
     }
     const ToothCache cache(spec.noCache ? fs::path() : defaultCacheFolder());
     const MouthRequest request{spec.triangles, spec.seed, spec.jaw == "open" ? JawPose::Open : JawPose::Closed,

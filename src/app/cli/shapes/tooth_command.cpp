@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/terminal/mesh_summary.h"
+#include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
@@ -44,14 +45,10 @@ void printSize(const BuiltinTooth& tooth) {
 
 int runTooth(const ToothOptions& options) {
     if (!isPermanentTooth(options.fdi)) {
-        return reportError(
-            {fmt::format("{} is no permanent tooth; FDI numbers are 11-18, 21-28, 31-38 and 41-48.", options.fdi)});
+        return reportError({msg::kNoPermanentToothGiven, options.fdi});
     }
     if (options.caries == "occlusal" && isAnteriorTooth(options.fdi)) {
-        return reportError(
-            {fmt::format("{} is a front tooth and has no occlusal surface; choose mesial, distal, buccal or "
-                         "lingual for --caries.",
-                         options.fdi)});
+        return reportError({msg::kNoOcclusalSurface, options.fdi});
     }
     FileTransaction files;
     if (const auto made = files.makeFolder(options.out); !made) return reportError(made.error());

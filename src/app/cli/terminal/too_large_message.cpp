@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/cli/terminal/messages.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 
@@ -30,10 +31,8 @@ std::optional<Box3> boxOf(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string tooLargeMessage(std::span<const char* const> arguments) {
-    std::string sentence =
-        "the memory does not suffice for this; ask for less (coarser voxels, fewer triangles, a smaller picture), or "
-        "close other programs.";
+Error tooLargeMessage(std::span<const char* const> arguments) {
+    Error sentence(msg::kMemoryTooSmall);
     double largest = kLargestMouth;
     for (const std::string argument : arguments) {
         const std::filesystem::path file = argument.substr(argument.find('=') + 1);  // "enamel=FILE"
@@ -41,8 +40,8 @@ std::string tooLargeMessage(std::span<const char* const> arguments) {
         if (!box || !(box->sizes().maxCoeff() > largest)) continue;
         largest = box->sizes().maxCoeff();
         const Vec3 size = box->sizes();
-        sentence = fmt::format("{}: {:.0f} x {:.0f} x {:.0f} mm do not fit into memory; is it in micrometres?",
-                               displayName(file), size.x(), size.y(), size.z());
+        const auto whole = [](double length) { return fmt::format("{:.0f}", length); };
+        sentence = {msg::kSurfaceTooLarge, displayName(file), whole(size.x()), whole(size.y()), whole(size.z())};
     }
     return sentence;
 }

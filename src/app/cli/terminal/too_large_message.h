@@ -3,12 +3,13 @@
 #pragma once
 
 #include <span>
-#include <string>
+
+#include "geometry/util/expected.h"
 
 namespace tactooth {
 
 /// The sentence for a command whose memory does not suffice: names the largest surface among its arguments where that
 /// is larger than any mouth, since then its unit is not what was thought.
-[[nodiscard]] std::string tooLargeMessage(std::span<const char* const> arguments);
+[[nodiscard]] Error tooLargeMessage(std::span<const char* const> arguments);
 
 }  // namespace tactooth

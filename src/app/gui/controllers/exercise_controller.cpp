@@ -13,7 +13,7 @@
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/practice_report.h"

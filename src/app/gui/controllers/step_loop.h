@@ -29,8 +29,8 @@ public:
 signals:
     /// `dt`: since the last step, s.
     void aboutToStep(double dt);
-    void faultChanged(const char* fault);  ///< of a device; null: none any more
-    void overloaded(double microseconds);  ///< SessionModel::StepResult::heavyTick
+    void faultChanged(const Message* fault);  ///< of a device; null: none any more
+    void overloaded(double microseconds);     ///< SessionModel::StepResult::heavyTick
     void simulatorStarted();
     void toothChanged();
     void stepped();

@@ -8,7 +8,7 @@
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/open_tooth_dialog.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
@@ -129,7 +129,7 @@ void ToothController::askForSave() {
 void ToothController::poll() {
     importer_.poll();
     if (const auto failure = loader_.poll()) {
-        messages_.showError(Error{*failure});
+        messages_.showError(*failure);
         emit loadingFailed();
     }
 }

@@ -12,7 +12,7 @@
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/panels/inspection_panel.h"
-#include "app/gui/text/error_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 
@@ -43,9 +43,9 @@ void WindowHints::showUsual() {
 }
 
 /// A hint, not a message: a message would take the keys and the pedal from the user at work.
-void WindowHints::showFault(const char* fault) {
+void WindowHints::showFault(const Message* fault) {
     if (fault != nullptr) {
-        messages_.setHint(translatedError(fault));
+        messages_.setHint(translated(*fault));
     } else {
         showUsual();
     }

@@ -24,8 +24,8 @@ public:
 
     /// How to work with the device in use.
     void showUsual();
-    /// A sentence of a device, in English; null: the fault has ended.
-    void showFault(const char* fault);
+    /// A message of a device; null: the fault has ended.
+    void showFault(const Message* fault);
     /// `microseconds`: the time of the slowest tick in a hundred.
     void showOverload(double microseconds);
     /// Shows why the bur does not do what the user expects, if the reason has changed.

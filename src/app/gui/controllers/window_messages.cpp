@@ -3,7 +3,7 @@
 #include "app/gui/controllers/window_messages.h"
 
 #include "app/gui/panels/status_line.h"
-#include "app/gui/text/error_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 
@@ -14,7 +14,7 @@ void WindowMessages::showError(const QString& sentence) {
     show(QMessageBox::Warning, tr("Tactooth"), sentence);
 }
 
-void WindowMessages::showError(const Error& error) { showError(translatedError(error.message)); }
+void WindowMessages::showError(const Error& error) { showError(translated(error)); }
 
 void WindowMessages::show(QMessageBox::Icon icon, const QString& title, const QString& text) {
     auto* box = new QMessageBox(icon, title, text, QMessageBox::Ok, &window_);

@@ -11,8 +11,7 @@
 #include <QPushButton>
 #include <numbers>
 
-#include "app/gui/text/error_translation.h"
-#include "app/gui/text/import_note_translation.h"
+#include "app/gui/text/translation.h"
 #include "patient/length_unit.h"
 
 namespace tactooth {
@@ -124,7 +123,7 @@ void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());
     if (!scan) {
         state_->clear();
-        importNotes_->setPlainText(translatedError(scan.error().message));
+        importNotes_->setPlainText(translated(scan.error()));
         return;
     }
     const Vec3 size = boundingBox(scan->outer).sizes();
@@ -133,7 +132,7 @@ void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
                         .arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())));
     QString list;
     for (const ImportNote& importNote : scan->importNotes)
-        list += "<li>" + translated(importNote).toHtmlEscaped() + "</li>";
+        list += "<li>" + translated(importNote.message).toHtmlEscaped() + "</li>";
     importNotes_->setHtml("<ul>" + list + "</ul>");
 }
 

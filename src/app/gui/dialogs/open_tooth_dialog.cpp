@@ -9,7 +9,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 

@@ -5,7 +5,8 @@
 #include <QString>
 #include <optional>
 
-#include "app/gui/text/error_translation.h"
+#include "app/gui/text/messages.h"
+#include "app/gui/text/translation.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/io/mesh_file.h"
 #include "session/cases/case_names.h"
@@ -33,10 +34,7 @@ Expected<Scan> readScan(const std::vector<fs::path>& files) {
         const auto material = files.size() > 1 ? named.material : std::nullopt;
         if (material) scan.name = named.body;
         if (!addSurface(scan, material, std::move(read->mesh))) {
-            return unexpected(
-                displayName(file) +
-                ": the tooth has this surface already; drop the files of one tooth, its layers named as in "
-                "L6_enamel.stl.");
+            return unexpected(msg::kScanHasSurface, displayName(file));
         }
     }
     return scan;
@@ -123,7 +121,7 @@ void ScanImporter::poll() {
     if (auto looked = examining_.poll(); looked && dialog_) {
         if (!*looked) {  // the file itself cannot be read: no choice helps
             dialog_->close();
-            emit failed(translatedError(looked->error().message));
+            emit failed(translated(looked->error()));
         } else {
             scan_ = (*looked)->scan;
             if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
@@ -137,7 +135,7 @@ void ScanImporter::poll() {
     if (*built) {
         emit imported(std::move(**built));
     } else {
-        emit failed(translatedError(built->error().message));
+        emit failed(translated(built->error()));
     }
 }
 

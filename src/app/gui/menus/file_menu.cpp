@@ -12,7 +12,7 @@
 
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 

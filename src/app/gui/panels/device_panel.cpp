@@ -5,8 +5,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 
-#include "app/gui/text/error_translation.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "devices/open_device.h"
 #include "devices/openhaptics/pen_names.h"
 #include "devices/probe/device_backend.h"
@@ -277,14 +276,14 @@ ButtonMap DevicePanel::buttons() const {
     return {bit(0), bit(1), bit(2)};
 }
 
-void DevicePanel::showState(const QString& device, ForceState force, const char* faultMessage) {
+void DevicePanel::showState(const QString& device, ForceState force, const Message* faultMessage) {
     if (device.isEmpty()) return state_->setText(tr("The mouse steers; the meter shows what a hand would feel."));
-    state_->setText(device + ": " + (faultMessage != nullptr ? translatedError(faultMessage) : forceStateText(force)));
+    state_->setText(device + ": " + (faultMessage != nullptr ? translated(*faultMessage) : forceStateText(force)));
 }
 
-void DevicePanel::showSecondState(const QString& device, const char* faultMessage) {
+void DevicePanel::showSecondState(const QString& device, const Message* faultMessage) {
     secondDeviceState_->setVisible(!device.isEmpty());
-    const QString state = faultMessage != nullptr ? translatedError(faultMessage) : tr("ready");
+    const QString state = faultMessage != nullptr ? translated(*faultMessage) : tr("ready");
     secondDeviceState_->setText(device.isEmpty() ? QString() : device + ": " + state);
 }
 

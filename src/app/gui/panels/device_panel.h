@@ -15,6 +15,7 @@
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
 #include "devices/base/workspace_fit.h"
+#include "geometry/util/message.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
 
@@ -45,9 +46,9 @@ public:
     /// workspace.
     void showFit(const std::optional<WorkspaceFit>& fit);
     /// Shows the state of the device; an empty name means the mouse.
-    void showState(const QString& device, ForceState force, const char* faultMessage);
+    void showState(const QString& device, ForceState force, const Message* faultMessage);
     /// The same for the other hand; an empty name shows nothing.
-    void showSecondState(const QString& device, const char* faultMessage);
+    void showSecondState(const QString& device, const Message* faultMessage);
 
 signals:
     void deviceChosen(const QString& name);

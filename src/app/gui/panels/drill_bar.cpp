@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QStyle>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kNameRole = Qt::UserRole + 2;  // not translated
 DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new QComboBox), spindles_(new QComboBox) {
     setObjectName("drillBar");
     for (const BurSpec& spec : burCatalogue()) {
-        burs_->addItem(translated(spec.name), QString::fromStdString(spec.number));
+        burs_->addItem(translated(spec.title), QString::fromStdString(spec.number));
         burs_->setItemData(burs_->count() - 1, QString::fromStdString(spec.name), kNameRole);
     }
     for (const SpindlePreset& spindle : spindlePresets()) {

@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 namespace {
@@ -49,7 +49,7 @@ EventPanel::EventPanel(QWidget* parent) : QWidget(parent), lines_(new QTableWidg
 
 void EventPanel::addLine(const CutEvent& event) {
     const QString time = locale().toString(event.time, 'f', 1);
-    const QString what = translated(cutEventName(event.kind));
+    const QString what = translated(cutEventText(event.kind));
     const auto number = [this](double mm) { return locale().toString(mm, 'f', 2); };
     const int row = lines_->rowCount();
     lines_->insertRow(row);

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 #include "assessment/exercise.h"
 
 namespace tactooth {

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "app/common/offscreen_application.h"
+#include "app/gui/text/messages.h"
 #include "geometry/files/atomic_file.h"
 #include "session/io/csv_table.h"
 
@@ -59,7 +60,7 @@ Expected<void> exportPlots(const TickTrace& trace, QWidget& plots, const std::fi
     if (ending == ".csv") return writeTable(trace, file);
     if (ending == ".svg") return writeDrawing(plots, file);
     if (ending == ".png") return writePicture(plots, file);
-    return unexpected("the plots cannot be written to " + file.string() + ": end its name in .csv, .svg or .png.");
+    return unexpected(msg::kPlotFormatUnknown, file.string());
 }
 
 }  // namespace tactooth

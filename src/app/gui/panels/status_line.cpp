@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <cmath>
 
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 namespace {
@@ -108,8 +108,7 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
                   .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
     removed_->setText(removedText(simulator.removed(), simulator.materials()));
-    const std::string_view text = statusText(sound);
-    sound_->setText(translated(text));
+    sound_->setText(translated(statusText(sound)));
 }
 
 }  // namespace tactooth

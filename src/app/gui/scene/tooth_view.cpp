@@ -83,7 +83,7 @@ Vec2 ToothView::toPixel(const QPointF& position) const {
 
 void ToothView::report(const Error& error) {
     failed_ = true;
-    emit failed(QString::fromStdString(error.message));
+    emit failed(QString::fromStdString(error.message()));
 }
 
 void ToothView::initializeGL() {

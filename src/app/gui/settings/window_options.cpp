@@ -3,10 +3,11 @@
 // The table of what the window remembers.
 #include <array>
 
-#include "session/model/mouse_manipulator.h"
 #include "app/gui/settings/window_settings.h"
+#include "app/gui/text/messages.h"
 #include "devices/base/workspace_fit.h"
 #include "geometry/util/number_text.h"
+#include "session/model/mouse_manipulator.h"
 
 namespace tactooth {
 namespace {
@@ -108,7 +109,7 @@ Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& opt
         return {};
     }
     if (const auto* value = std::get_if<Switch>(&option.value)) {
-        if (text != "yes" && text != "no") return unexpected(flagOf(option) + " takes yes or no, not '" + text + "'.");
+        if (text != "yes" && text != "no") return unexpected(msg::kFlagTakesYesOrNo, flagOf(option), text);
         (*value)(settings) = text == "yes";
         return {};
     }
@@ -119,9 +120,10 @@ Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& opt
     }
     const auto number = toNumber<double>(text);
     if (!number || !(*number >= option.lowest) || *number > option.highest) {
-        const std::string word = option.zero != nullptr ? std::string(option.zero) + " or " : std::string();
-        return unexpected(flagOf(option) + " takes " + word + "a number from " + numberText(option.lowest) + " to " +
-                          numberText(option.highest) + ", not '" + text + "'.");
+        const std::string flag = flagOf(option), lowest = numberText(option.lowest),
+                          highest = numberText(option.highest);
+        if (option.zero == nullptr) return unexpected(msg::kFlagTakesNumber, flag, lowest, highest, text);
+        return unexpected(msg::kFlagTakesNumberOr, flag, option.zero, lowest, highest, text);
     }
     value = *number;
     return {};

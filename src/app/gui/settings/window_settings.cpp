@@ -7,11 +7,15 @@
 #include <QStandardPaths>
 #include <optional>
 #include <sstream>
+#include <utility>
 
+#include "app/gui/text/messages.h"
 #include "devices/open_device.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/system_reason.h"
 #include "session/io/limited_toml.h"
+#include "session/io/messages.h"
 
 namespace tactooth {
 namespace {
@@ -27,7 +31,7 @@ public:
         if (const auto* held = found->as_string()) {
             value = held->get();
         } else {
-            reportError(*found, key, "a text in quotes");
+            reportError(*found, key, msg::kTextInQuotes);
         }
     }
     void yesOrNo(std::string_view table, std::string_view key, bool& value) {
@@ -36,7 +40,7 @@ public:
         if (const auto* held = found->as_boolean()) {
             value = held->get();
         } else {
-            reportError(*found, key, "true or false");
+            reportError(*found, key, msg::kTrueOrFalse);
         }
     }
     void number(const WindowOption& option, double& value) {
@@ -51,10 +55,10 @@ public:
             value = *held;
             return;
         }
-        std::ostringstream wanted;
-        wanted << "a number from " << option.lowest << " to " << option.highest;
-        if (option.zero != nullptr) wanted << ", or \"" << option.zero << '"';
-        reportError(*found, option.key, wanted.str());
+        const std::string lowest = shown(option.lowest), highest = shown(option.highest);
+        reportError(*found, option.key,
+                    option.zero == nullptr ? Message(msg::kNumberFromTo, lowest, highest)
+                                           : Message(msg::kNumberFromToOr, lowest, highest, option.zero));
     }
     [[nodiscard]] const std::vector<Error>& refused() const { return refused_; }
 
@@ -63,21 +67,27 @@ private:
         const toml::node* section = root_.get(table);
         if (section == nullptr) return nullptr;
         if (!section->is_table()) {
-            reportError(*section, table, "a table");
+            reportError(*section, table, msg::kATable);
             return nullptr;
         }
         return section->as_table()->get(key);
     }
-    void reportError(const toml::node& node, std::string_view key, std::string_view wanted) {
-        Error error{std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" +
-                    std::string(key) + "' must be " + std::string(wanted) + "."};
+    static std::string shown(double number) {
+        std::ostringstream text;
+        text << number;
+        return text.str();
+    }
+    void reportError(const toml::node& node, std::string_view key, const Message& wanted) {
         // A value in place of a table is reported for each key of the table.
-        if (refused_.empty() || refused_.back().message != error.message) refused_.push_back(std::move(error));
+        const auto place = std::pair(node.source().begin.line, std::string(key));
+        if (std::exchange(lastRefused_, place) == place) return;
+        refused_.push_back({msg::kSettingRefused, name_, place.first, key, wanted});
     }
 
     const toml::table& root_;
     std::string_view name_;
     std::vector<Error> refused_;
+    std::pair<toml::source_index, std::string> lastRefused_;  ///< line and key
 };
 
 ParsedSettings settingsFrom(const toml::table& root, std::string_view name) {
@@ -139,23 +149,23 @@ Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::pat
     aside += ".bad";
     std::error_code failure;
     std::filesystem::rename(file, aside, failure);
-    if (failure) return unexpected(failure.message());
+    if (failure) return unexpected(systemReason(failure));
     return aside;
 }
 
-std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file) {
+std::optional<Error> resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file) {
     const DeviceSettings usual;
-    std::string forgotten;
+    Message forgotten;
     const auto keepValid = [&](std::string& device, const std::string& otherwise, const char* key, bool isSecond) {
         if (checkDeviceName(device, key, isSecond)) return;
-        forgotten += (forgotten.empty() ? "'" : " and no '") + device + "' (" + key + ")";
+        const Message its(msg::kDeviceInSetting, device, key);
+        forgotten = forgotten.empty() ? its : Message(msg::kTwoDevicesForgotten, forgotten, its);
         device = otherwise;
     };
     keepValid(hand.device, usual.device, "device", false);
     keepValid(hand.secondDevice, usual.secondDevice, "second_device", true);
-    if (forgotten.empty()) return {};
-    return displayName(file) + ": Tactooth knows no device " + forgotten +
-           "; the usual one takes its place, choose another in the panel Hand.";
+    if (forgotten.empty()) return std::nullopt;
+    return Error(msg::kDeviceForgotten, displayName(file), forgotten);
 }
 
 Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file) {

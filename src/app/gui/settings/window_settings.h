@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -142,8 +143,8 @@ struct ParsedSettings : WindowSettings {
 /// the system.
 [[nodiscard]] Expected<std::filesystem::path> backUpInvalidSettings(const std::filesystem::path& file);
 /// Replaces unknown devices by the defaults, so that a typing error does not stay for ever. Returns one sentence that
-/// names the file; empty if all are known.
-[[nodiscard]] std::string resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
+/// names the file; nothing if all are known.
+[[nodiscard]] std::optional<Error> resetUnknownDevices(DeviceSettings& hand, const std::filesystem::path& file);
 /// Makes the folder if it is missing.
 [[nodiscard]] Expected<void> writeWindowSettings(const WindowSettings& settings, const std::filesystem::path& file);
 

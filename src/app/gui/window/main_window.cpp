@@ -13,8 +13,7 @@
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/scene/tooth_view.h"
-#include "app/gui/text/import_note_translation.h"
-#include "app/gui/text/term_translation.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 
@@ -126,7 +125,7 @@ void MainWindow::showNewTooth() {
 
 void MainWindow::showImportNotes() {
     QStringList hints;
-    for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote));
+    for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote.message));
     if (&model_.haptics().materials.registry() != &builtinMaterials()) {
         hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
     }

@@ -17,7 +17,8 @@
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/settings/settings_autosave.h"
 #include "app/gui/settings/window_setup.h"
-#include "app/gui/text/error_translation.h"
+#include "app/gui/text/messages.h"
+#include "app/gui/text/translation.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/window_owner.h"
 #include "assessment/exercise_file.h"
@@ -40,9 +41,7 @@ Expected<void> checkOpenGl() {
         context.doneCurrent();
         if (version >= std::pair(4, 1)) return {};
     }
-    return unexpected(
-        "the window needs OpenGL 4.1, which this display does not offer; install the graphics driver, or Mesa's "
-        "software renderer (package libgl1-mesa-dri).");
+    return unexpected(msg::kWindowNeedsOpenGl);
 }
 
 /// The settings of the file with those of the command line.
@@ -66,11 +65,11 @@ Expected<SessionTooth> exerciseOf(const std::filesystem::path& file) {
 QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::filesystem::path& file) {
     QStringList sentences;
     if (settings) {
-        for (const Error& refused : settings->refused) sentences << translatedError(refused.message);
+        for (const Error& refused : settings->refused) sentences << translated(refused);
         if (!sentences.isEmpty()) sentences << MainWindow::tr("The usual values take their places.");
         return sentences.join(' ');
     }
-    sentences << translatedError(settings.error().message);
+    sentences << translated(settings.error());
     if (const auto aside = backUpInvalidSettings(file)) {
         sentences << MainWindow::tr("The window starts with its defaults; the file is kept as %1.")
                          .arg(QString::fromStdString(displayName(*aside)));
@@ -103,7 +102,7 @@ void letGoWithoutDisplay() {
     ::alarm(kTimeout);
     letGo(std::exchange(shownWindow, nullptr)->window().model());
     removeAllUnfinished(kTimeout);
-    (void)reportError({"the display is gone; the hand was let go, and the settings are kept."});
+    (void)reportError(msg::kDisplayGone);
     ::_exit(kExitBadInput);
 }
 
@@ -115,7 +114,7 @@ int runWindow(const WindowOptions& options) {
     std::error_code ignored;
     const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
     Expected<ParsedSettings> settings = readWindowSettings(settingsFile);
-    const std::string forgotten = settings ? resetUnknownDevices(settings->hand, settingsFile) : std::string();
+    const std::optional<Error> forgotten = settings ? resetUnknownDevices(settings->hand, settingsFile) : std::nullopt;
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
     if (!start) return reportError(start.error());
     std::optional<SessionTooth> tooth;
@@ -149,7 +148,7 @@ int runWindow(const WindowOptions& options) {
     WindowOwner holder(*application, sound);
     int exitCode = kExitOk;
     QObject::connect(&holder, &WindowOwner::graphicsFailed, application.get(), [&](const QString& sentence) {
-        exitCode = reportError({sentence.toStdString()});
+        exitCode = reportError(Message::verbatim(sentence.toStdString()));
         QApplication::exit(exitCode);
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the bur of the command line or of the case counts
@@ -167,7 +166,7 @@ int runWindow(const WindowOptions& options) {
     if (const QString sentences = whatIsWrongWith(settings, settingsFile); !sentences.isEmpty()) {
         window.messages().showError(sentences);
     }
-    if (!forgotten.empty()) window.messages().showError(Error{forgotten});
+    if (forgotten) window.messages().showError(*forgotten);
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(letGoWithoutDisplay);

@@ -67,7 +67,7 @@ TEST(RunWindow, ADeviceThatNobodyKnowsIsSaidOnceAndNotKept) {
     EXPECT_NE(messages.front().find("'joystick'"), std::string::npos) << messages.front();
     EXPECT_NE(messages.front().find("'bogus'"), std::string::npos) << messages.front();
     const auto kept = readWindowSettings(windowSettingsFile());
-    ASSERT_TRUE(kept) << kept.error().message;
+    ASSERT_TRUE(kept) << kept.error().message();
     EXPECT_EQ(kept->hand.device, "mouse");
     EXPECT_EQ(kept->hand.secondDevice, "none");
     EXPECT_EQ(kept->hand.motionScaling, 2) << "all else is kept";

@@ -5,13 +5,20 @@
 #include <QString>
 #include <string_view>
 
+#include "geometry/util/message.h"
 #include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
-/// A word that the layers below the window use (a tooth, a drive, a material, a state of the sound) in the language of
-/// the window; the word itself if it has no translation, as a file's name.
-[[nodiscard]] QString translated(std::string_view word);
+/// The language of the window: that of the translator which is installed.
+[[nodiscard]] Language windowLanguage();
+
+/// A message in the language of the window.
+[[nodiscard]] QString translated(const Message& message);
+
+/// The name of a built-in tooth, exercise or spindle, or the task of an exercise, in the language of the window; any
+/// other text, as a file's name, stays as it is.
+[[nodiscard]] QString translated(std::string_view name);
 
 /// The text of a table that has both languages, in that of the window. UTF-8.
 [[nodiscard]] QString inWindowLanguage(std::string_view english, std::string_view japanese);
