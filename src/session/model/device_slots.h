@@ -7,6 +7,7 @@
 
 #include "devices/base/workspace_fit.h"
 #include "devices/mouse/mouse_device.h"
+#include "geometry/util/message.h"
 #include "session/control/device_mapping.h"
 
 namespace tactooth {

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "geometry/util/expected.h"
 #include "session/model/session_model.h"
 #include "session/model/task.h"
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "geometry/util/message.h"
 #include "session/model/session_model.h"
 
 namespace tactooth {

@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "app/gui/controllers/window_panels.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
