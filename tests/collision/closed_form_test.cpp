@@ -9,6 +9,8 @@
 
 #include "collision/contact_oracle.h"
 #include "collision/proxy/contact_query.h"
+#include "collision/proxy/proxy_solver.h"
+#include "collision/proxy/qp3.h"
 #include "support/shapes.h"
 
 namespace tactooth {

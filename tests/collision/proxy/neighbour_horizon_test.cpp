@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "collision/proxy/proxy_scene.h"
+#include "collision/proxy/proxy_fixture.h"
 #include "support/expect_assert.h"
 
 namespace tactooth {

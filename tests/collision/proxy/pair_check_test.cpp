@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/proxy/constraint_set.h"
-#include "collision/proxy/proxy_scene.h"
+#include "collision/proxy/proxy_fixture.h"
 #include "support/expect_assert.h"
 
 namespace tactooth {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "collision/proxy/proxy_scene.h"
+#include "collision/proxy/proxy_fixture.h"
 #include "support/expect_assert.h"
 
 namespace tactooth {

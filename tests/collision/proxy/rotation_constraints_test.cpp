@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "collision/proxy/proxy_scene.h"
+#include "collision/proxy/proxy_fixture.h"
 
 namespace tactooth {
 namespace {

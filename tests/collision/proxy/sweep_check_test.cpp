@@ -6,7 +6,7 @@
 
 #include "collision/narrow/gjk.h"
 #include "collision/proxy/constraint_set.h"
-#include "collision/proxy/proxy_scene.h"
+#include "collision/proxy/proxy_fixture.h"
 #include "support/exact_intersection.h"
 #include "support/expect_assert.h"
 
