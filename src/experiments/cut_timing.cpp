@@ -47,7 +47,7 @@ public:
         simulation_.emplace(std::make_shared<const ToolShape>(std::move(bur)), tool_->envelope.maxRadius(),
                             model_.surface(), settings);
         simulation_->deferPlacement();
-        felt_.emplace(simulation_->tool(), model_.felt());
+        surfaceBuilder_.emplace(simulation_->tool(), model_.contactSurface());
         newest_ = model_.surface();
         (void)model_.pool();
     }
@@ -104,7 +104,8 @@ private:
     void stepNeighbourLists(double now, const Tick& tick) {
         if (neighbourListFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
             watch(now, tick);
-            list(now, [&] { return tick.placed ? felt_->rebuild() : felt_->place(newest_, tick.hand); });
+            list(now,
+                 [&] { return tick.placed ? surfaceBuilder_->rebuild() : surfaceBuilder_->place(newest_, tick.hand); });
         }
         while (!cuts_.empty() && std::max(cuts_.front().from, neighbourListFreeAt_) < now + kTick) {
             const Cut cut = cuts_.front();
@@ -114,28 +115,28 @@ private:
             newest_ = cut.surface;
             newestCut_ = cut;
             list(std::max({now, cut.from, neighbourListFreeAt_}),
-                 [&] { return felt_->make(cut.surface, tick.proxy, cut.reached); });
+                 [&] { return surfaceBuilder_->make(cut.surface, tick.proxy, cut.reached); });
         }
     }
     void watch(double now, const Tick& tick) {
-        if (tick.placed) felt_->watch(now, tick.proxy, tick.ownListRebuilds);
+        if (tick.placed) surfaceBuilder_->watch(now, tick.proxy, tick.ownListRebuilds);
     }
     template <class Make>
     void list(double begin, const Make& make) {
         const double start = threadMicros();
-        HapticSurface* felt = make();
+        HapticSurface* hapticSurface = make();
         const double took = 1e-3 * (threadMicros() - start);
         neighbourListFreeAt_ = begin + 1e-3 * took;
-        if (felt == nullptr) return;
-        coming_.push_back({felt, neighbourListFreeAt_, newestCut_.begun, newestCut_.tick});
+        if (hapticSurface == nullptr) return;
+        coming_.push_back({hapticSurface, neighbourListFreeAt_, newestCut_.begun, newestCut_.tick});
         listMillis_.push_back(took);
     }
 
     void useNewSurface(double now) {
         const Coming coming = coming_.front();
         coming_.pop_front();
-        simulation_->setSurface(*coming.felt);
-        felt_->recycle(coming.felt);
+        simulation_->setSurface(*coming.hapticSurface);
+        surfaceBuilder_->recycle(coming.hapticSurface);
         if (coming.cutBegun > touchedUpTo_) carvedMillis_.push_back(1e3 * (now - coming.cutBegun));
         touchedUpTo_ = std::max(touchedUpTo_, coming.cutBegun);
         while (!working_.empty() && working_.front() <= coming.cutTick) {
@@ -176,7 +177,7 @@ private:
     int cores_;
     std::optional<CuttingTool> tool_;
     std::optional<HapticSimulation> simulation_;
-    std::optional<HapticSurfaceBuilder> felt_;
+    std::optional<HapticSurfaceBuilder> surfaceBuilder_;
 
     // Times in s: when a thing is there, when the carve began that it comes of, and the last tick that knew of.
     struct Cut {
@@ -187,7 +188,7 @@ private:
         double tick = 0;
     };
     struct Coming {
-        HapticSurface* felt;
+        HapticSurface* hapticSurface;
         double from;
         double cutBegun;
         double cutTick;

@@ -27,8 +27,8 @@ double distanceToContact(const std::shared_ptr<const Surface>& surface, const st
     body.setSurface(surface);
     body.placeAt({start, Quat::Identity()});
     const double farthest = surface->base->tree().box().max().y() - start.y();
-    for (double way = 0; way < farthest; way += kStep) {
-        if (body.moveToward({start + way * Vec3::UnitY(), Quat::Identity()}).contactCount > 0) return way;
+    for (double distance = 0; distance < farthest; distance += kStep) {
+        if (body.moveToward({start + distance * Vec3::UnitY(), Quat::Identity()}).contactCount > 0) return distance;
     }
     return farthest;
 }
@@ -39,8 +39,8 @@ std::vector<Pose> thereAndBack(const Vec3& start, double contact, double speed) 
     std::vector<Pose> poses;
     const double step = speed * 1e-3;
     const double turn = kLead + kPress;
-    for (double way = 0; way < 2 * turn; way += step) {
-        const double y = contact - kLead + (way < turn ? way : 2 * turn - way);
+    for (double distance = 0; distance < 2 * turn; distance += step) {
+        const double y = contact - kLead + (distance < turn ? distance : 2 * turn - distance);
         poses.push_back({start + y * Vec3::UnitY(), Quat::Identity()});
     }
     return poses;
@@ -68,26 +68,26 @@ Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
         const std::vector<Pose> hand = thereAndBack(start, contact, speed);
         const std::vector<Tick> ticks = touchPath(bur, surface, hand, 1);
         const std::string at = numberText(speed / 10) + " cm/s";
-        ExperimentPlot way{"Way along y, " + at,
-                           "time, ms",
-                           "mm beyond the contact",
-                           false,
-                           false,
-                           {{"hand", {}, false, true}, {"proxy", {}, false, false}}};
+        ExperimentPlot distance{"Way along y, " + at,
+                                "time, ms",
+                                "mm beyond the contact",
+                                false,
+                                false,
+                                {{"hand", {}, false, true}, {"proxy", {}, false, false}}};
         ExperimentPlot force{"Force, " + at, "time, ms", "N",
                              false,          false,      {{"along y", {}, false, false}, {"across", {}, false, false}}};
         for (const Tick& tick : ticks) {
             const double ms = 1e3 * tick.time;
             const Vec3& f = tick.wrench.force;
-            way.series[0].points.push_back({ms, tick.hand.position.y() - start.y() - contact});
-            way.series[1].points.push_back({ms, tick.proxy.position.y() - start.y() - contact});
+            distance.series[0].points.push_back({ms, tick.hand.position.y() - start.y() - contact});
+            distance.series[1].points.push_back({ms, tick.proxy.position.y() - start.y() - contact});
             force.series[0].points.push_back({ms, -f.y()});
             force.series[1].points.push_back({ms, std::hypot(f.x(), f.z())});
             deepest = std::max(deepest, tick.depth);
             experiment.rows.push_back(
                 {speed, tick.time, tick.hand.position.y(), tick.proxy.position.y(), tick.depth, f.x(), f.y(), f.z()});
         }
-        experiment.panels.push_back(way);
+        experiment.panels.push_back(distance);
         experiment.panels.push_back(force);
     }
     experiment.comparisons = {

@@ -36,7 +36,7 @@ constexpr double kTurnSpeed = 30, kTurn = 5;         // degrees
 int ticksIn(double seconds) { return static_cast<int>(seconds / kTick); }
 
 /// To and fro between 0 and `most` at unit speed.
-double toAndFro(double way, double most) { return most - std::abs(std::fmod(way, 2 * most) - most); }
+double toAndFro(double distance, double most) { return most - std::abs(std::fmod(distance, 2 * most) - most); }
 
 /// The tool's pose in a motion that begins at `start`, at the slot's end in the direction of +x.
 Pose moved(const Pose& start, SlotMotion motion, double time) {
@@ -64,10 +64,10 @@ Pose moved(const Pose& start, SlotMotion motion, double time) {
 /// Where a bur goes that cuts the slot: down beside the middle of the tooth's top and straight along, and there it
 /// stays.
 std::vector<TimedPose> slotPath(const TriangleMesh& tooth, double depth) {
-    ToolTrajectory way;
-    way.stroke = kSlotLength;
-    const Pose above = toolTrajectory(tooth, way).front();
-    const Vec3 down(0, 0, -way.approach - depth);
+    ToolTrajectory distance;
+    distance.stroke = kSlotLength;
+    const Pose above = toolTrajectory(tooth, distance).front();
+    const Vec3 down(0, 0, -distance.approach - depth);
     const Vec3 along(kSlotLength, 0, 0);
     std::vector<TimedPose> rows;
     const auto go = [&](const Vec3& from, const Vec3& by) {
@@ -87,14 +87,14 @@ class StillTool {
 public:
     StillTool(const CutModel& piece, const std::shared_ptr<const ToolShape>& shape, double radius)
         : model_(piece),
-          simulation_(shape, radius, piece.felt(), HapticSettings()),
-          felt_(simulation_.tool(), piece.felt()) {}
+          simulation_(shape, radius, piece.contactSurface(), HapticSettings()),
+          surfaceBuilder_(simulation_.tool(), piece.contactSurface()) {}
 
     Tick step(const Pose& hand, double& micros) {
         const double start = threadMicros();
         const Tick tick = simulation_.step({hand, 0, false}, kTick);
         micros = threadMicros() - start;
-        updateHapticSurface(model_, tick, false, felt_, simulation_);
+        updateHapticSurface(model_, tick, false, surfaceBuilder_, simulation_);
         return tick;
     }
     Tick step(const Pose& hand) {
@@ -105,7 +105,7 @@ public:
 private:
     const CutModel& model_;
     HapticSimulation simulation_;
-    HapticSurfaceBuilder felt_;
+    HapticSurfaceBuilder surfaceBuilder_;
 };
 
 SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
@@ -179,7 +179,7 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     HapticSettings settings;
     settings.materials = softenedMaterials(kSoftened);
     settings.spindle = constantSpeed(kRimSpeed);
-    HapticSimulation cutting(shape, radius, piece.felt(), settings);
+    HapticSimulation cutting(shape, radius, piece.contactSurface(), settings);
     Pose end;
     const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
     // Built-in shapes and a path of our own give finite ticks.

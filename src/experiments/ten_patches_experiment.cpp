@@ -42,11 +42,11 @@ std::vector<Pose> touchAt(const Place& place, double speed, double shift) {
     std::vector<Pose> poses = {{corners[0], Quat::Identity()}};
     double into = shift * step;
     for (std::size_t leg = 0; leg + 1 < corners.size(); ++leg) {
-        const Vec3 way = corners[leg + 1] - corners[leg];
-        for (; into < way.norm(); into += step) {
-            poses.push_back({corners[leg] + into * way.normalized(), Quat::Identity()});
+        const Vec3 displacement = corners[leg + 1] - corners[leg];
+        for (; into < displacement.norm(); into += step) {
+            poses.push_back({corners[leg] + into * displacement.normalized(), Quat::Identity()});
         }
-        into -= way.norm();
+        into -= displacement.norm();
     }
     return poses;
 }

@@ -169,8 +169,8 @@ Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerat
     return mouth;
 }
 
-Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& maker) {
-    return makeMouth(request, maker, makeMouthLayout);
+Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& generator) {
+    return makeMouth(request, generator, makeMouthLayout);
 }
 
 }  // namespace tactooth

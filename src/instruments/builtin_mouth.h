@@ -52,7 +52,8 @@ using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 
 /// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
 /// threads at once. Fails with a sentence if no valid gingiva can be made.
-[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerator& maker = makeTooth);
+[[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request,
+                                               const ToothGenerator& generator = makeTooth);
 
 /// The pose of the lower jaw.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);

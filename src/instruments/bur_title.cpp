@@ -13,7 +13,31 @@ namespace tactooth {
 namespace {
 
 constexpr std::array<const MessageText*, 25> kShapes = {
-    &msg::kBurRound, &msg::kBurInvertedCone, &msg::kBurPear, &msg::kBurLongPear, &msg::kBurStraightFissure, &msg::kBurCrossCutStraightFissure, &msg::kBurDomeEndFissure, &msg::kBurTaperedFissure, &msg::kBurCrossCutTaperedFissure, &msg::kBurLongTaperedFissure, &msg::kBurRoundEndTaperedFissure, &msg::kBurDomeEndTaperedFissure, &msg::kBurBallFinishing, &msg::kBurEggFinishing, &msg::kBurNeedleFinishing, &msg::kBurFootball, &msg::kBurFlatEndCylinder, &msg::kBurFlatEndTaper, &msg::kBurRoundEndTaper, &msg::kBurNeedle, &msg::kBurFlame, &msg::kBurTorpedo, &msg::kBurTorpedoTaper, &msg::kBurRoundEndCylinder, &msg::kBurWheel,
+    &msg::kBurRound,
+    &msg::kBurInvertedCone,
+    &msg::kBurPear,
+    &msg::kBurLongPear,
+    &msg::kBurStraightFissure,
+    &msg::kBurCrossCutStraightFissure,
+    &msg::kBurDomeEndFissure,
+    &msg::kBurTaperedFissure,
+    &msg::kBurCrossCutTaperedFissure,
+    &msg::kBurLongTaperedFissure,
+    &msg::kBurRoundEndTaperedFissure,
+    &msg::kBurDomeEndTaperedFissure,
+    &msg::kBurBallFinishing,
+    &msg::kBurEggFinishing,
+    &msg::kBurNeedleFinishing,
+    &msg::kBurFootball,
+    &msg::kBurFlatEndCylinder,
+    &msg::kBurFlatEndTaper,
+    &msg::kBurRoundEndTaper,
+    &msg::kBurNeedle,
+    &msg::kBurFlame,
+    &msg::kBurTorpedo,
+    &msg::kBurTorpedoTaper,
+    &msg::kBurRoundEndCylinder,
+    &msg::kBurWheel,
 };
 
 Message shapeWord(std::string_view shape) {

@@ -44,8 +44,8 @@ public:
                 for (int x = first[0]; x <= last[0]; ++x) {
                     const std::size_t i = number(x, y, z);
                     if (reached_[i] == 0) continue;
-                    const Vec3 way = place(i) - point;
-                    if (way.squaredNorm() < kReach * kReach && way.dot(normal) > 0) return true;
+                    const Vec3 displacement = place(i) - point;
+                    if (displacement.squaredNorm() < kReach * kReach && displacement.dot(normal) > 0) return true;
                 }
             }
         }

@@ -70,22 +70,23 @@ TriangleMesh pulpFrom(const std::vector<PulpSegment>& segments, const DepthField
 class EnamelDepth {
 public:
     EnamelDepth(const SurfacePart& surface, const DepthField& depth) : depth_(depth) {
-        ExteriorSurface skin = exteriorSurface(surface);
+        ExteriorSurface exterior = exteriorSurface(surface);
         constexpr double kSpecks = 10;  // mm^2: bottoms of deep fissures, not a pulp space
-        if (skin.pulpWallArea > kSpecks) skin_ = std::make_unique<const SurfacePart>(std::move(skin.exterior));
+        if (exterior.pulpWallArea > kSpecks)
+            exterior_ = std::make_unique<const SurfacePart>(std::move(exterior.exterior));
     }
 
-    [[nodiscard]] bool hasHollow() const { return skin_ != nullptr; }
+    [[nodiscard]] bool hasHollow() const { return exterior_ != nullptr; }
     /// Depth below the enamel, mm, negated: negative in the dentin.
     [[nodiscard]] double above(const Vec3& point, double enamel) const {
         const double depth = depth_(point);
         if (!hasHollow()) return enamel - depth;
-        return std::max(enamel - closestPoint(*skin_, point)->distance, -depth - kBeyond);
+        return std::max(enamel - closestPoint(*exterior_, point)->distance, -depth - kBeyond);
     }
 
 private:
     const DepthField& depth_;
-    std::unique_ptr<const SurfacePart> skin_;  // none: all of the surface
+    std::unique_ptr<const SurfacePart> exterior_;  // none: all of the surface
 };
 
 TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {

@@ -139,9 +139,9 @@ private:
         };
         const auto enamel = of(MaterialRole::Enamel), dentin = of(MaterialRole::Dentin);
         if (enamel == result_.layers.end() || dentin == result_.layers.end()) return std::nullopt;
-        const Vec3 way = middleOf(enamel->mesh) - middleOf(dentin->mesh);
+        const Vec3 displacement = middleOf(enamel->mesh) - middleOf(dentin->mesh);
         constexpr double kClear = 0.5;  // mm: enamel around all of the dentin says nothing
-        return way.norm() > kClear ? std::optional(way) : std::nullopt;
+        return displacement.norm() > kClear ? std::optional(displacement) : std::nullopt;
     }
 
     void makeUpright() {

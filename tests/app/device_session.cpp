@@ -70,13 +70,13 @@ void DeviceSession::liftOff() const {
 
 /// A stalled machine stops the force until the hand has lifted off.
 void DeviceSession::lean() const {
-    bool felt = force() > kFelt;
-    for (int i = 0; i < 20 && !felt; ++i) {
+    bool hapticSurface = force() > kFelt;
+    for (int i = 0; i < 20 && !hapticSurface; ++i) {
         liftOff();
         moveHand(0, -kIntoTooth);
-        felt = QTest::qWaitFor([this] { return force() > kFelt; }, 2000);
+        hapticSurface = QTest::qWaitFor([this] { return force() > kFelt; }, 2000);
     }
-    QVERIFY2(felt, qPrintable(state()));
+    QVERIFY2(hapticSurface, qPrintable(state()));
 }
 
 void DeviceSession::touchTheTooth() const {

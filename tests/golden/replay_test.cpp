@@ -81,7 +81,7 @@ Outcome replay(const BuiltinTooth& molar) {
     const CuttingTool cutting{*RevolutionEnvelope::make(bur.surface), bur.spec.sharpness};
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur.surface), cutting.envelope.maxRadius(),
                                 piece.surface(), HapticSettings());
-    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
     const std::vector<DeviceKeyframe> moments = script(top);
     ScriptedDevice hand(moments);
 

@@ -30,14 +30,14 @@ struct ForceStats {
     how.strokes = 1;
     how.stroke = 3;
     HapticSimulation simulation = simulationOn(tooth, oracleTools()[0].mesh);
-    ForceStats felt;
+    ForceStats hapticSurface;
     const std::vector<Pose> path = toolTrajectory(ground, how);
     for (const Pose& hand : path) {
         const double force = simulation.step({hand, 0, false}, kServoTick).wrench.force.norm();
-        felt.mean += force / static_cast<double>(path.size());
-        felt.peak = std::max(felt.peak, force);
+        hapticSurface.mean += force / static_cast<double>(path.size());
+        hapticSurface.peak = std::max(hapticSurface.peak, force);
     }
-    return felt;
+    return hapticSurface;
 }
 
 }  // namespace tactooth::test

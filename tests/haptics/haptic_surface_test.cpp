@@ -32,10 +32,10 @@ TEST(HapticSurfaceBuilder, APrebuiltListGivesTheSameTickAsNone) {
     for (const double height : {0.1, 0.0, -0.02}) (void)prepared.follow(at(height)), (void)plain.follow(at(height));
 
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
-    HapticSurface* felt = surfaces.make(blockUpTo(-0.03), prepared.pose(), at(-0.03));
-    EXPECT_GT(felt->near.clusters(), 0U);
-    EXPECT_EQ(felt->reach, at(-0.03).position);
-    prepared.setSurface(*felt);
+    HapticSurface* hapticSurface = surfaces.make(blockUpTo(-0.03), prepared.pose(), at(-0.03));
+    EXPECT_GT(hapticSurface->near.clusters(), 0U);
+    EXPECT_EQ(hapticSurface->reach, at(-0.03).position);
+    prepared.setSurface(*hapticSurface);
     (void)plain.setSurface(blockUpTo(-0.03));
     for (const double height : {-0.025, -0.035, -0.05}) {
         const ProxyState one = prepared.follow(at(height));
@@ -50,13 +50,13 @@ TEST(HapticSurfaceBuilder, ReturnsTheOldestSurfaceToTheCaller) {
     const auto old = blockUpTo(0);
     ToolProxy proxy(tool, old, ContactMode::Proxy);
     HapticSurfaceBuilder surfaces(tool, old);
-    HapticSurface* felt = surfaces.make(blockUpTo(-1), at(0.1), at(0.1));
-    proxy.setSurface(*felt);
-    EXPECT_EQ(felt->surface, nullptr) << "the one before is kept as long as the tool might go back to it";
-    surfaces.recycle(felt);
-    EXPECT_EQ(surfaces.make(blockUpTo(-1.5), at(0.1), at(0.1)), felt) << "used again";
-    proxy.setSurface(*felt);
-    EXPECT_EQ(felt->surface, old);
+    HapticSurface* hapticSurface = surfaces.make(blockUpTo(-1), at(0.1), at(0.1));
+    proxy.setSurface(*hapticSurface);
+    EXPECT_EQ(hapticSurface->surface, nullptr) << "the one before is kept as long as the tool might go back to it";
+    surfaces.recycle(hapticSurface);
+    EXPECT_EQ(surfaces.make(blockUpTo(-1.5), at(0.1), at(0.1)), hapticSurface) << "used again";
+    proxy.setSurface(*hapticSurface);
+    EXPECT_EQ(hapticSurface->surface, old);
 }
 
 TEST(HapticSurfaceBuilder, FindsAFreePoseForADeviceInsideTheTooth) {
@@ -68,18 +68,18 @@ TEST(HapticSurfaceBuilder, FindsAFreePoseForADeviceInsideTheTooth) {
 
     HapticSurfaceBuilder surfaces(tool, block);
     EXPECT_EQ(surfaces.place(block, at(0.1)), nullptr) << "free: the tick finds that itself";
-    HapticSurface* felt = surfaces.place(block, at(-0.1));
-    ASSERT_NE(felt, nullptr);
-    EXPECT_FALSE(proxy.setSurface(*felt)) << "the surface is the same";
+    HapticSurface* hapticSurface = surfaces.place(block, at(-0.1));
+    ASSERT_NE(hapticSurface, nullptr);
+    EXPECT_FALSE(proxy.setSurface(*hapticSurface)) << "the surface is the same";
     const ProxyState state = proxy.follow(at(-0.12));
     EXPECT_TRUE(state.placed);
     EXPECT_NEAR(state.offset.norm(), 0.12, 1e-6);
 
-    surfaces.recycle(felt);
-    felt = surfaces.place(block, at(-0.3));
-    ASSERT_NE(felt, nullptr);
+    surfaces.recycle(hapticSurface);
+    hapticSurface = surfaces.place(block, at(-0.3));
+    ASSERT_NE(hapticSurface, nullptr);
     const Vec3 held = proxy.pose().position;
-    (void)proxy.setSurface(*felt);
+    (void)proxy.setSurface(*hapticSurface);
     EXPECT_EQ(proxy.pose().position, held) << "a tool that has a place keeps it";
 }
 
@@ -107,9 +107,9 @@ TEST(ToolProxy, StaysInTheOldSurfaceWhereTheNewOneCatchesItOnAllSides) {
     for (const double x : {0.0, 0.0, 0.1}) (void)proxy.follow(handAt(x, 0.2));
     HapticSurfaceBuilder surfaces(tool, wide);
     const auto feel = [&](const std::shared_ptr<const Surface>& surface) {
-        HapticSurface* felt = surfaces.make(surface, proxy.pose(), proxy.pose());
-        proxy.setSurface(*felt);
-        surfaces.recycle(felt);
+        HapticSurface* hapticSurface = surfaces.make(surface, proxy.pose(), proxy.pose());
+        proxy.setSurface(*hapticSurface);
+        surfaces.recycle(hapticSurface);
     };
     const Vec3 held = proxy.pose().position;
     EXPECT_GT(held.x(), 0.015);
@@ -145,9 +145,9 @@ std::vector<double> heightsWhereTheFloorHasRisen(double rise, double seconds, do
     ToolProxy proxy(tool, floor, ContactMode::Proxy);
     for (const double height : {0.1, 0.0, -0.1}) (void)proxy.follow(at(height));
     HapticSurfaceBuilder surfaces(tool, floor);
-    HapticSurface* felt = surfaces.make(blockUpTo(rise), proxy.pose(), proxy.pose());
-    proxy.setSurface(*felt);
-    surfaces.recycle(felt);
+    HapticSurface* hapticSurface = surfaces.make(blockUpTo(rise), proxy.pose(), proxy.pose());
+    proxy.setSurface(*hapticSurface);
+    surfaces.recycle(hapticSurface);
     std::vector<double> heights;
     for (int i = 0; i < std::lround(seconds / dt); ++i) {
         heights.push_back(proxy.follow(at(-0.1), at(-0.1), dt).proxy.position.z());
@@ -165,8 +165,8 @@ TEST(ToolProxy, MovesFartherOutOfASurfaceThatKeepsItCaught) {
 TEST(ToolProxy, RetriesANewSurfaceAfterTheSameTimeAtAnyRate) {
     const auto secondsUntilItIsFelt = [](double dt) {
         const std::vector<double> heights = heightsWhereTheFloorHasRisen(0.009, 0.1, dt);
-        const auto felt = std::ranges::find_if(heights, [](double height) { return height > 1e-3; });
-        return static_cast<double>(felt - heights.begin()) * dt;
+        const auto hapticSurface = std::ranges::find_if(heights, [](double height) { return height > 1e-3; });
+        return static_cast<double>(hapticSurface - heights.begin()) * dt;
     };
     const double slow = secondsUntilItIsFelt(1e-3);
     EXPECT_GT(slow, 0.004);
@@ -183,16 +183,16 @@ TEST(HapticSurfaceBuilder, CoversTheSlideOfTheToolBesidesTheCut) {
     }
     const Pose now{at(0.01).position + 2 * step, Quat::Identity()};
     const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};
-    HapticSurface* felt = surfaces.make(blockUpTo(0), now, cut);
-    EXPECT_LE(felt->near.deviation(cut.position), felt->near.contactMargin().around);
-    EXPECT_LE(felt->near.deviation(now.position + 2 * step), felt->near.contactMargin().around)
+    HapticSurface* hapticSurface = surfaces.make(blockUpTo(0), now, cut);
+    EXPECT_LE(hapticSurface->near.deviation(cut.position), hapticSurface->near.contactMargin().around);
+    EXPECT_LE(hapticSurface->near.deviation(now.position + 2 * step), hapticSurface->near.contactMargin().around)
         << "two updates further on";
-    surfaces.recycle(felt);
+    surfaces.recycle(hapticSurface);
 
     surfaces.watch(3 * kPause, {now.position + Vec3(50, 0, 0), now.rotation});  // no list reaches that far
-    felt = surfaces.make(blockUpTo(0), now, now);
-    EXPECT_LT(felt->near.contactMargin().along.norm(), 1);
-    surfaces.recycle(felt);
+    hapticSurface = surfaces.make(blockUpTo(0), now, now);
+    EXPECT_LT(hapticSurface->near.contactMargin().along.norm(), 1);
+    surfaces.recycle(hapticSurface);
 }
 
 /// A finely meshed ball under the tool: many triangles are near it.
@@ -220,13 +220,13 @@ TEST(HapticSurfaceBuilder, RebuildsWhereAToolIsAboutToLeaveTheLastList) {
         const ProxyState state = proxy.follow({Vec3(0.1 + 0.002 * tick, 0.2, -0.06), Quat::Identity()});
         EXPECT_GT(state.contacts, 0);
         surfaces.watch(0.001 * tick, state.proxy, proxy.ownListRebuilds());
-        HapticSurface* felt = surfaces.rebuild();
-        if (felt == nullptr) continue;
+        HapticSurface* hapticSurface = surfaces.rebuild();
+        if (hapticSurface == nullptr) continue;
         ++renewed;
-        EXPECT_EQ(felt->surface, bed);
-        proxy.setSurface(*felt);
-        EXPECT_EQ(felt->surface, bed) << "the surface stays the same";
-        surfaces.recycle(felt);
+        EXPECT_EQ(hapticSurface->surface, bed);
+        proxy.setSurface(*hapticSurface);
+        EXPECT_EQ(hapticSurface->surface, bed) << "the surface stays the same";
+        surfaces.recycle(hapticSurface);
         EXPECT_LE(proxy.pose().position.z(), state.proxy.position.z()) << "a list moves nothing";
     }
     EXPECT_EQ(proxy.ownListRebuilds(), ownListRebuilds) << "no tick had to list for itself";
@@ -234,9 +234,9 @@ TEST(HapticSurfaceBuilder, RebuildsWhereAToolIsAboutToLeaveTheLastList) {
     EXPECT_LT(renewed, 50);
     for (int tick = 101; tick <= 120; ++tick) {
         surfaces.watch(0.001 * tick, proxy.pose(), ownListRebuilds);
-        HapticSurface* felt = surfaces.rebuild();
-        if (felt != nullptr) surfaces.recycle(felt);
-        EXPECT_TRUE(tick <= 102 || felt == nullptr) << "a tool at rest needs no other list";
+        HapticSurface* hapticSurface = surfaces.rebuild();
+        if (hapticSurface != nullptr) surfaces.recycle(hapticSurface);
+        EXPECT_TRUE(tick <= 102 || hapticSurface == nullptr) << "a tool at rest needs no other list";
     }
 }
 
@@ -248,9 +248,9 @@ TEST(HapticSurfaceBuilder, RebuildsAtOnceAfterTheServoThreadHadTo) {
     surfaces.watch(0.001, at(0.01), 0);
     EXPECT_EQ(surfaces.rebuild(), nullptr);
     surfaces.watch(0.002, at(0.01), 1);
-    HapticSurface* felt = surfaces.rebuild();
-    ASSERT_NE(felt, nullptr);
-    surfaces.recycle(felt);
+    HapticSurface* hapticSurface = surfaces.rebuild();
+    ASSERT_NE(hapticSurface, nullptr);
+    surfaces.recycle(hapticSurface);
     surfaces.watch(0.003, at(0.01), 1);
     EXPECT_EQ(surfaces.rebuild(), nullptr) << "once";
 }
@@ -258,12 +258,12 @@ TEST(HapticSurfaceBuilder, RebuildsAtOnceAfterTheServoThreadHadTo) {
 TEST(HapticSurfaceBuilder, ReachesNoFartherThanTheToolMovesUntilTheNextList) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
-    HapticSurface* felt = surfaces.make(blockUpTo(0), at(0), at(-0.5));
-    const ContactMargin& skin = felt->near.contactMargin();
+    HapticSurface* hapticSurface = surfaces.make(blockUpTo(0), at(0), at(-0.5));
+    const ContactMargin& skin = hapticSurface->near.contactMargin();
     EXPECT_LT(skin.along.z(), -0.03);
     EXPECT_LT(skin.length(), 0.15);
-    EXPECT_EQ(felt->reach, at(-0.5).position);
-    surfaces.recycle(felt);
+    EXPECT_EQ(hapticSurface->reach, at(-0.5).position);
+    surfaces.recycle(hapticSurface);
 }
 
 // A bur in its cavity: the more triangles are near it, the shorter the list, or building it would take longer than it
@@ -275,10 +275,10 @@ TEST(HapticSurfaceBuilder, ListsAreShorterWhereMoreTrianglesAreNear) {
     HapticSurfaceBuilder surfaces(tool, cavity);
     const Pose from{Vec3::Zero(), Quat::Identity()};
     const auto lengthIn = [&](const std::shared_ptr<const Surface>& surface) {
-        HapticSurface* felt = surfaces.make(surface, from, {Vec3(0, 0, -0.1), Quat::Identity()});
-        const double length = felt->near.contactMargin().length();
-        EXPECT_LE(felt->near.clusters(), 1U << 14);
-        surfaces.recycle(felt);
+        HapticSurface* hapticSurface = surfaces.make(surface, from, {Vec3(0, 0, -0.1), Quat::Identity()});
+        const double length = hapticSurface->near.contactMargin().length();
+        EXPECT_LE(hapticSurface->near.clusters(), 1U << 14);
+        surfaces.recycle(hapticSurface);
         return length;
     };
     const double wanted = lengthIn(blockUpTo(-1));

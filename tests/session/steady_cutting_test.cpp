@@ -57,30 +57,31 @@ Felt mill() {
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
     const double rimTravel = kSpeed / 60 * 2 * std::numbers::pi * kRadius * 1e-3 * kTick;  // m a tick
-    Felt felt;
+    Felt hapticSurface;
     double work = 0;
     EXPECT_TRUE(cutWithRemovalLaw(millingPath(), tool, settings.materials, simulation, piece,
                                   [&](double, const Tick& tick, const ToothLoss&) {
-                                      felt.normal.push_back((tick.cutWork - work) / rimTravel);
-                                      felt.force.push_back(tick.wrench.force);
+                                      hapticSurface.normal.push_back((tick.cutWork - work) / rimTravel);
+                                      hapticSurface.force.push_back(tick.wrench.force);
                                       work = tick.cutWork;
                                   }));
-    return felt;
+    return hapticSurface;
 }
 
-const Felt& felt() {
+const Felt& hapticSurface() {
     static const Felt once = mill();
     return once;
 }
 
 TEST(SteadyCutting, NoStepAboveATenthOfANewtonAMillisecondOnTheWayIntoEnamel) {
     double largest = 0;
-    for (std::size_t i = 1; i < felt().normal.size(); ++i) {
-        largest = std::max(largest, std::abs(felt().normal[i] - felt().normal[i - 1]));
+    for (std::size_t i = 1; i < hapticSurface().normal.size(); ++i) {
+        largest = std::max(largest, std::abs(hapticSurface().normal[i] - hapticSurface().normal[i - 1]));
     }
     EXPECT_LT(largest, 0.1);
-    const double inDecay = std::accumulate(felt().normal.end() - 2000, felt().normal.end() - 1900, 0.0);
-    const double inEnamel = std::accumulate(felt().normal.end() - 100, felt().normal.end(), 0.0);
+    const double inDecay =
+        std::accumulate(hapticSurface().normal.end() - 2000, hapticSurface().normal.end() - 1900, 0.0);
+    const double inEnamel = std::accumulate(hapticSurface().normal.end() - 100, hapticSurface().normal.end(), 0.0);
     EXPECT_GT(inDecay, 0);
     EXPECT_GT(inEnamel, 1.2 * inDecay);
     RecordProperty("largestStepMillinewton", static_cast<int>(1000 * largest));
@@ -88,7 +89,7 @@ TEST(SteadyCutting, NoStepAboveATenthOfANewtonAMillisecondOnTheWayIntoEnamel) {
 
 TEST(SteadyCutting, AtASteadyFeedTheForceRipplesByLessThanAHandFeels) {
     constexpr std::size_t kWindow = 25;  // ticks to either side
-    const std::vector<double>& force = felt().normal;
+    const std::vector<double>& force = hapticSurface().normal;
     double squares = 0;
     std::size_t count = 0;
     for (std::size_t i = force.size() - 500; i + kWindow < force.size(); ++i) {
@@ -104,7 +105,8 @@ TEST(SteadyCutting, AtASteadyFeedTheForceRipplesByLessThanAHandFeels) {
 
 TEST(SteadyCutting, TheBurIsPulledAcrossItsFeedAgainstItsRotation) {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = felt().force.size() - 500; i < felt().force.size(); ++i) sum += felt().force[i] / 500;
+    for (std::size_t i = hapticSurface().force.size() - 500; i < hapticSurface().force.size(); ++i)
+        sum += hapticSurface().force[i] / 500;
     // Fed toward +x and turning clockwise seen from the shaft, the bur's front runs toward -y.
     EXPECT_LT(sum.x(), 0);
     EXPECT_GT(sum.y(), 0.2 * -sum.x());

@@ -73,7 +73,7 @@ void notice(int number) {
     errno = error;
 }
 
-void tell(const std::string& sentence) { (void)!::write(STDERR_FILENO, sentence.data(), sentence.size()); }
+void writeLine(const std::string& sentence) { (void)!::write(STDERR_FILENO, sentence.data(), sentence.size()); }
 
 std::string nameOf(int number) {
     const char* const name = ::sigabbrev_np(number);
@@ -117,7 +117,7 @@ void watchForSignals() {
         if (const int second = nextSignal(kShutdownGrace); second != 0) number = second;
     }
     removeAllUnfinished(kNamesTimeout);
-    tell("tactooth: ended by " + nameOf(number) + " before it was done; no unfinished file is left.\n");
+    writeLine("tactooth: ended by " + nameOf(number) + " before it was done; no unfinished file is left.\n");
     endBy(number);
 }
 
@@ -134,7 +134,8 @@ void watchForSignals() {
         why = "an exception of an unknown kind";
     }
     removeAllUnfinished(kNamesTimeout);
-    tell("tactooth: ended by what it did not expect (" + why + "); no unfinished file is left, please report it.\n");
+    writeLine("tactooth: ended by what it did not expect (" + why +
+              "); no unfinished file is left, please report it.\n");
     ::_exit(kExitBadInput);
 }
 
@@ -166,7 +167,7 @@ GracefulShutdown::~GracefulShutdown() {
 int exitAsRequested(int exitCode) {
     const int number = askedBy;
     if (number == 0) return exitCode;
-    tell("tactooth: closed by " + nameOf(number) + ".\n");
+    writeLine("tactooth: closed by " + nameOf(number) + ".\n");
     endBy(number);
 }
 

@@ -17,14 +17,16 @@ constexpr double kFastestLift = 30;        // mm/s
 constexpr double kFastestLean = 1.2;       // rad/s
 
 /// Part of the way beyond the slack, 0..1.
-double beyond(double way, double deadZone) { return std::clamp((way - deadZone) / (1 - deadZone), 0.0, 1.0); }
+double beyond(double deflection, double deadZone) {
+    return std::clamp((deflection - deadZone) / (1 - deadZone), 0.0, 1.0);
+}
 
 }  // namespace
 
 std::array<double, 2> applyStickDeadZone(const std::array<double, 2>& stick) {
-    const double way = std::hypot(stick[0], stick[1]);
-    if (!(way > kStickDeadZone)) return {};
-    const double scale = std::pow(beyond(way, kStickDeadZone), kMotionScaling) / way;
+    const double deflection = std::hypot(stick[0], stick[1]);
+    if (!(deflection > kStickDeadZone)) return {};
+    const double scale = std::pow(beyond(deflection, kStickDeadZone), kMotionScaling) / deflection;
     return {scale * stick[0], scale * stick[1]};
 }
 

@@ -65,9 +65,9 @@ std::optional<double> pedalOf(const PedalBinding& choice, std::span<const Joysti
             if (state) return state;
             continue;
         }
-        const double way = choice.down - choice.up;
-        if (std::abs(way) < kMinTravel) return 0;
-        return std::clamp(((*state - choice.up) / way - kDeadZone) / (1 - 2 * kDeadZone), 0.0, 1.0);
+        const double travel = choice.down - choice.up;
+        if (std::abs(travel) < kMinTravel) return 0;
+        return std::clamp(((*state - choice.up) / travel - kDeadZone) / (1 - 2 * kDeadZone), 0.0, 1.0);
     }
     return std::nullopt;
 }
@@ -93,8 +93,8 @@ std::optional<PedalBinding> PedalCalibrator::update(std::span<const JoystickStat
             const double start = first_[j].axes[i];
             double& end = extremes_[j].axes[i];
             if (std::abs(now.axes[i] - start) > std::abs(end - start)) end = now.axes[i];
-            const double way = std::abs(end - start);
-            if (way > kCalibrationTravel && std::abs(now.axes[i] - start) < kBack * way) {
+            const double travel = std::abs(end - start);
+            if (travel > kCalibrationTravel && std::abs(now.axes[i] - start) < kBack * travel) {
                 return PedalBinding{PedalBinding::Kind::Axis, static_cast<int>(i), now.name, start, end};
             }
         }

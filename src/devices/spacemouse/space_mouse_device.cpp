@@ -29,8 +29,8 @@ const Message kLost(msg::kSpaceMouseLost);
 std::atomic<bool> libraryInUse{false};
 
 double part(int count) {
-    const double way = std::clamp(count / kFullAxis, -1.0, 1.0);
-    return std::copysign(std::max(0.0, std::abs(way) - kDeadZone) / (1 - kDeadZone), way);
+    const double deflection = std::clamp(count / kFullAxis, -1.0, 1.0);
+    return std::copysign(std::max(0.0, std::abs(deflection) - kDeadZone) / (1 - kDeadZone), deflection);
 }
 
 void take(const spnav_event& event, SpaceMouseState& state) {

@@ -50,8 +50,8 @@ void removeIfStale(const fs::path& path) {
     if (::lstat(path.c_str(), &named) != 0 || named.st_uid != ::geteuid()) return;
     const bool isFolder = S_ISDIR(named.st_mode);
     if (!isFolder && !S_ISREG(named.st_mode)) return;
-    const int way = isFolder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_NONBLOCK;
-    const int descriptor = ::open(path.c_str(), way | O_NOFOLLOW | O_CLOEXEC);
+    const int flags = isFolder ? O_RDONLY | O_DIRECTORY : O_RDWR | O_NONBLOCK;
+    const int descriptor = ::open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) return;
     struct stat opened {};
     const bool isSame = ::fstat(descriptor, &opened) == 0 && opened.st_ino == named.st_ino;

@@ -40,11 +40,11 @@ double crownHeight(const ToothShape& shape) {
 LesionOrigin placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& outward) {
     LesionOrigin place;
     place.inward = -outward;
-    double way = 0;
-    while (shape.outer(from + way * outward) < 0) way += kStep;
-    place.site = from + way * outward;
+    double distance = 0;
+    while (shape.outer(from + distance * outward) < 0) distance += kStep;
+    place.site = from + distance * outward;
     double enamel = 0;
-    while (enamel < way && shape.core(place.site - enamel * outward) >= 0) enamel += kStep;
+    while (enamel < distance && shape.core(place.site - enamel * outward) >= 0) enamel += kStep;
     place.enamel = enamel;
     return place;
 }

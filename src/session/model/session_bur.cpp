@@ -14,12 +14,12 @@ constexpr int kShownTriangles = 6000;  // blades look round at full zoom
 }  // namespace
 
 Expected<SessionBur> makeSessionBur(const BurSpec& spec) {
-    const Bur felt = makeBur(spec);
-    Expected<CuttingTool> cutting = makeCuttingTool(felt.surface, spec.sharpness);
+    const Bur coarse = makeBur(spec);
+    Expected<CuttingTool> cutting = makeCuttingTool(coarse.surface, spec.sharpness);
     if (!cutting) return Unexpected{cutting.error()};
     auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     return SessionBur{spec.name,
-                      {std::make_shared<const ToolShape>(felt.surface), std::move(*cutting), spec.edge()},
+                      {std::make_shared<const ToolShape>(coarse.surface), std::move(*cutting), spec.edge()},
                       std::make_shared<const TriangleMesh>(makeBur(spec, kShownTriangles).surface),
                       std::move(blurred),
                       spec.material,

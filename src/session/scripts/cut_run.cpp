@@ -62,18 +62,19 @@ Expected<void> cutKinematically(std::span<const TimedPose> path, const CuttingTo
 void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, HapticSurfaceBuilder& surfaces,
                          HapticSimulation& simulation) {
     if (tick.placed) surfaces.watch(tick.time, tick.proxy, tick.ownListRebuilds);
-    HapticSurface* felt =
-        isCut ? surfaces.make(piece.felt(), tick.proxy, piece.reached().value_or(tick.proxy)) : surfaces.rebuild();
-    if (felt == nullptr) return;
-    simulation.setSurface(*felt);
-    surfaces.recycle(felt);
+    HapticSurface* hapticSurface =
+        isCut ? surfaces.make(piece.contactSurface(), tick.proxy, piece.reached().value_or(tick.proxy))
+              : surfaces.rebuild();
+    if (hapticSurface == nullptr) return;
+    simulation.setSurface(*hapticSurface);
+    surfaces.recycle(hapticSurface);
 }
 
 Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingTool& tool,
                                  const MaterialTable& materials, HapticSimulation& simulation, CutModel& piece,
                                  const CutCallback& visit) {
     simulation.setTickBudget(kUnlimitedWork);  // no real time here, and a bur that lags would cut more
-    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;
     for (const TimedPose& row : path) {

@@ -44,8 +44,9 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp, so that the cavity is visible under the waiting bur
     ScriptedOperator hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                           script(middle, reach, seconds));
-    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.felt(), settings);
-    HapticSurfaceBuilder surfaces(simulation.tool(), piece.felt());
+    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.contactSurface(),
+                                settings);
+    HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
     ForcePipeline pipeline(hand.info().limits);
     SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
 

@@ -12,11 +12,11 @@ namespace tactooth {
 namespace {
 
 Expected<std::unique_ptr<HapticDevice>> openReplay(const std::filesystem::path& file) {
-    const Expected<std::vector<TimedPose>> way = readTrajectory(file);
-    if (!way) return Unexpected{way.error()};
+    const Expected<std::vector<TimedPose>> trajectory = readTrajectory(file);
+    if (!trajectory) return Unexpected{trajectory.error()};
     std::vector<DeviceKeyframe> script;
-    script.reserve(way->size());
-    for (const TimedPose& row : *way) script.push_back({row.time, {row.toolInTooth, 0, 0, true}});
+    script.reserve(trajectory->size());
+    for (const TimedPose& row : *trajectory) script.push_back({row.time, {row.toolInTooth, 0, 0, true}});
     auto device = std::make_unique<ScriptedDevice>(std::move(script), file.filename().string(), true);
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return std::unique_ptr<HapticDevice>(std::move(device));

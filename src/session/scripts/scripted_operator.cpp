@@ -33,8 +33,8 @@ DeviceSample ScriptedOperator::read(double elapsed) {
         if (!finished_) ++phase_;
     }
     const OperatorPhase& now = script_[phase_];
-    const double way = finished_ ? now.strokes : now.strokes * time_ / now.seconds;
-    const double part = (1 - std::cos(std::numbers::pi * way)) / 2;  // slow at the turning points, as a wrist is
+    const double progress = finished_ ? now.strokes : now.strokes * time_ / now.seconds;
+    const double part = (1 - std::cos(std::numbers::pi * progress)) / 2;  // slow at the turning points, as a wrist is
     Vec3 sideways = now.from + part * (now.to - now.from) - tip_;
     sideways.z() = 0;
     const double longest = kSideways * elapsed;

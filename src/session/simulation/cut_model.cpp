@@ -77,12 +77,12 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     if (!hasWorked) return false;
     const Pose start = startOf(tick);
     const double toDevice = (tick.hand.position - start.position).norm();
-    const double way = std::min(toDevice, kLongestFeed);
+    const double feed = std::min(toDevice, kLongestFeed);
     const Pose goal = between(start, tick.hand, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
     // Twice the last feed; a step of the sweep shorter than a voxel costs no less.
-    const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / way;
+    const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / feed;
     const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
-    lastFeedLength_ = result.fraction * way;
+    lastFeedLength_ = result.fraction * feed;
     reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save work for its smallest step, which depends on the clearance of the cut.
     const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;

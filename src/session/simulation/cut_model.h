@@ -55,7 +55,7 @@ public:
     /// The surface for files: see exportedMesh.
     [[nodiscard]] TaggedMesh exported() const { return exportedMesh(*surface(), volume_.lattice().spacing()); }
     /// The surface that is felt: with the bodies around it as further patches.
-    [[nodiscard]] std::shared_ptr<const Surface> felt() const { return surrounded(surface(), surroundings_); }
+    [[nodiscard]] std::shared_ptr<const Surface> contactSurface() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }
     [[nodiscard]] const ToothLoss& loss() const { return loss_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }

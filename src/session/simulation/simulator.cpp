@@ -42,11 +42,11 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
       device_(device),
       second_(second),
       onTick_(std::move(onTick)),
-      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), model_->felt(), settings),
+      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), model_->contactSurface(), settings),
       devices_(device, second, registration),
       controls_(SimulatorControls{.force = settings.force, .motionScaling = motionScaling}),
-      surfaces_(simulation_.tool(), model_->felt()),
-      newest_(model_->felt()),
+      surfaces_(simulation_.tool(), model_->contactSurface()),
+      newest_(model_->contactSurface()),
       publishedSurface_(model_->surface()),
       publishedLoss_(model_->loss()) {
     simulation_.deferPlacement();
@@ -79,10 +79,10 @@ Simulator::~Simulator() {
 
 /// Swaps in new surfaces. The old one goes back to the neighbour-list thread: to free it would stall the servo thread.
 void Simulator::adoptNewSurface() {
-    HapticSurface* felt = nullptr;
-    while (pendingSurfaces_.pop(felt)) {
-        simulation_.setSurface(*felt);
-        retiredSurfaces_.push(felt);
+    HapticSurface* hapticSurface = nullptr;
+    while (pendingSurfaces_.pop(hapticSurface)) {
+        simulation_.setSurface(*hapticSurface);
+        retiredSurfaces_.push(hapticSurface);
     }
 }
 
@@ -129,7 +129,7 @@ ToothLoss Simulator::loss() const {
 }
 
 void Simulator::publishSurface() {
-    CarvedSurface cut{model_->felt(), model_->reached()};
+    CarvedSurface cut{model_->contactSurface(), model_->reached()};
     {
         const std::lock_guard lock(publishedMutex_);
         publishedSurface_ = model_->surface();
@@ -204,9 +204,9 @@ std::optional<Simulator::CarvedSurface> Simulator::waitForCutSurface(const std::
 }
 
 /// Sends a surface or a list to the servo thread; false if the queue is full.
-bool Simulator::send(HapticSurface* felt) {
-    if (pendingSurfaces_.push(felt)) return true;
-    surfaces_.recycle(felt);
+bool Simulator::send(HapticSurface* hapticSurface) {
+    if (pendingSurfaces_.push(hapticSurface)) return true;
+    surfaces_.recycle(hapticSurface);
     return false;
 }
 
@@ -220,18 +220,19 @@ void Simulator::runNeighbourLists(const std::stop_token& stop) {
     std::optional<CarvedSurface> unsent;
     while (!stop.stop_requested()) {
         if (std::optional<CarvedSurface> cut = waitForCutSurface(stop, idle)) {
-            newest_ = cut->felt;
+            newest_ = cut->surface;
             unsent = std::move(cut);
         }
-        retiredSurfaces_.consume_all([this](HapticSurface* felt) { surfaces_.recycle(felt); });
+        retiredSurfaces_.consume_all([this](HapticSurface* hapticSurface) { surfaces_.recycle(hapticSurface); });
         (void)tickForNeighbourLists_.refresh();
         const Tick& now = tickForNeighbourLists_.value();
         idle = watch.idle(now);
         if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
         if (unsent) {
-            if (send(surfaces_.make(unsent->felt, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
-        } else if (HapticSurface* felt = now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand)) {
-            (void)send(felt);  // a full queue means that the servo thread needs no more
+            if (send(surfaces_.make(unsent->surface, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
+        } else if (HapticSurface* hapticSurface =
+                       now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand)) {
+            (void)send(hapticSurface);  // a full queue means that the servo thread needs no more
         }
     }
 }

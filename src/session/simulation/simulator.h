@@ -108,7 +108,7 @@ private:
 
     /// The result of a cut.
     struct CarvedSurface {
-        std::shared_ptr<const Surface> felt;
+        std::shared_ptr<const Surface> surface;
         std::optional<Pose> reached;  ///< the end of the cut
     };
 
@@ -123,7 +123,7 @@ private:
     [[nodiscard]] bool processCutRequest();
     void publishSurface();
     [[nodiscard]] std::optional<CarvedSurface> waitForCutSurface(const std::stop_token& stop, bool idle);
-    [[nodiscard]] bool send(HapticSurface* felt);
+    [[nodiscard]] bool send(HapticSurface* hapticSurface);
 
     std::shared_ptr<CutModel> model_;
     Instrument instrument_;

@@ -84,11 +84,11 @@ void SprayParticleSystem::emitJets(const SprayInput& now) {
         const Vec3 hole(kHoleRadius * std::cos(angle), kHoleRadius * std::sin(angle), kHoleHeight);
         const Vec3 aim(0, 0, kAimHeight);
         for (int i = 0; i < kDropsPerJet; ++i) {
-            const double way = random(0, 1);
-            const double spread = kJetSpread * way;
+            const double direction = random(0, 1);
+            const double spread = kJetSpread * direction;
             const Vec3 aside{random(-spread, spread), random(-spread, spread), random(-spread, spread)};
             SprayParticle drop;
-            drop.place = (now.toolInTooth * (hole + way * (aim - hole) + aside)).cast<float>();
+            drop.place = (now.toolInTooth * (hole + direction * (aim - hole) + aside)).cast<float>();
             drop.radius = random(0.04, 0.09) * static_cast<float>(std::sqrt(now.water));
             drop.kind = SprayParticleKind::Jet;
             particles_.push_back(drop);
@@ -102,13 +102,13 @@ SprayParticle SprayParticleSystem::thrown(const SprayInput& now, double dt) {
     const Vec3 rim(burRadius_ * std::cos(angle), burRadius_ * std::sin(angle), random(0.1, 0.9));
     const Vec3 along(std::sin(angle), -std::cos(angle), 0);                       // clockwise, seen from the shaft
     const Vec3 scatter{random(-0.5, 0.5), random(-0.5, 0.5), random(-0.2, 0.6)};  // braces: in this order
-    Vec3 way = now.toolInTooth.rotation * (along + scatter);
-    way += std::max(0.0, 0.15 - way.dot(now.normal)) * now.normal;
+    Vec3 direction = now.toolInTooth.rotation * (along + scatter);
+    direction += std::max(0.0, 0.15 - direction.dot(now.normal)) * now.normal;
     const double speed = std::min(kFastest, burRadius_ * kTwoPi * now.speedRpm / 60) * random(0.1, 1);
     const double grain = random(kMinGrain, kLargestGrain);
     SprayParticle bit;
     bit.place = (now.toolInTooth * rim).cast<float>();
-    bit.velocity = (speed * way.normalized()).cast<float>();
+    bit.velocity = (speed * direction.normalized()).cast<float>();
     bit.relaxation = static_cast<float>(kRelaxation * grain * grain);
     bit.age = -random(0, dt);  // it left at some time during the step
     const float flown = static_cast<float>(dt) + bit.age;

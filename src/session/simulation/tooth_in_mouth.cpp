@@ -75,11 +75,11 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
 }  // namespace
 
 Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                                    const ToothGenerator& maker) {
-    const auto whole = makeMouth(mouth, maker);
+                                    const ToothGenerator& generator) {
+    const auto whole = makeMouth(mouth, generator);
     if (!whole) return Unexpected{whole.error()};
     ToothInMouth result = inMouth(*whole, fdi);
-    if (lesion) result.tooth = maker({fdi, mouth.triangles, mouth.seed, lesion});
+    if (lesion) result.tooth = generator({fdi, mouth.triangles, mouth.seed, lesion});
     return result;
 }
 

@@ -26,7 +26,8 @@ struct ToothInMouth {
 /// `fdi` is a tooth of the mouth that is not missing; its fineness and seed are those of the mouth. Takes as long as
 /// makeMouth, and fails where makeMouth does.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
-                                                  const MouthRequest& mouth, const ToothGenerator& maker = makeTooth);
+                                                  const MouthRequest& mouth,
+                                                  const ToothGenerator& generator = makeTooth);
 
 /// The same with teeth and gums from the cache; takes a second.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,

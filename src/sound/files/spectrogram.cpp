@@ -135,9 +135,9 @@ Spectrogram SpectrogramBuilder::finish() {
 }
 
 Spectrogram spectrogramOf(std::span<const float> stereo, std::size_t times) {
-    SpectrogramBuilder maker(stereo.size() / 2, times);
-    maker.add(stereo);
-    return maker.finish();
+    SpectrogramBuilder builder(stereo.size() / 2, times);
+    builder.add(stereo);
+    return builder.finish();
 }
 
 }  // namespace tactooth

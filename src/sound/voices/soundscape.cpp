@@ -84,8 +84,8 @@ void Soundscape::limitExposure(SoundBlock& block) {
     const Ramp gain = exposureLimiter_.gainFor(sum);
     if (gain.isOne()) return;
     for (auto& place : block) {
-        Ramp way = gain;
-        for (float& sample : place) sample *= way.next();
+        Ramp fade = gain;
+        for (float& sample : place) sample *= fade.next();
     }
 }
 

@@ -357,12 +357,12 @@ TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
     standin().setFaultyPen(1);
     set(HdFault::LinkFault);
     EXPECT_TRUE(soonSays(left, "does not answer"));
-    bool felt = true;
+    bool hapticSurface = true;
     for (int i = 0; i < 250; ++i) {  // in 2.5 s a lost pen would be tried twice
         std::this_thread::sleep_for(10ms);
-        felt &= force() > 0;
+        hapticSurface &= force() > 0;
     }
-    if (felt) {  // else the machine has stalled, and there was nothing to disturb
+    if (hapticSurface) {  // else the machine has stalled, and there was nothing to disturb
         EXPECT_EQ(standin().schedulerStarts(), before);
     }
     EXPECT_TRUE(lean());

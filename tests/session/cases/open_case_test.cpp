@@ -163,7 +163,7 @@ TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
     const CutModel piece(opened->teeth, 0.1);
     HapticSettings settings;
     HapticSimulation simulation(std::make_shared<const ToolShape>(test::cylinder(Vec3::Zero(), 0.5, 6, 24)), 0.5,
-                                piece.felt(), settings);
+                                piece.contactSurface(), settings);
     const auto press = [&](const Vec3& top) {
         (void)simulation.step({{top + Vec3(0, 0, 1), Quat::Identity()}, 0, false}, 0.001);
         const Tick tick = simulation.step({{top - Vec3(0, 0, 0.2), Quat::Identity()}, 0, false}, 0.001);

@@ -54,9 +54,9 @@ TEST(DeviceMapping, ASeatWithAPlaceForTheHandPutsTheToolWhereTheHandIs) {
 TEST(DeviceMapping, AForceOnTheToolComesBackInTheHandsFrame) {
     DeviceMapping frame(quarterTurnRegistration());
     (void)frame.toolFor(at(0, 0, 0));
-    const Wrench felt = frame.toDevice({Vec3(0, 1, 2), Vec3(0, 3, 0)});
-    EXPECT_LT((felt.force - Vec3(1, 0, 2)).norm(), kRounding);
-    EXPECT_LT((felt.torque - Vec3(3, 0, 0)).norm(), kRounding);
+    const Wrench hapticSurface = frame.toDevice({Vec3(0, 1, 2), Vec3(0, 3, 0)});
+    EXPECT_LT((hapticSurface.force - Vec3(1, 0, 2)).norm(), kRounding);
+    EXPECT_LT((hapticSurface.torque - Vec3(3, 0, 0)).norm(), kRounding);
 }
 
 TEST(DeviceMapping, FineWorkMovesTheToolAThirdOfTheWayFromWhereItWas) {

@@ -143,11 +143,11 @@ Surroundings neighbour() {
 
 TEST(CutModel, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
     const auto piece = blockOnTheBench();
-    EXPECT_EQ(piece->felt(), piece->surface());
+    EXPECT_EQ(piece->contactSurface(), piece->surface());
     piece->surroundBy(neighbour());
-    EXPECT_EQ(piece->felt()->patches.size(), 1u);
+    EXPECT_EQ(piece->contactSurface()->patches.size(), 1u);
     EXPECT_TRUE(piece->surface()->patches.empty());  // neither drawn as this tooth nor exported with it
-    HapticSimulation simulation(test::flatBur().shape, test::kBurRadius, piece->felt(), electric());
+    HapticSimulation simulation(test::flatBur().shape, test::kBurRadius, piece->contactSurface(), electric());
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
     const Tick tick = simulation.step({at(3, 0, -0.3), 0, false}, kTick);
     EXPECT_NEAR(tick.depth, 0.3, 0.02);
@@ -158,7 +158,7 @@ TEST(CutModel, ATickTellsWhetherABodyAroundItHoldsTheTool) {
     const auto piece = blockOnTheBench();
     piece->surroundBy(neighbour());
     const Instrument bur = test::flatBur();
-    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->felt(), electric());
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->contactSurface(), electric());
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
     EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).around, test::kEnamel);
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
@@ -170,9 +170,9 @@ TEST(CutModel, ATickTellsWhetherABodyAroundItHoldsTheTool) {
     Tick tick;
     for (int i = 0; i < 200; ++i) {  // in a cavity of its own, whose patches come before the neighbour
         tick = simulation.step({at(0, 0, -0.5), 1, true}, kTick);
-        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->felt());
+        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->contactSurface());
     }
-    EXPECT_GT(piece->felt()->patches.size(), 1U);
+    EXPECT_GT(piece->contactSurface()->patches.size(), 1U);
     EXPECT_GT(tick.contacts, 0);
     EXPECT_EQ(tick.around, std::nullopt);
 }
@@ -181,12 +181,12 @@ TEST(CutModel, BodiesAroundItAreNotCut) {
     const auto piece = blockOnTheBench();
     piece->surroundBy(neighbour());
     const Instrument bur = test::flatBur();
-    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->felt(), electric());
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece->contactSurface(), electric());
     for (int i = 0; i < 400; ++i) simulation.step({at(3, 0, 0.1), 1, true}, kTick);
     Tick tick;
     for (int i = 0; i < 60; ++i) {
         tick = simulation.step({at(3, 0, -0.5), 1, true}, kTick);
-        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->felt());
+        if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->contactSurface());
     }
     EXPECT_EQ(total(piece->removed()), 0);
     EXPECT_NEAR(tick.proxy.position.z(), 0, 0.02);
@@ -204,12 +204,12 @@ TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
     EXPECT_EQ(piece.loss().beside, 0);
     const double own = total(piece.removed());
     piece.mark();
-    HapticSimulation simulation(bur.shape, test::kBurRadius, piece.felt(), electric());
+    HapticSimulation simulation(bur.shape, test::kBurRadius, piece.contactSurface(), electric());
     for (int i = 0; i < 400; ++i) simulation.step({at(3, 0, 0.1), 1, true}, kTick);
     Tick tick;
     for (int i = 0; i < 200; ++i) {
         tick = simulation.step({at(3, 0, -0.5), 1, true}, kTick);
-        if (piece.feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece.felt());
+        if (piece.feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece.contactSurface());
     }
     EXPECT_LT(tick.proxy.position.z(), -0.1);
     EXPECT_EQ(tick.around, test::kDentin) << "its cut wall is known as well";

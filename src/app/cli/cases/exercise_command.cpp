@@ -32,7 +32,7 @@ Expected<std::string> burOf(const Exercise& exercise) {
     return own->name;
 }
 
-Expected<void> tell(const ExerciseOptions& options) {
+Expected<void> describe(const ExerciseOptions& options) {
     FileTransaction files;
     files.reads(options.file);
     if (auto opened = files.open(options.out); !opened) return opened;
@@ -71,7 +71,7 @@ Expected<void> tell(const ExerciseOptions& options) {
 }  // namespace
 
 int runExercise(const ExerciseOptions& options) {
-    const auto done = tell(options);
+    const auto done = describe(options);
     return done ? kExitOk : reportError(done.error());
 }
 

@@ -82,9 +82,9 @@ Expected<Vec3> parsePoint(const std::string& text) {
 Expected<ClipArgument> parseClip(const std::string& text) {
     const auto parts = split(text, '=');
     const StandardView* side = standardView(parts.front());
-    const std::optional<double> way = parts.size() == 2 ? toNumber<double>(parts[1]) : std::optional<double>(0);
-    const bool isNear = way && std::abs(*way) <= kFarthest;
-    if (side != nullptr && isNear && parts.size() <= 2) return ClipArgument{*side, *way};
+    const std::optional<double> offset = parts.size() == 2 ? toNumber<double>(parts[1]) : std::optional<double>(0);
+    const bool isNear = offset && std::abs(*offset) <= kFarthest;
+    if (side != nullptr && isNear && parts.size() <= 2) return ClipArgument{*side, *offset};
     return unexpected(msg::kClipPlaneUnknown, quotedWord(text));
 }
 

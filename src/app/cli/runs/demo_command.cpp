@@ -94,7 +94,7 @@ Expected<void> loadDemoTooth(const DemoOptions& options, const MaterialRegistry&
 }
 
 Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
-    TriangleMesh felt;
+    TriangleMesh mesh;
     double sharpness = 1;
     if (!options.bur.empty()) {
         auto own = readCustomBur(options.bur);
@@ -102,15 +102,15 @@ Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
         cast.customBur = std::move(*own);
     }
     if (cast.customBur) {
-        felt = cast.customBur->surface;
+        mesh = cast.customBur->surface;
         sharpness = cast.customBur->sharpness;
         cast.burName = cast.customBur->name;
-        cast.props.tool.bur = std::make_shared<const TriangleMesh>(felt);
+        cast.props.tool.bur = std::make_shared<const TriangleMesh>(mesh);
         cast.props.tool.material = cast.customBur->material;
         cast.props.tool.edge = cast.customBur->edge();
     } else {
         const BurSpec spec = findBur(kDefaultBur).value();
-        felt = makeBur(spec).surface;
+        mesh = makeBur(spec).surface;
         sharpness = spec.sharpness;
         cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);
         cast.props.tool.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kPictureBurTriangles).surface);
@@ -118,11 +118,11 @@ Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
         cast.props.tool.material = spec.material;
         cast.props.tool.edge = spec.edge();
     }
-    auto cutting = makeCuttingTool(felt, sharpness);
+    auto cutting = makeCuttingTool(mesh, sharpness);
     if (!cutting) return unexpected(msg::kNamedSentence, cast.burName, cutting.error());
     cast.props.tool.blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     cast.instrument =
-        Instrument{std::make_shared<const ToolShape>(std::move(felt)), std::move(*cutting), cast.props.tool.edge};
+        Instrument{std::make_shared<const ToolShape>(std::move(mesh)), std::move(*cutting), cast.props.tool.edge};
     return {};
 }
 
@@ -193,11 +193,11 @@ int runDemo(const DemoOptions& options) {
     CutModel piece(cast.tooth, kVoxel);
     piece.surroundBy(cast.surroundings);
     const std::shared_ptr<const Surface> uncut = piece.surface();
-    int told = 0;
+    int reported = 0;
     const auto progress = [&](double part) {
         const int tenths = static_cast<int>(10 * part);
-        if (tenths <= told) return;
-        told = tenths;
+        if (tenths <= reported) return;
+        reported = tenths;
         print("playing {:.0f} s of touching and cutting: {} %\n", options.seconds, 10 * tenths);
         std::fflush(stdout);
     };

@@ -66,12 +66,12 @@ int runFeel(const FeelOptions& options) {
     HapticSimulation simulation(*tool, (*tool)->radius(), tooth->surface, settings);
     LatencyHistogram micros;
     double maxForce = 0;
-    const auto felt = runTouchPath(*trajectory, simulation, [&](double time, const Tick& tick) {
+    const auto finished = runTouchPath(*trajectory, simulation, [&](double time, const Tick& tick) {
         file->write(time, tick);
         micros.add(tick.micros);
         maxForce = std::max(maxForce, tick.wrench.force.norm());
     });
-    if (!felt) return reportError(felt.error());
+    if (!finished) return reportError(finished.error());
     if (const auto done = file->commit(); !done) return reportError(done.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
     print("{} ticks written to {}\n", trajectory->size(), displayName(options.out));

@@ -210,8 +210,8 @@ void ToothView::setOrbitCamera(const OrbitCamera& eye) {
     redraw();
 }
 
-void ToothView::orbitBy(const Vec2& way, bool shifts) {
-    moveCamera(imageSize().height * way, shifts ? Qt::MiddleButton : Qt::RightButton);
+void ToothView::orbitBy(const Vec2& displacement, bool shifts) {
+    moveCamera(imageSize().height * displacement, shifts ? Qt::MiddleButton : Qt::RightButton);
 }
 
 void ToothView::zoomBy(double factor) {
@@ -275,11 +275,11 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) model_.manipulator().release();
 }
 
-void ToothView::moveCamera(const Vec2& way, Qt::MouseButtons buttons) {
+void ToothView::moveCamera(const Vec2& displacement, Qt::MouseButtons buttons) {
     if (buttons & Qt::RightButton) {
-        camera_.orbit(way, imageSize());
+        camera_.orbit(displacement, imageSize());
     } else {
-        camera_.pan(way, imageSize());
+        camera_.pan(displacement, imageSize());
     }
     redraw();
 }
@@ -295,11 +295,11 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
-    const Vec2 way = to - mouse_;
+    const Vec2 displacement = to - mouse_;
     mouse_ = to;
     if (model_.simulator() == nullptr) return;
     if (with & Qt::ShiftModifier) {
-        model_.manipulator().tilt(viewport(), way);
+        model_.manipulator().tilt(viewport(), displacement);
     } else if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(viewport(), to);
     } else {
@@ -309,15 +309,15 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
 
 /// Arrow keys move the hand like the mouse; with Ctrl they turn the tooth. Enter presses while it is held.
 bool ToothView::obeyKey(const QKeyEvent& key) {
-    const std::array<std::pair<int, Vec2>, 4> ways = {{{Qt::Key_Left, Vec2(-1, 0)},
-                                                       {Qt::Key_Right, Vec2(1, 0)},
-                                                       {Qt::Key_Up, Vec2(0, -1)},
-                                                       {Qt::Key_Down, Vec2(0, 1)}}};
+    const std::array<std::pair<int, Vec2>, 4> directions = {{{Qt::Key_Left, Vec2(-1, 0)},
+                                                             {Qt::Key_Right, Vec2(1, 0)},
+                                                             {Qt::Key_Up, Vec2(0, -1)},
+                                                             {Qt::Key_Down, Vec2(0, 1)}}};
     const ImageSize size = imageSize();
     if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
-    for (const auto& [code, way] : ways) {
+    for (const auto& [code, displacement] : directions) {
         if (key.key() != code) continue;
-        const Vec2 pixels = kKeyStep * size.height * way;
+        const Vec2 pixels = kKeyStep * size.height * displacement;
         if (key.modifiers() & Qt::ControlModifier) {
             moveCamera(kKeyTurn * pixels, Qt::RightButton);
         } else {
