@@ -4,16 +4,15 @@
 """check_messages.py SOURCES
 
 Checks each row of each catalogue of messages (messages.h): its identifier, its two languages, and that something says
-it. The compiler checks the places and the full stops as well. Names each fault and fails if there is one."""
+it. The compiler checks the places and the full stops as well. A row that ends in "// a name" is the same in both languages.
+Names each fault and fails if there is one."""
 import re
 import sys
 from pathlib import Path
 
 TEXT = r'((?:\s*"(?:[^"\\]|\\.)*")+)'
-ROW = re.compile(r"inline constexpr MessageText k(\w+)\{" + TEXT + "," + TEXT + "," + TEXT + r"\};")
+ROW = re.compile(r"inline constexpr MessageText k(\w+)\{" + TEXT + "," + TEXT + "," + TEXT + r"\};( *// a name$)?", re.M)
 JAPANESE = re.compile("[\u3001-\u9fff\uff01-\uff9f]")
-# What a person says in either language: names of products and lists of keys.
-SAME_IN_BOTH = {"HaplyInverse3", "SpaceMouse"}
 # Words of a Japanese sentence in Latin letters that the English sentence need not have.
 TECHNICAL = {"TOML", "mm", "Hz", "Qt", "ZIP", "WAV"}
 
@@ -27,7 +26,7 @@ def snake(name):
     return re.sub(r"(?<!^)([A-Z])", r"_\1", name).lower()
 
 
-def faults(name, key, english, japanese):
+def faults(name, is_name, key, english, japanese):
     if key != snake(name):
         yield f"the identifier is '{key}', but the constant makes it '{snake(name)}'"
     places = [sorted(re.findall(r"%[1-9]", text)) for text in (english, japanese)]
@@ -42,7 +41,9 @@ def faults(name, key, english, japanese):
     if JAPANESE.search(english):
         yield "the English has Japanese letters"
     has_words = re.search(r"[A-Za-z]{2}", re.sub(r"%[1-9]", "", english))
-    if has_words and not JAPANESE.search(japanese) and name not in SAME_IN_BOTH:
+    if is_name and english != japanese:
+        yield "a name is the same in both languages"
+    if has_words and not JAPANESE.search(japanese) and not is_name:
         yield "the Japanese has no Japanese letter"
     known = set(re.findall(r"[A-Za-z]+", english)) | TECHNICAL
     for word in re.findall(r"[A-Za-z]{2,}", japanese):
@@ -59,8 +60,8 @@ def main():
         rows = ROW.findall(text)
         if len(rows) != len(re.findall(r"\bconstexpr MessageText k", text)):
             found.append(f"{path}: a row is not written as the others are")
-        for name, *literals in rows:
-            found += [f"{path}: {name}: {fault}" for fault in faults(name, *map(plain, literals))]
+        for name, *literals, mark in rows:
+            found += [f"{path}: {name}: {fault}" for fault in faults(name, bool(mark), *map(plain, literals))]
             if name in seen:
                 found.append(f"{path}: {name}: there is another row of this name")
             if name not in used:

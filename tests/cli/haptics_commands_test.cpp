@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/cli_test.h"
+#include "devices/probe/device_backend.h"
 #include "devices/standin/pen_folder.h"
 
 namespace tactooth {
@@ -145,14 +146,23 @@ TEST(HapticsCommands, DevicesStandInColumns) {
     EXPECT_EQ(columns.size(), 1U);
 }
 
+/// The names of these kinds of devices as a message lists them.
+std::string listed(std::span<const DeviceBackend> kinds) {
+    std::string names;
+    for (const DeviceBackend& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+    return names;
+}
+
 TEST(HapticsCommands, ADeviceThatNobodyKnowsIsRefusedByTheNameOfItsOption) {
     const ProgramRun first = runTactooth({"--device", "joystick", "--second-device", "bogus"});
     EXPECT_EQ(first.exitCode, 2);
-    EXPECT_THAT(first.err, AllOf(StartsWith("tactooth: --device takes mouse, pen, inverse3, gamepad, spacemouse"),
-                                 HasSubstr("not 'joystick'")));
+    EXPECT_THAT(first.err,
+                AllOf(StartsWith("tactooth: --device takes " + listed(deviceBackends())), HasSubstr("not 'joystick'")));
     const ProgramRun second = runTactooth({"--device", "pen:Right", "--second-device", "bogus"});
     EXPECT_EQ(second.exitCode, 2);
-    EXPECT_THAT(second.err, AllOf(StartsWith("tactooth: --second-device takes none, pen"), HasSubstr("not 'bogus'")));
+    EXPECT_THAT(second.err,
+                AllOf(StartsWith("tactooth: --second-device takes none, " + listed(deviceBackends().subspan(1))),
+                      HasSubstr("not 'bogus'")));
 }
 
 }  // namespace

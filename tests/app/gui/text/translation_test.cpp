@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QStringList>
 #include <QTranslator>
 #include <string>
 
 #include "assessment/exercise.h"
 #include "devices/open_device.h"
 #include "devices/openhaptics/hd_library.h"
+#include "devices/probe/device_backend.h"
 #include "geometry/files/file_bytes.h"
 #include "instruments/bur_catalogue.h"
 #include "instruments/spindle.h"
@@ -116,10 +118,17 @@ TEST_F(JapaneseTranslation, ShowsWordsOfATableThatHasBothLanguages) {
 }
 
 TEST_F(JapaneseTranslation, NamesTheDevicesThatCanBeChosen) {
+    QStringList names, units;
+    for (const DeviceBackend& each : deviceBackends()) {
+        names << QString::fromUtf8(each.name);
+        if (each.unitWord != nullptr) units << names.back() + ':' + QString::fromUtf8(each.unitWord);
+    }
+    ASSERT_GE(units.size(), 2);
+    const QString last = units.takeLast();
     EXPECT_EQ(translated(openDevice("joystick").error()),
-              QStringLiteral("--device に 'joystick' は指定できません。mouse, pen, inverse3, gamepad, spacemouse、"
-                             "複数あるうちの一つなら pen:NAME, inverse3:ID か gamepad:NAME、または replay:FILE.csv "
-                             "を指定してください。'tactooth devices' で接続中の装置が分かります。"));
+              QStringLiteral("--device に 'joystick' は指定できません。%1、複数あるうちの一つなら %2 か %3、または "
+                             "replay:FILE.csv を指定してください。'tactooth devices' で接続中の装置が分かります。")
+                  .arg(names.join(", "), units.join(", "), last));
 }
 
 TEST_F(JapaneseTranslation, HasWordsForEachBur) {
