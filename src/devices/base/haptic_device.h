@@ -82,7 +82,7 @@ public:
     /// message lives as long as the program.
     [[nodiscard]] virtual const Message* faultMessage() const { return poseMonitor_.faultMessage(); }
 
-    /// What the servo has found wrong with the hand at this tick, for trouble() to tell. The servo's.
+    /// What the servo has found wrong with the hand at this tick, for faultMessage() to report. The servo's.
     void judge(PoseFault fault, double elapsed) { poseMonitor_.update(fault, elapsed); }
 
     /// Takes only what has passed the safety limiter. Force in the device's frame.
