@@ -3299,14 +3299,6 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <source>no ideal cavity</source>
         <translation>理想窩洞なし</translation>
     </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
 </context>
 <context>
     <name>tactooth::HistogramView</name>

@@ -4,8 +4,8 @@
 
 #include <QPushButton>
 
-#include "session/model/mouse_manipulator.h"
 #include "app/gui/text/term_translation.h"
+#include "session/model/mouse_manipulator.h"
 
 namespace tactooth {
 

@@ -10,9 +10,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "session/model/session_model.h"
 #include "app/gui/panels/elided_label.h"
 #include "haptics/real_time.h"
+#include "session/model/session_model.h"
 
 namespace tactooth {
 namespace {

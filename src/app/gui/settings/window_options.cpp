@@ -3,10 +3,10 @@
 // The table of what the window remembers.
 #include <array>
 
-#include "session/model/mouse_manipulator.h"
 #include "app/gui/settings/window_settings.h"
 #include "devices/base/workspace_fit.h"
 #include "geometry/util/number_text.h"
+#include "session/model/mouse_manipulator.h"
 
 namespace tactooth {
 namespace {
