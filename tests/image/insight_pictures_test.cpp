@@ -25,14 +25,14 @@ protected:
         object.shape = std::move(surface);
         object.appearances = materialAppearances();
         object.sectioned = true;
-        object.filling = appearanceOf(tooth_->body());
+        object.capAppearance = appearanceOf(tooth_->body());
         return object;
     }
     static SceneObject layer(const LayeredTooth::Layer& from) {
         SceneObject object;
         object.shape = std::shared_ptr<const TriangleMesh>(from.part, &from.part->mesh());
         object.appearances = {appearanceOf(from.material)};
-        object.filling = object.appearances.front();
+        object.capAppearance = object.appearances.front();
         object.sectioned = object.inner = true;
         object.visible = false;
         return object;

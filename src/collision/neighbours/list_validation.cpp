@@ -47,7 +47,8 @@ void NeighbourList::validate(const Surface& surface) const {
         ++opened;
     }
     TACTOOTH_ASSERT(opened == openedCount_);
-    for (std::size_t i = 0; i < around_.count; ++i) {
+    const bool isAroundKnown = around_.deviation >= 0;  // else its packets are those of an older list
+    for (std::size_t i = 0; isAroundKnown && i < around_.count; ++i) {
         TACTOOTH_ASSERT(around_.packets[i] % 8 == 0 && around_.packets[i] < near_.count);
         TACTOOTH_ASSERT(i == 0 || around_.packets[i - 1] < around_.packets[i]);
     }

@@ -12,7 +12,7 @@ bool Drawable::isTransparent() const {
 }
 
 bool Drawable::cullsBackFaces(bool inSection) const {
-    return object->closed && (!inSection || !object->sectioned || object->inner);
+    return object->closed && (!inSection || !object->sectioned || object->capAppearance);
 }
 
 Mat4 matrixOf(const Pose& pose) {

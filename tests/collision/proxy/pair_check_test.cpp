@@ -116,7 +116,8 @@ TEST(PairCheck, ChecksTheUncertainPairsOfACluster) {
     WatchedPair violator;
     const CandidateStep step = test::stepBy(context, Vec3::Zero());
     PairCheck pairs(context, step, query);
-    EXPECT_ASSERT((void)pairs.checkCluster(list.clusters(), {}, violator));
+    EXPECT_ASSERT((void)pairs.checkCluster(list.clusters(), list.motion(context.state.pose, context.state.pose, 0, {}),
+                                           violator));
 }
 
 }  // namespace tactooth

@@ -59,9 +59,10 @@ TEST(ProxyMove, LeavesAnOverlappingToolWhereItIs) {
 }
 
 TEST(ProxyMove, StopsWhenTheBudgetIsUsedUpAndContinuesInTheNextMove) {
-    MoveScene scene(test::poseAt(0, 0, 0.1));
-    scene.context.budget.setLimit(1);
     const Pose goal = test::poseAt(0.3, 0, -0.2);
+    const Work whole = MoveScene(test::poseAt(0, 0, 0.1)).to(goal).work;
+    MoveScene scene(test::poseAt(0, 0, 0.1));
+    scene.context.budget.setLimit(whole / 4);
     EXPECT_EQ(scene.to(goal).status, MoveStatus::OutOfBudget);
     EXPECT_FALSE(scene.settled.answers(goal));
     for (int i = 0; i < 200; ++i) (void)scene.to(goal);

@@ -15,7 +15,7 @@ CustomBur customBur(TriangleMesh surface) {
 }
 
 TEST(SessionBur, OfTheCatalogueHasItsNameMaterialAndEdge) {
-    const BurSpec& spec = *findBur("4");
+    const BurSpec spec = *findBur("4");
     const auto bur = makeSessionBur(spec);
     ASSERT_TRUE(bur);
     EXPECT_EQ(bur->name, spec.name);
