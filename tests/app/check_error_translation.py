@@ -16,7 +16,8 @@ ONLY_OUTSIDE = {
                         "session/cases/case_surfaces.cpp session/cases/make_case.cpp "
                         "experiments/ session/io/finite_tick.cpp session/audio/sound_profile.cpp session/simulation/tooth_source.cpp "
                         "session/io/vdb_file session/io/vdb_size.cpp sound/output/offline_render.cpp sound/files/wav_file.cpp",
-    "said by tactooth devices, doctor and info": "devices/probe/child_probe.cpp devices/device_enumeration.cpp "
+    "said by tactooth devices, doctor and info": "geometry/mesh/triangle_mesh.cpp devices/mouse/ devices/haply/haply_backend.cpp devices/openhaptics/openhaptics_backend.cpp "
+                                                 "devices/sdl/ devices/spacemouse/ devices/probe/ devices/open_device.cpp devices/probe/child_probe.cpp devices/device_enumeration.cpp "
                                                  "devices/haply/haply_enumeration.cpp geometry/mesh/mesh_warnings.cpp "
                                                  "haptics/real_time.cpp",
     "there is no window yet, or no more": "app/common/display_check.cpp app/gui/window/run_window.cpp view/",
