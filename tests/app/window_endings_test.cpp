@@ -111,9 +111,10 @@ public:
             ::_exit(1);
         }
         ::close(ends[1]);
-        std::array<char, 16> number{};
-        if (::read(ends[0], number.data(), number.size() - 1) > 0)
-            name_ = ":" + std::to_string(std::atoi(number.data()));
+        // The server writes the line in parts and ends if nobody reads the last one.
+        std::string number;
+        for (char next = 0; ::read(ends[0], &next, 1) == 1 && next != '\n';) number += next;
+        if (!number.empty()) name_ = ":" + number;
         ::close(ends[0]);
     }
     ~OwnDisplay() { takeAway(); }
