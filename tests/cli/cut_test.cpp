@@ -64,10 +64,10 @@ TEST_F(CutCommand, AMaterialOfTheUsersIsALayerAColumnAndAFile) {
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("removed    composite:"));
     const auto removed = table();
-    EXPECT_EQ(removed.header, "t,enamel,dentin,pulp,caries,other,restoration,composite");
+    EXPECT_THAT(removed.header, ::testing::EndsWith(",composite"));
     const double hole = kPi * 0.25 * 0.8;
     EXPECT_LT(removed.rows.back()[1], 0.02 * hole);
-    EXPECT_NEAR(removed.rows.back()[7], hole, 0.02 * hole);
+    EXPECT_NEAR(removed.rows.back().back(), hole, 0.02 * hole);
     EXPECT_NEAR(4 - volumeOf("layers/composite.stl"), hole, 0.004 * hole);
     const ProgramRun again = cut(file("filled.tactooth"), drillAt(0.3, 0.6), {"--feed", "rigid"});
     EXPECT_EQ(again.exitCode, 0) << again.err;

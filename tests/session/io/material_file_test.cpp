@@ -47,9 +47,13 @@ TEST(MaterialFile, TheProgramsTextGivesTheMaterialsThatAreBuiltIn) {
 
 TEST(MaterialFile, TheDefaultsSoundAsTheSynthesisersOwnCharacters) {
     const MaterialTable table;
+    int known = 0;
     for (const MaterialId id : table.registry().ids()) {
         const std::string& name = table.registry().nameOf(id);
-        const SoundCharacter character = soundCharacterOf(name);
+        const auto found = findSoundCharacter(name);
+        if (!found) continue;
+        ++known;
+        const SoundCharacter& character = *found;
         EXPECT_EQ(table[id].soundCentre, character.bandCentreHz) << name;
         EXPECT_EQ(table[id].soundBrightness, character.level) << name;
         EXPECT_EQ(table[id].soundOctaves, character.bandOctaves) << name;
@@ -58,6 +62,7 @@ TEST(MaterialFile, TheDefaultsSoundAsTheSynthesisersOwnCharacters) {
         EXPECT_EQ(table[id].tapDecay, character.tapDecay) << name;
         EXPECT_EQ(table[id].tapBrightness, character.tapBrightness) << name;
     }
+    EXPECT_GT(known, 0);
 }
 
 TEST(MaterialFile, AFileOverridesOnlyWhatItNames) {
@@ -82,8 +87,8 @@ TEST(MaterialFile, AnyWayOfWritingATomlTableWill) {
 TEST(MaterialFile, ANewBlockAddsAMaterialThatIsOtherwiseAsTheSurroundings) {
     const MaterialRegistry& all =
         registryOf("[composite]\nstiffness = 0.7\ntitle_ja = 'コンポジット'\n[amalgam]\ncode = 70\n");
-    ASSERT_EQ(all.size(), 8U);
-    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other, composite, amalgam");
+    ASSERT_EQ(all.size(), builtinMaterials().size() + 2);
+    EXPECT_EQ(all.names(), builtinMaterials().names() + ", composite, amalgam");
     const MaterialDefinition& composite = all[all.find("composite").value()];
     Material expected = builtinMaterials()[test::kOther].numbers;
     expected.stiffness = 0.7;
@@ -124,7 +129,9 @@ TEST(MaterialFile, RefusesADefinitionThatCannotBe) {
     EXPECT_THAT(refusal("[gold]\ntitle_en = 3\n"), HasSubstr("'title_en' must be a text of one line in quotes"));
     std::string many;
     for (std::size_t i = 0; i <= kMaxMaterials; ++i) many += "[m" + std::to_string(i) + "]\n";
-    EXPECT_EQ(refusal(many), "m.toml, line 27: there are more than 32 materials; leave some out.");
+    const std::string tooMany = std::to_string(kMaxMaterials - builtinMaterials().size() + 1);
+    EXPECT_EQ(refusal(many), "m.toml, line " + tooMany + ": there are more than " + std::to_string(kMaxMaterials) +
+                                 " materials; leave some out.");
 }
 
 TEST(MaterialFile, RefusesAnUnknownKey) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "support/materials.h"
 
 namespace tactooth {
@@ -31,7 +33,6 @@ std::vector<std::string> namesOf(const MaterialRegistry& registry, std::span<con
 
 TEST(MaterialRegistry, EveryNameAndCodeLeadsBackToItsMaterial) {
     const MaterialRegistry& all = builtinMaterials();
-    EXPECT_EQ(all.size(), 6U);
     for (const MaterialId id : all.ids()) {
         EXPECT_EQ(all.find(all.nameOf(id)), id);
         EXPECT_EQ(all.findCode(all[id].code), id);
@@ -41,7 +42,7 @@ TEST(MaterialRegistry, EveryNameAndCodeLeadsBackToItsMaterial) {
 }
 
 /// Files of saved teeth, and tags of surfaces in caches, hold these numbers.
-TEST(MaterialRegistry, TheBuiltInMaterialsKeepTheirIndices) {
+TEST(MaterialRegistry, TheBuiltInMaterialsKeepTheirIndicesAndHaveUniqueCodes) {
     const MaterialRegistry& all = builtinMaterials();
     EXPECT_EQ(all.find("enamel"), test::kEnamel);
     EXPECT_EQ(all.find("dentin"), test::kDentin);
@@ -49,7 +50,8 @@ TEST(MaterialRegistry, TheBuiltInMaterialsKeepTheirIndices) {
     EXPECT_EQ(all.find("other"), test::kOther);
     EXPECT_EQ(all.find("restoration"), test::kRestoration);
     EXPECT_EQ(all.find("caries"), test::kCaries);
-    for (const MaterialId id : all.ids()) EXPECT_EQ(all[id].code, static_cast<std::uint8_t>(id)) << all.nameOf(id);
+    std::set<std::uint8_t> codes;
+    for (const MaterialId id : all.ids()) EXPECT_TRUE(codes.insert(all[id].code).second) << all.nameOf(id);
 }
 
 TEST(MaterialRegistry, ListsForMenusAndByRole) {
@@ -73,9 +75,10 @@ TEST(MaterialRegistry, ARoleIsThatOfTheFirstMaterialWithIt) {
 
 TEST(MaterialRegistry, TheCodeGivesTheIndexAndTheOrderOfGivingThatOfTheMenus) {
     const MaterialRegistry& all = withMore({definitionOf("b", 70), definitionOf("a", 65)});
-    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(6)), "a");
-    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(7)), "b");
-    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other, b, a");
+    const std::size_t builtin = builtinMaterials().size();
+    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(builtin)), "a");
+    EXPECT_EQ(all.nameOf(static_cast<MaterialId>(builtin + 1)), "b");
+    EXPECT_EQ(all.names(), builtinMaterials().names() + ", b, a");
     EXPECT_EQ(all.find("enamel"), test::kEnamel);
 }
 
