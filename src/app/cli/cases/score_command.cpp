@@ -4,8 +4,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
@@ -17,6 +21,8 @@
 
 namespace tactooth {
 namespace {
+
+constexpr std::size_t kQuantityWidth = 18;  // letters at least of the table's first column
 
 Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem::path& target) {
     std::vector<ImportNote> importNotes;
@@ -43,19 +49,33 @@ std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, co
     return json.dump(1) + '\n';
 }
 
+/// One row of the table for people.
+struct ScoreLine {
+    std::string quantity;
+    double value;
+    int decimals;
+    std::string_view unit;
+};
+
 std::string asTable(const ScoreOptions& options, const CavityProgress& cavity, const CutModel& piece) {
     const ToothLoss& loss = piece.loss();
     const MaterialRegistry& materials = piece.tooth().materials();
-    std::string text = fmt::format("{} against {}\n", displayName(options.tooth), displayName(options.target));
+    std::vector<ScoreLine> lines;
     for (const Metric& metric : metricTable()) {
-        text += fmt::format("  {:<18} {:8.{}f} {}\n", metric.quantity, metric.shown(cavity),
-                            metric.isFraction() ? 0 : 2, metric.shownUnit());
+        lines.push_back(
+            {std::string(metric.quantity), metric.shown(cavity), metric.isFraction() ? 0 : 2, metric.shownUnit()});
     }
     for (const MaterialId id : materials.ids()) {
         const double removed = loss.removed[static_cast<std::size_t>(id)];
-        if (removed > 0) text += fmt::format("  {:<18} {:8.2f} mm^3\n", materials.nameOf(id) + " removed", removed);
+        if (removed > 0) lines.push_back({materials.nameOf(id) + " removed", removed, 2, "mm^3"});
     }
-    if (loss.beside > 0) text += fmt::format("  {:<18} {:8.2f} mm^3\n", "of it beside", loss.beside);
+    if (loss.beside > 0) lines.push_back({"of it beside", loss.beside, 2, "mm^3"});
+    std::size_t width = kQuantityWidth;
+    for (const ScoreLine& line : lines) width = std::max(width, line.quantity.size());
+    std::string text = fmt::format("{} against {}\n", displayName(options.tooth), displayName(options.target));
+    for (const ScoreLine& line : lines) {
+        text += fmt::format("  {:<{}} {:8.{}f} {}\n", line.quantity, width, line.value, line.decimals, line.unit);
+    }
     return text;
 }
 

@@ -171,7 +171,7 @@ void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const M
             label->setText(QStringLiteral("–"));
             continue;
         }
-        const QString unit = metric->isFraction() ? "%" : metric->unit == "mm^3" ? "mm³" : "mm";
+        const QString unit = QString::fromUtf8(metric->shownUnit()).replace("^3", "³");
         label->setText(number(metric->shown(*cavity), metric->isFraction() ? 0 : 2) + ' ' + unit);
     }
 }
