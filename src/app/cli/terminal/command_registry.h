@@ -22,19 +22,21 @@ CLI::App* addCommand(CLI::App& program, CommandAction& chosen, const std::string
 }
 
 struct MouthSpec;
-/// --triangles, --seed, --jaw, --missing and --no-cache. `needed`: the option without which these mean nothing; null if
-/// there is none.
+/// The options that choose a built-in mouth. `needed`: the option without which these mean nothing; null if there is
+/// none.
 void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed);
 
-/// case new, check, info and pack.
+// Each adds the commands of one topic: those that its source file defines.
+
+/// Cases of patients.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
-/// simplify and subdivide.
+/// Changes of surfaces.
 void addMeshCommands(CLI::App& program, CommandAction& chosen);
-/// bur, instrument, tooth, mouth and gallery: what the program makes by itself.
+/// Shapes that the program makes by itself: teeth, burs and instruments.
 void addMouthCommands(CLI::App& program, CommandAction& chosen);
-/// render.
+/// Pictures.
 void addPictureCommands(CLI::App& program, CommandAction& chosen);
-/// bench, realtime, devices, doctor and reproduce.
+/// Measurements, and the state of this machine and its devices.
 void addMeasuringCommands(CLI::App& program, CommandAction& chosen);
 
 }  // namespace tactooth
