@@ -245,7 +245,7 @@ void WindowTest::aWindowThatRestsIsSeldomComposed() {
     waitForRest();
     int compositions = 0;
     const auto counting = connect(&view(), &QOpenGLWidget::frameSwapped, this, [&] { ++compositions; });
-    QTest::qWait(2000);
+    QTest::qWait(2000);  // the time in which compositions are counted: their absence has no condition to wait for
     disconnect(counting);
     QVERIFY2(compositions <= 1, qPrintable(QString::number(compositions)));
     pedal->setChecked(true);

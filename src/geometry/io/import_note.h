@@ -10,8 +10,8 @@ namespace tactooth {
 /// The subject of an import note.
 enum class ImportNoteTopic { File, Units, Orientation, Closedness, Layers };
 
-/// An assumption, a change or a repair of the program: a sentence with the placeholders %1, %2 ... for `values`, so
-/// that a window can show it in another language.
+/// An assumption, a change or a repair of the program: a sentence in which %1, %2 ... stand for `values`, so that a
+/// window can show it in another language.
 struct ImportNote {
     ImportNoteTopic topic;
     const char* text;
