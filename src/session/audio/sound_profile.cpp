@@ -42,12 +42,6 @@ DrillSoundState stateAt(double speedRpm, double watt, const SpindlePreset& drive
     return state;
 }
 
-std::string soundNames() {
-    std::string names;
-    for (const std::string_view name : soundMaterialNames()) names.append(names.empty() ? "" : ", ").append(name);
-    return names;
-}
-
 std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
     const double time = table.at(row, 0), speed = table.at(row, 1), power = table.at(row, 2);
     const std::string& material = table.wordAt(row, 0);
@@ -57,7 +51,8 @@ std::optional<std::string> faultIn(const CsvTable& table, std::size_t row) {
         return "speed_rpm must be from 0 to 1000000 rev/min, but is " + numberText(speed) + ".";
     if (power < 0 || power > kMaxPower) return "power must be from 0 to 1000 W, but is " + numberText(power) + ".";
     if (material != kNothing && !findSoundCharacter(material)) {
-        return "there is no material " + quotedWord(material) + "; the materials are " + soundNames() + ", and none.";
+        return "there is no material " + quotedWord(material) + "; the materials are " + soundMaterialList() +
+               ", and none.";
     }
     return std::nullopt;
 }

@@ -19,7 +19,8 @@ inline constexpr std::size_t kMaxMaterials = 32;
 /// What the program takes a material for. Several materials may have the same role.
 enum class MaterialRole : std::uint8_t {
     None,
-    Enamel,        ///< the crown's shell; a tooth without layers is made of it
+    Enamel,  ///< the crown's shell; a tooth without layers is made of it
+    inline constexpr std::size_t kMaterialRoleCount = 6;
     Dentin,        ///< the body below the enamel
     Pulp,          ///< soft tissue that a cut must not reach
     Decay,         ///< what a cut is to remove
