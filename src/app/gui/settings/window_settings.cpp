@@ -27,7 +27,7 @@ public:
         if (const auto* held = found->as_string()) {
             value = held->get();
         } else {
-            reportError(*found, key, "a text in quotes");
+            refuse(*found, key, "a text in quotes");
         }
     }
     void yesOrNo(std::string_view table, std::string_view key, bool& value) {
@@ -36,7 +36,7 @@ public:
         if (const auto* held = found->as_boolean()) {
             value = held->get();
         } else {
-            reportError(*found, key, "true or false");
+            refuse(*found, key, "true or false");
         }
     }
     void number(const WindowOption& option, double& value) {
@@ -54,7 +54,7 @@ public:
         std::ostringstream wanted;
         wanted << "a number from " << option.lowest << " to " << option.highest;
         if (option.zero != nullptr) wanted << ", or \"" << option.zero << '"';
-        reportError(*found, option.key, wanted.str());
+        refuse(*found, option.key, wanted.str());
     }
     [[nodiscard]] const std::vector<Error>& refused() const { return refused_; }
 
@@ -63,12 +63,12 @@ private:
         const toml::node* section = root_.get(table);
         if (section == nullptr) return nullptr;
         if (!section->is_table()) {
-            reportError(*section, table, "a table");
+            refuse(*section, table, "a table");
             return nullptr;
         }
         return section->as_table()->get(key);
     }
-    void reportError(const toml::node& node, std::string_view key, std::string_view wanted) {
+    void refuse(const toml::node& node, std::string_view key, std::string_view wanted) {
         Error error{std::string(name_) + ", line " + std::to_string(node.source().begin.line) + ": '" +
                     std::string(key) + "' must be " + std::string(wanted) + "."};
         // A value in place of a table is reported for each key of the table.

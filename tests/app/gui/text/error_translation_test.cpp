@@ -10,6 +10,7 @@
 
 #include "devices/base/pose_monitor.h"
 #include "devices/haply/haply_message.h"
+#include "devices/open_device.h"
 #include "devices/openhaptics/hd_library.h"
 #include "geometry/files/file_bytes.h"
 #include "session/io/material_file.h"
@@ -108,6 +109,7 @@ TEST_F(JapaneseErrorTranslation, WhatNobodyHasTranslatedStaysAsItIs) {
 TEST_F(JapaneseErrorTranslation, FailuresOfTheLibrariesHaveATranslation) {
     expectSaid(readFile("/no/such/tooth.stl").error().message);
     expectSaid(readFile("/").error().message);
+    expectSaid(checkDeviceName("x", "--device").error().message);
     TriangleMesh open = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     open.triangles.pop_back();
     const auto tooth = LayeredTooth::make(open, {});
