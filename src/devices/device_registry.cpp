@@ -10,7 +10,7 @@
 #include "devices/sdl/gamepad_backend.h"
 #include "devices/spacemouse/space_mouse_backend.h"
 
-// The list of all device backends. A new one adds its include and its line here, and its files to CMakeLists.txt.
+// The list of all device backends. A new backend adds its include and its line here, and its files to CMakeLists.txt.
 
 namespace tactooth {
 

@@ -13,14 +13,14 @@ namespace {
 constexpr const char* kName = "inverse3";
 constexpr double kLinkTimeout = 1;  // s: the service is on this machine
 
-/// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
+/// The reason why no Inverse3 is listed: no service runs, no device is plugged in, or the service is not usable.
 DetectedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
     const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
     const bool isServed = why != noneFound && HaplyConnection::open(address, kLinkTimeout).has_value();
     return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
 }
 
-/// One line for each Inverse3; one that says why not if there is none.
+/// One entry for each Inverse3; if there is none, one entry with the reason.
 std::vector<DetectedDevice> probeInverse3() {
     constexpr const char* kBackend = "Haply Inverse3";
     const std::string address = HaplyDevice::defaultAddress();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A library is tried before it is trusted. The one part of this folder that needs a POSIX system.
+// Tries a library in a child process before this process uses it. The only part of this folder that needs a POSIX
+// system.
 #include <mutex>
 #include <set>
 
@@ -10,9 +11,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kConnectTimeout = 10;  // s: a driver that looks for its device takes a few
+constexpr double kConnectTimeout = 10;  // s: a driver needs a few seconds to look for its device
 
-/// Nothing, or why the library cannot be used.
+/// Empty, or the reason why the library cannot be used.
 std::string startAndEnd(const std::string& path) {
     const auto library = HdLibrary::load(path);
     if (!library) return library.error().message;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kName = "pen";
 
-/// `name`: empty for the default one.
+/// `name`: empty for the default pen.
 ProbeResult probePen(const std::string& name, const std::string& library) {
     OpenHapticsDevice pen(name, library);
     const auto opened = pen.open();
@@ -24,7 +24,7 @@ ProbeResult probePen(const std::string& name, const std::string& library) {
     return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message};
 }
 
-/// One line for each pen that is set up; without any, one for the default pen, which says what to do.
+/// One entry for each configured pen; if there is none, one entry for the default pen with the remedy.
 std::vector<DetectedDevice> probePens() {
     const std::string library = HdLibrary::defaultPath();
     std::vector<std::string> pens = configuredPens();

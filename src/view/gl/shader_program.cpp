@@ -23,7 +23,7 @@ Unexpected refusal(const std::string& name, const char* what, const std::string&
                       firstLine(log) + "): update the driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw without it");
 }
 
-/// Compiles one stage and attaches it; the shader object goes with the program.
+/// Compiles one stage and attaches it. The shader object is freed with the program.
 Expected<void> attach(GLuint program, GLenum stage, const std::string& name, const std::string& source) {
     const GLuint shader = glCreateShader(stage);
     const char* text = source.c_str();

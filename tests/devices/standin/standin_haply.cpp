@@ -22,8 +22,8 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kTick = 0.001;                                // s that a message stands for
-constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its arm
+constexpr double kTick = 0.001;                                // s of simulated time for each message
+constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with the arm
 constexpr auto kSlowness = std::chrono::milliseconds(20);
 constexpr auto kFloodPause = std::chrono::microseconds(50);
 
@@ -33,10 +33,10 @@ std::string numbers(const char* pattern, double a, double b, double c, double d 
     return text;
 }
 
-/// An answer must not wait for the machine's other work: then it would be the fault that is looked for.
+/// Raises the thread's priority: an answer that waits for other work of the machine would itself be a fault under test.
 void takePriority() {
     sched_param priority{};
-    priority.sched_priority = 70;  // where the system allows it
+    priority.sched_priority = 70;  // if the system permits it
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
 }
 
@@ -109,7 +109,7 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     }
     const std::lock_guard lock(validator_);
     --connections_;
-    for (Hand& hand : hands_) hand.force = {};  // a device without commands makes no force
+    for (Hand& hand : hands_) hand.force = {};  // a device without commands renders no force
 }
 
 bool StandinHaply::isLate() const {
@@ -117,7 +117,7 @@ bool StandinHaply::isLate() const {
     return fault_ == HaplyFault::Slow || (fault_ == HaplyFault::Hiccup && sinceFault_ == 1);
 }
 
-/// Takes the force of a message and lets the hand that feels it move.
+/// Takes the force from a message and moves the hand of that device by one step.
 void StandinHaply::take(const std::string& message) {
     const auto json = nlohmann::json::parse(message);
     const std::lock_guard lock(validator_);
@@ -151,12 +151,13 @@ int StandinHaply::answersToAMessage() const {
     }
 }
 
-/// How far the hand seems to stand to the right of where it is, mm.
+/// Offset of the reported position to the right of the true one, mm.
 double StandinHaply::aside() const {
-    // A jump comes back with every other message: one alone, on a machine that stalls just then, may be a quick hand.
+    // The jump alternates with every message: if the machine stalls at that moment, a single jump could be a quick
+    // motion of the hand.
     const bool isOdd = sinceFault_ % 2 == 1;
     switch (fault_) {
-        case HaplyFault::Units:  // a hand in the middle would still look near
+        case HaplyFault::Units:  // otherwise a position in the middle would still look plausible
             return 3;
         case HaplyFault::Jump:
             return isOdd ? 50 : 0;
