@@ -43,8 +43,6 @@ auto findNamed(const Presets& presets, std::string_view name) {
 
 }  // namespace
 
-std::span<const DevicePreset> penPresets() { return std::span(kDevices).first(4); }
-std::span<const DevicePreset> inverse3Presets() { return std::span(kDevices).last(1); }
 std::span<const DevicePreset> devicePresets() { return kDevices; }
 const DevicePreset* findDevicePreset(std::string_view name) { return findNamed(kDevices, name); }
 

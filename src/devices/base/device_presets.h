@@ -24,11 +24,7 @@ struct DevicePreset {
     Vec3 workspace;          ///< mm
 };
 
-/// The devices that OpenHaptics drives, or similar ones: omni, touch, touch-x, omega.
-[[nodiscard]] std::span<const DevicePreset> penPresets();
-/// inverse3.
-[[nodiscard]] std::span<const DevicePreset> inverse3Presets();
-/// All of them.
+/// omni, touch, touch-x, omega, inverse3.
 [[nodiscard]] std::span<const DevicePreset> devicePresets();
 /// The preset of that name; nullptr if there is none.
 [[nodiscard]] const DevicePreset* findDevicePreset(std::string_view name);

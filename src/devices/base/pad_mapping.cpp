@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStickDeadZone = 0.15;    // fraction of full deflection: worn sticks return to within this value
 constexpr double kTriggerDeadZone = 0.04;  // fraction of full travel
-constexpr double kMotionScaling = 1.6;     // exponent: half the deflection gives a third of the speed, for fine work
+constexpr double kStickExponent = 1.6;     // exponent: half the deflection gives a third of the speed, for fine work
 constexpr double kFastest = 25;            // mm/s across: crosses a crown of 10 mm in half a second
 constexpr double kFastestDown = 25;        // mm/s: a fully pulled trigger presses with 3 N
 constexpr double kFastestLift = 30;        // mm/s
@@ -24,7 +24,7 @@ double beyond(double way, double deadZone) { return std::clamp((way - deadZone) 
 std::array<double, 2> applyStickDeadZone(const std::array<double, 2>& stick) {
     const double way = std::hypot(stick[0], stick[1]);
     if (!(way > kStickDeadZone)) return {};
-    const double scale = std::pow(beyond(way, kStickDeadZone), kMotionScaling) / way;
+    const double scale = std::pow(beyond(way, kStickDeadZone), kStickExponent) / way;
     return {scale * stick[0], scale * stick[1]};
 }
 

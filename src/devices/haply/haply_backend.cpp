@@ -17,7 +17,7 @@ constexpr double kLinkTimeout = 1;  // s: the service is on this machine
 DetectedDevice noInverse3(const char* backend, const std::string& address, const std::string& why) {
     const std::string noneFound = haplyDevices(R"({"inverse3": []})").error().message;
     const bool isServed = why != noneFound && HaplyConnection::open(address, kLinkTimeout).has_value();
-    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
+    return {kName, backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why};
 }
 
 /// One entry for each Inverse3; if there is none, one entry with the reason.
@@ -30,7 +30,8 @@ std::vector<DetectedDevice> probeInverse3() {
     for (const HaplyNames& names : *found) {
         HaplyDevice device(names.device);
         const auto opened = device.open();
-        devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::Unusable,
+        devices.push_back({std::string(kName) + ':' + names.device, kBackend,
+                           opened ? DeviceState::Ready : DeviceState::Unusable,
                            opened ? capabilityText(device.info()) : opened.error().message,
                            opened ? capabilitiesOf(device.info()) : DeviceCapabilities()});
     }
@@ -43,8 +44,6 @@ std::unique_ptr<HapticDevice> createArm(const DeviceRequest& request) {
 
 }  // namespace
 
-DeviceBackend haplyBackend() {
-    return {kName, "Haply Inverse3", "ID", createArm, nullptr, probeInverse3, inverse3Presets()};
-}
+DeviceBackend haplyBackend() { return {kName, "Haply Inverse3", "ID", createArm, nullptr, probeInverse3}; }
 
 }  // namespace tactooth

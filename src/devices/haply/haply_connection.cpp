@@ -20,7 +20,7 @@ using asio::ip::tcp;
 using Failure = boost::system::error_code;
 
 constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes: two devices need less than ten thousand
-constexpr double kMaxScanTime = 0.001;              // s for taking messages that came unrequested
+constexpr double kMaxDrainTime = 0.001;             // s for taking messages that came unrequested
 
 }  // namespace
 
@@ -142,7 +142,7 @@ HaplyConnection::ReceiveStatus HaplyConnection::receive(std::string& text, doubl
 }
 
 HaplyConnection::ReceiveStatus HaplyConnection::receivePending(std::string& text, int& count) {
-    const MonotonicClock::time_point end = secondsFromNow(kMaxScanTime);
+    const MonotonicClock::time_point end = secondsFromNow(kMaxDrainTime);
     ReceiveStatus status = socket_->poll(text);
     if (status != ReceiveStatus::Message) return status;
     while (status == ReceiveStatus::Message) {

@@ -15,6 +15,6 @@ std::vector<DetectedDevice> probeMouse() {
 
 }  // namespace
 
-DeviceBackend mouseBackend() { return {"mouse", "Mouse and keyboard", nullptr, nullptr, nullptr, probeMouse, {}}; }
+DeviceBackend mouseBackend() { return {"mouse", "Mouse and keyboard", nullptr, nullptr, nullptr, probeMouse}; }
 
 }  // namespace tactooth

@@ -15,11 +15,11 @@ namespace tactooth {
 namespace {
 
 constexpr unsigned kStaleTicks = 2;  // driver ticks without a new force: the servo thread hangs, so none is rendered
-constexpr unsigned kScanInterval = 100;   // ticks between two readings of the motors' temperature
-constexpr unsigned kZeroForceTicks = 10;  // ticks in which a zero force is sent to a lost pen
-constexpr unsigned kFaultTicks = 3000;    // ticks for which a transient fault is shown
-constexpr int kMaxErrors = 16;            // in a tick: the list belongs to the driver and may be broken
-constexpr double kCountFor = 0.01;        // s over which the driver's ticks are counted
+constexpr unsigned kMotorCheckTicks = 100;  // ticks between two readings of the motors' temperature
+constexpr unsigned kZeroForceTicks = 10;    // ticks in which a zero force is sent to a lost pen
+constexpr unsigned kFaultTicks = 3000;      // ticks for which a transient fault is shown
+constexpr int kMaxErrors = 16;              // in a tick: the list belongs to the driver and may be broken
+constexpr double kCountFor = 0.01;          // s over which the driver's ticks are counted
 constexpr double kMaxTimes = 4;  // times the requested rate; a driver that has stalled may catch up on some ticks
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kFlood =
@@ -208,7 +208,7 @@ void HdDriver::exchange(HdPen& pen) {
     std::int32_t buttons = 0;
     call_.getIntegers(hd::kButtons, &buttons);
     reading.buttons = static_cast<std::uint32_t>(buttons);
-    const bool isTurn = pen.ticks++ % kScanInterval == 0;
+    const bool isTurn = pen.ticks++ % kMotorCheckTicks == 0;
     if (isTurn) monitorMotors(pen);
     monitorCalibration(pen, isTurn);
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kConnectTimeout = 10;  // s: a driver needs a few seconds to look for its device
+constexpr double kProbeTimeout = 10;  // s: a driver needs a few seconds to look for its device
 
 /// Empty, or the reason why the library cannot be used.
 std::string startAndEnd(const std::string& path) {
@@ -30,7 +30,7 @@ Expected<void> HdLibrary::probeLibrary(const std::string& path) {
     static std::set<std::string> harmless;
     const std::lock_guard lock(mutex);
     if (harmless.contains(path)) return {};
-    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kConnectTimeout);
+    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kProbeTimeout);
     if (!tried) {
         return unexpected(path + " is broken, " + tried.error().message +
                           ": install the device's driver anew; Tactooth leaves it alone.");

@@ -48,7 +48,7 @@ Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultP
 }  // namespace
 
 DeviceBackend openHapticsBackend() {
-    return {kName, "Haptic pen (OpenHaptics)", "NAME", createPen, tryLibrary, probePens, penPresets()};
+    return {kName, "Haptic pen (OpenHaptics)", "NAME", createPen, tryLibrary, probePens};
 }
 
 }  // namespace tactooth

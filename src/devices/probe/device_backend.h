@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "devices/base/device_presets.h"
 #include "devices/base/haptic_device.h"
 #include "devices/probe/detected_device.h"
 
@@ -34,7 +33,6 @@ struct DeviceBackend {
     Expected<void> (*trial)();
     /// The devices of this kind that are present, or one entry with the reason why there is none.
     std::vector<DetectedDevice> (*probe)();
-    std::span<const DevicePreset> presets;  ///< mechanics of its models, for simulated devices and force limits
 };
 
 /// All kinds, in display order; the mouse comes first.

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kConnectTimeout = 10;  // s: a driver needs a few seconds to look for its device
+constexpr double kProbeTimeout = 10;  // s: a driver needs a few seconds to look for its device
 
 /// Rounded to tenths, independent of the locale.
 std::string tenths(double value) {
@@ -76,7 +76,7 @@ std::string capabilityText(const DeviceInfo& info) {
 
 DetectedDevice probeInChild(const std::string& name, const char* backend, const std::string& library,
                             const std::string& remedy, const std::function<ProbeResult()>& probe) {
-    const auto text = inChildProcess([&probe] { return packed(probe()); }, kConnectTimeout);
+    const auto text = inChildProcess([&probe] { return packed(probe()); }, kProbeTimeout);
     const std::optional<ProbeResult> result = text ? unpacked(*text) : std::nullopt;
     if (result) return {name, backend, result->state, result->text, result->capabilities};
     const std::string end = text ? "it ends the program that uses it" : text.error().message;

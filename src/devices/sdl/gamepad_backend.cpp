@@ -21,6 +21,6 @@ std::unique_ptr<HapticDevice> createPad(const DeviceRequest& request) {
 
 }  // namespace
 
-DeviceBackend gamepadBackend() { return {kName, "Gamepad", "NAME", createPad, nullptr, probePads, {}}; }
+DeviceBackend gamepadBackend() { return {kName, "Gamepad", "NAME", createPad, nullptr, probePads}; }
 
 }  // namespace tactooth

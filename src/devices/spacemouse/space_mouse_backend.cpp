@@ -26,8 +26,6 @@ std::unique_ptr<HapticDevice> createSpaceMouse(const DeviceRequest&) { return st
 
 }  // namespace
 
-DeviceBackend spaceMouseBackend() {
-    return {kName, "SpaceMouse", nullptr, createSpaceMouse, nullptr, probeSpaceMice, {}};
-}
+DeviceBackend spaceMouseBackend() { return {kName, "SpaceMouse", nullptr, createSpaceMouse, nullptr, probeSpaceMice}; }
 
 }  // namespace tactooth

@@ -14,12 +14,12 @@
 namespace tactooth {
 namespace {
 
-constexpr double kFullAxis = 350;       // counts of a cap at full deflection
-constexpr double kDeadZone = 0.05;      // fraction of full deflection: a cap returns to within this value
-constexpr double kFastest = 25;         // mm/s, as with a gamepad
-constexpr double kFastestTurn = 1.2;    // rad/s
-constexpr double kStiffness = 2;        // N/mm: the rate controller yields, so a stiffer wall gives no stronger force
-constexpr int kConnectTimeoutMs = 100;  // ms to wait for the next event: closing takes no longer
+constexpr double kFullAxis = 350;     // counts of a cap at full deflection
+constexpr double kDeadZone = 0.05;    // fraction of full deflection: a cap returns to within this value
+constexpr double kFastest = 25;       // mm/s, as with a gamepad
+constexpr double kFastestTurn = 1.2;  // rad/s
+constexpr double kStiffness = 2;      // N/mm: the rate controller yields, so a stiffer wall gives no stronger force
+constexpr int kEventTimeoutMs = 100;  // ms to wait for the next event: closing takes no longer
 constexpr int kMaxEvents = 1000;  // at once: an endless stream of a driver must not keep the newest state from the pose
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr const char* kNoDriver =
@@ -48,7 +48,7 @@ void take(const spnav_event& event, SpaceMouseState& state) {
 /// Waits for the driver's next event; false if the connection is broken.
 bool waitForEvent() {
     pollfd waiting{spnav_fd(), POLLIN, 0};
-    return poll(&waiting, 1, kConnectTimeoutMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+    return poll(&waiting, 1, kEventTimeoutMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
 }
 
 }  // namespace

@@ -85,12 +85,12 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     WebSocketServer web(socket);
     bool foreign = false;
     {
-        const std::lock_guard lock(validator_);
+        const std::lock_guard lock(mutex_);
         foreign = foreign_;
     }
     if (!(foreign ? web.refuseHandshake() : web.handshakeWith())) return;
     {
-        const std::lock_guard lock(validator_);
+        const std::lock_guard lock(mutex_);
         ++connections_;
     }
     bool open = web.send(state(true));
@@ -107,20 +107,20 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
         if (isLate()) std::this_thread::sleep_for(kSlowness);
         for (int i = answersToAMessage(); i > 0 && open; --i) open = web.send(state(false));
     }
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     --connections_;
     for (Hand& hand : hands_) hand.force = {};  // a device without commands renders no force
 }
 
 bool StandinHaply::isLate() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return fault_ == HaplyFault::Slow || (fault_ == HaplyFault::Hiccup && sinceFault_ == 1);
 }
 
 /// Takes the force from a message and moves the hand of that device by one step.
 void StandinHaply::take(const std::string& message) {
     const auto json = nlohmann::json::parse(message);
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     for (const auto& device : json.at("inverse3")) {
         Hand& hand = hands_[device.at("device_id") == kFirst ? 0 : 1];
         const auto& values = device.at("commands").at("set_cursor_force").at("values");
@@ -189,7 +189,7 @@ std::string StandinHaply::placeOf(const Hand& hand) const {
 }
 
 std::string StandinHaply::state(bool isFirst) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     if (isFirst && !firstMessage_.empty()) return firstMessage_;
     if (fault_ == HaplyFault::Malformed) return R"({"inverse3":[{"device_id":"049D","state":{"cursor_)";
     if (fault_ == HaplyFault::Version) return R"({"devices":[{"type":"inverse3","id":7,"pos":[0.1,0.2,0.3]}]})";
@@ -212,69 +212,69 @@ std::string StandinHaply::state(bool isFirst) {
 }
 
 HaplyFault StandinHaply::fault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return fault_;
 }
 
 void StandinHaply::setFault(HaplyFault fault) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     fault_ = fault;
     sinceFault_ = lastForce_ = 0;
 }
 
 void StandinHaply::wantPosition(double x, double y, double z) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     wanted_ = {1000 * x, 1000 * y, 1000 * z};
 }
 
 void StandinHaply::setGrip(std::array<double, 4> orientation, unsigned buttons) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     grip_ = orientation;
     buttons_ = buttons;
 }
 
 void StandinHaply::setGripThere(bool there) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     gripThere_ = there;
 }
 
 void StandinHaply::setFirstMessage(std::string text) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     firstMessage_ = std::move(text);
 }
 
 void StandinHaply::setForeign(bool foreign) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     foreign_ = foreign;
 }
 
 double StandinHaply::force() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
 }
 
 double StandinHaply::lastTold() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return lastTold_;
 }
 
 long StandinHaply::messagesSinceFault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return sinceFault_;
 }
 
 long StandinHaply::lastForceSinceFault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return lastForce_;
 }
 
 long StandinHaply::messages() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return messages_;
 }
 
 int StandinHaply::connections() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return connections_;
 }
 

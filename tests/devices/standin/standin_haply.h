@@ -93,7 +93,7 @@ private:
 
     int listener_ = -1;
     int port_ = 0;
-    mutable std::mutex validator_;  // protects all members below
+    mutable std::mutex mutex_;  // protects all members below
     HaplyFault fault_ = HaplyFault::None;
     std::array<Hand, 2> hands_{{{kFirst}, {kSecond}}};
     std::array<double, 3> wanted_{};  // mm
