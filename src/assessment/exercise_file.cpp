@@ -24,7 +24,6 @@ constexpr double kMinDepth = 0.05;     // mm: a voxel
 constexpr double kMaxDepth = 15;       // mm: more than a crown is high
 constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
 constexpr std::size_t kMaxStrokes = 200;
-constexpr double kWidestLesion = 4;    // mm, as makeTooth takes it
 constexpr double kDeepestLesion = 10;  // mm
 
 constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSites = {{{"occlusal", LesionSite::Occlusal},
@@ -91,8 +90,9 @@ private:
         if (lesion.site == LesionSite::Occlusal && isAnteriorTooth(fdi)) {
             toml_.fail(*decay.get("site"), msg::kNoOcclusalSide);
         }
-        lesion.width = toml_.number(decay, "width", lesion.width, 0, kWidestLesion);
-        if (decay.get("depth") != nullptr) lesion.depth = toml_.number(decay, "depth", 1, 0, kDeepestLesion);
+        lesion.width = toml_.number(decay, "width", lesion.width, kMinLesionWidth, kMaxLesionWidth);
+        if (decay.get("depth") != nullptr)
+            lesion.depth = toml_.number(decay, "depth", 1, kMinLesionDepth, kDeepestLesion);
         return lesion;
     }
 

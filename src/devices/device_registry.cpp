@@ -10,9 +10,9 @@
 #include "devices/sdl/gamepad_backend.h"
 #include "devices/spacemouse/space_mouse_backend.h"
 
-// The list of all device backends. A new one needs a folder src/devices/NAME with its device and its NAME_backend.h and
-// .cpp (see probe/device_backend.h), that folder in FOLDERS and its sources in SOURCES of CMakeLists.txt, a row for its
-// title in a messages.h of its folder, and here its include and its line.
+// The list of all device backends. A new backend needs a folder src/devices/NAME with its device and its NAME_backend.h
+// and .cpp (see probe/device_backend.h), this folder in FOLDERS and its sources in SOURCES of CMakeLists.txt, a row
+// with its title in a messages.h of its folder, and its include and its line here.
 
 namespace tactooth {
 

@@ -11,15 +11,15 @@ namespace {
 
 constexpr const char* kNoDevice = "none";  // for the second hand
 
-/// A name as a person gives it: "gamepad:Wireless".
+/// A device name as the user enters it: "gamepad:Wireless".
 struct DeviceName {
-    std::string kind, own;  ///< what stands before and behind the colon
+    std::string kind, own;  ///< the text before and after the colon
 
     explicit DeviceName(const std::string& name)
         : kind(name.substr(0, name.find(':'))), own(name.size() > kind.size() ? name.substr(kind.size() + 1) : "") {}
 };
 
-/// The kind that a name means; nullptr if there is none, or it takes no name of one of several.
+/// The backend of a name; nullptr if there is none, or if the name has a part after the colon and this kind takes none.
 const DeviceBackend* backendOf(const DeviceName& name) {
     const DeviceBackend* backend = findDeviceBackend(name.kind);
     const bool isKnown = backend != nullptr && backend->create != nullptr;

@@ -11,28 +11,30 @@
 
 namespace tactooth {
 
-/// "pen:NAME" is the pen of that name in the vendor's setup program.
+/// "pen:NAME" is the pen with that name in the vendor's setup program.
 inline constexpr std::string_view kNamedPen = "pen:";
 
-/// "replay:FILE" is a hand that goes the way of a file; not openDevice opens it, but openDeviceOrReplay of the session.
+/// "replay:FILE" is a device that follows the trajectory of a file. openDevice does not open it; openDeviceOrReplay of
+/// the session does.
 inline constexpr std::string_view kReplay = "replay:";
 [[nodiscard]] inline bool isReplay(const std::string& name) {
     return name.starts_with(kReplay) && name.size() > kReplay.size();
 }
 
 /// The names that checkDeviceName accepts, for help and messages, without replays: "mouse, pen, ..., pen:NAME or ...
-/// for one of several". `isSecond`: see there.
+/// for one of several". `isSecond`: see checkDeviceName.
 [[nodiscard]] std::string deviceNames(bool isSecond = false);
 
-/// Whether openDevice knows `name`, or it is the mouse or a replay; nothing is opened. Fails with one sentence that
-/// says what `option`, of the command line or a file, takes. `isSecond`: of the other hand, which is none or no mouse.
+/// Checks whether openDevice knows `name`, or it is the mouse or a replay; opens nothing. Fails with one sentence that
+/// lists the values of `option`, an option of the command line or an entry of a file. `isSecond`: the device is for the
+/// second hand, where "none" is allowed and the mouse is not.
 [[nodiscard]] Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond = false);
 
-/// Opens the device that a person has named: one of deviceBackends() but the mouse. "pen" is the default pen of
-/// OpenHaptics, "pen:NAME" the one of that name in the vendor's setup program; "gamepad" the first gamepad,
-/// "gamepad:NAME" the first whose name holds NAME; "inverse3" the first Haply Inverse3, "inverse3:ID" the one of that
-/// name. Fails with one sentence that says what to do. May take seconds. `leftHanded`: for devices that are not the
-/// same for both hands. `rateHz`: for devices whose driver paces the servo.
+/// Opens the device that the user has named: one of deviceBackends() except the mouse. "pen" is the default pen of
+/// OpenHaptics, "pen:NAME" the one with that name in the vendor's setup program. "gamepad" is the first gamepad,
+/// "gamepad:NAME" the first whose name contains NAME. "inverse3" is the first Haply Inverse3, "inverse3:ID" the one
+/// with that name. Fails with one sentence that states the remedy. May take seconds. `leftHanded`: for devices that
+/// differ between left and right hand. `rateHz`: for devices whose driver sets the servo rate.
 [[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false,
                                                                  double rateHz = 1000);
 

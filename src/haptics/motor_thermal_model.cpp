@@ -41,7 +41,7 @@ double MotorThermalModel::bound() const {
     if (!(continuous_ < peak_)) return peak_;
     TACTOOTH_ASSERT(!std::isnan(heat_));
     const double share = std::clamp((1 - heat_) / (1 - kWarm), 0.0, 1.0);
-    return continuous_ + share * (peak_ - continuous_);
+    return std::min(peak_, continuous_ + share * (peak_ - continuous_));  // rounding may exceed the peak
 }
 
 }  // namespace tactooth

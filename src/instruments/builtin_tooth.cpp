@@ -107,7 +107,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
 }
 
 ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles, double lesionWidth) {
-    TACTOOTH_ASSERT(lesionWidth >= 0 && lesionWidth <= 4);
+    TACTOOTH_ASSERT(lesionWidth >= 0 && lesionWidth <= kMaxLesionWidth);
     ToothRequest request{.fdi = numberOf(kind), .triangles = triangles, .seed = 0, .lesion = {}};
     if (lesionWidth > 0) request.lesion = Lesion{LesionSite::Usual, lesionWidth, {}};
     return request;

@@ -39,6 +39,8 @@ struct BuiltinTooth {
 
 /// Width of the built-in lesion in the dentin, mm: a moderate cavity that does not reach the pulp.
 inline constexpr double kDefaultLesionWidth = 2.4;
+/// Bounds of the width and of the depth of a lesion, mm.
+inline constexpr double kMinLesionWidth = 0.4, kMaxLesionWidth = 4, kMinLesionDepth = 0.3;
 
 /// Makes a tooth whose `outer` has about `triangles` triangles; the other layers have the same resolution.
 /// `lesionWidth` (mm, 0 for a sound tooth, at most 4) is the width of the lesion: in the central fissure of a molar, on

@@ -9,40 +9,20 @@
 
 #include "devices/open_device.h"
 #include "devices/virtual_pad.h"
-#include "session/model/session_model.h"
+#include "session/model/model_scene.h"
 
 namespace tactooth {
 namespace {
-
-class NoSound final : public SoundOutput {
-public:
-    void publish(const DrillSoundState&) override {}
-    void setMixer(const SoundMixer&) override {}
-    void setPlacement(const SoundPlacement&) override {}
-    void setHeadphones(bool) override {}
-    void setKit(std::shared_ptr<const SoundKit>) override {}
-    [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
-};
-
-bool stepUntil(SessionModel& model, const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < end) {
-        (void)model.step(0.01);
-        if (condition()) return true;
-        std::this_thread::yield();
-    }
-    return false;
-}
 
 TEST(GamepadSession, AGamepadTouchesAndCutsTheToothAndRumbles) {
     auto tooth = makeSessionTooth(kBuiltinTeeth[1]);
     auto bur = makeSessionBur(*findBur("4"));
     ASSERT_TRUE(tooth && bur);
-    NoSound sound;
+    test::SpySound sound;
     SessionModel model(sound);
     model.install(std::move(*tooth));
     model.install(std::move(*bur));
-    const auto soon = [&](const std::function<bool()>& condition) { return stepUntil(model, condition); };
+    const auto soon = [&](const std::function<bool()>& condition) { return test::stepUntil(model, condition); };
     test::VirtualPad pad("Test Pad");
     auto device = openDevice("gamepad");
     ASSERT_TRUE(device);

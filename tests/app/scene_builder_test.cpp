@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-SceneContents modelWithEverything() {
+SceneContents contentsWithEverything() {
     SceneContents contents;
     auto surface = std::make_shared<Surface>();
     surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7)));
@@ -31,7 +31,7 @@ SceneContents modelWithEverything() {
 }
 
 TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
-    const Scene scene = makeScene(modelWithEverything());
+    const Scene scene = makeScene(contentsWithEverything());
     ASSERT_EQ(scene.objects.size(), 4U);
     EXPECT_EQ(scene.objects[1].spin, 0.5);
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(1, 2, 3));
@@ -42,7 +42,7 @@ TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
 }
 
 TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
-    SceneContents contents = modelWithEverything();
+    SceneContents contents = contentsWithEverything();
     contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
     EXPECT_EQ(makeScene(contents).objects.size(), 4U);
     contents.tool->speedRpm = 60;
@@ -59,7 +59,7 @@ TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
 }
 
 TEST(SceneBuilder, ManyBladesRunIntoEachOtherSoonerThanFewAndGrainsSoonerStill) {
-    SceneContents contents = modelWithEverything();
+    SceneContents contents = contentsWithEverything();
     contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));
     contents.tool->speedRpm = 20;
     const auto cover = [&](const BurEdge& edge) {
@@ -112,7 +112,7 @@ TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
 }
 
 TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
-    SceneContents contents = modelWithEverything();
+    SceneContents contents = contentsWithEverything();
     contents.materials[test::kPulp].colour = {0.25F, 0.5F, 0.75F};
     const std::vector<Appearance> drawn = makeScene(contents).objects[0].appearances;
     ASSERT_EQ(drawn.size(), builtinMaterials().size());
@@ -127,7 +127,7 @@ TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
     auto tooth = LayeredTooth::make(outer, {{"amalgam", static_cast<MaterialId>(amalgam), outer}},
                                     static_cast<MaterialId>(amalgam), {}, **registry);
     ASSERT_TRUE(tooth) << tooth.error().message();
-    SceneContents contents = modelWithEverything();
+    SceneContents contents = contentsWithEverything();
     contents.materials = MaterialTable(**registry);
     Scene scene = makeScene(contents);
     Inspection inspection;

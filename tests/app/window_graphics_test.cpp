@@ -4,7 +4,6 @@
 // OpenGL that goes, is too old or not there; a window that nobody uses; panels behind tabs by keys.
 #include <QApplication>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QProcess>
 #include <QSignalSpy>
@@ -91,18 +90,7 @@ void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo() {
 }
 
 void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
-    // At rest, and no picture for a second: a slow machine may have one on its way.
-    std::uint64_t last = view().pictures();
-    QElapsedTimer unchanged;
-    unchanged.start();
-    const auto isQuiet = [&] {
-        if (view().pictures() != last || !view().isAtRest()) {
-            last = view().pictures();
-            unchanged.restart();
-        }
-        return unchanged.elapsed() > 1000;
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), 30000);
+    QVERIFY(waitForQuietPicture());
     const std::uint64_t drawn = view().pictures();
     QSignalSpy composed(&view(), &QOpenGLWidget::frameSwapped);
     for (int i = 0; i < 5; ++i) {

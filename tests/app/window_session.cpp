@@ -3,6 +3,7 @@
 #include "app/window_session.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QSignalSpy>
 
 namespace tactooth::test {
@@ -76,6 +77,21 @@ void WindowSession::waitForCutter() const {
         return now > since + kQuiet;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), 20000);
+}
+
+bool WindowSession::waitForQuietPicture() const {
+    std::uint64_t last = view().pictures();
+    QElapsedTimer unchanged;
+    unchanged.start();
+    return QTest::qWaitFor(
+        [&] {
+            if (view().pictures() != last || !view().isAtRest()) {
+                last = view().pictures();
+                unchanged.restart();
+            }
+            return unchanged.elapsed() > 1000;
+        },
+        30000);
 }
 
 void WindowSession::waitForRest() const {

@@ -37,6 +37,9 @@ protected:
     void waitForCutter() const;
     /// Restarts the simulator, which empties the plots, and waits until the window rests.
     void waitForRest() const;
+    /// Waits until the view is at rest and has drawn no picture for a second: a slow machine may have one on its way.
+    /// False if that takes longer than 30 s.
+    [[nodiscard]] bool waitForQuietPicture() const;
     /// Closes the message in front and returns its text; empty if there is none.
     [[nodiscard]] QString dismissMessage() const;
 

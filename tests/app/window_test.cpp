@@ -222,13 +222,7 @@ void WindowTest::atRestNothingIsDrawnAndASpinningBurIs() {
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(false);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
-    const auto isQuietFor = [&](int ms) {
-        const std::uint64_t before = view().pictures();
-        QTest::qWait(ms);
-        return view().pictures() == before;
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
-    QVERIFY(isQuietFor(200));
+    QVERIFY(waitForQuietPicture());
     key(Qt::Key_C);
     pedal->setChecked(true);
     const std::uint64_t before = view().pictures();
@@ -245,7 +239,7 @@ void WindowTest::aWindowThatRestsIsSeldomComposed() {
     waitForRest();
     int compositions = 0;
     const auto counting = connect(&view(), &QOpenGLWidget::frameSwapped, this, [&] { ++compositions; });
-    QTest::qWait(2000);
+    QTest::qWait(2000);  // the time in which compositions are counted: their absence has no condition to wait for
     disconnect(counting);
     QVERIFY2(compositions <= 1, qPrintable(QString::number(compositions)));
     pedal->setChecked(true);

@@ -4,32 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
 #include <vector>
-
-#include "assessment/metric_table.h"
-#include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
-
-std::string line(std::string_view quantity, double value, std::string_view unit) {
-    return std::string(quantity) + ',' + numberText(value) + ',' + std::string(unit) + '\n';
-}
-
-std::string metricLines(const CavityProgress& cavity) {
-    std::string lines;
-    for (const Metric& metric : metricTable()) lines += line(metric.quantity, metric.shown(cavity), metric.shownUnit());
-    return lines;
-}
-
-std::string materialLines(const MaterialVolumes& removed) {
-    std::string lines;
-    for (const MaterialId id : builtinMaterials().ids()) {
-        lines += line(builtinMaterials().nameOf(id) + " removed", removed[static_cast<std::size_t>(id)], "mm^3");
-    }
-    return lines;
-}
 
 TEST(PracticeReport, TellsWhatWasDoneToATooth) {
     const std::vector<CutEvent> events = {{CutEventKind::FirstContact, 2, Vec3::Zero()},
@@ -48,17 +26,28 @@ TEST(PracticeReport, TellsWhatWasDoneToATooth) {
               "quantity,value,unit\n"
               "tooth,\"Lower \"\"first\"\" molar, 46\",\n"
               "task,\"Pit\",\n"
-              "time since the first contact,61.5,s\n" +
-                  metricLines(cavity) + materialLines(removed) +
-                  "of it beside the tooth,0.25,mm^3\n"
-                  "first contact,1,times\n"
-                  "dentin reached,0,times\n"
-                  "pulp exposed,0,times\n"
-                  "neighbour touched,2,times\n"
-                  "gum or bone touched,0,times\n"
-                  "cut beside the tooth,0,times\n"
-                  "bur stalled,0,times\n"
-                  "piece came loose,0,times\n");
+              "time since the first contact,61.5,s\n"
+              "ideal cavity,8,mm^3\n"
+              "of it cut,6,mm^3\n"
+              "of it cut,75,%\n"
+              "cut beyond it,2,mm^3\n"
+              "deepest beyond it,0.25,mm\n"
+              "likeness,75,%\n"
+              "enamel removed,5,mm^3\n"
+              "dentin removed,2.5,mm^3\n"
+              "pulp removed,0,mm^3\n"
+              "other removed,0,mm^3\n"
+              "restoration removed,0,mm^3\n"
+              "caries removed,0.5,mm^3\n"
+              "of it beside the tooth,0.25,mm^3\n"
+              "first contact,1,times\n"
+              "dentin reached,0,times\n"
+              "pulp exposed,0,times\n"
+              "neighbour touched,2,times\n"
+              "gum or bone touched,0,times\n"
+              "cut beside the tooth,0,times\n"
+              "bur stalled,0,times\n"
+              "piece came loose,0,times\n");
 }
 
 TEST(PracticeReport, FreePracticeHasNoCavityToCompareWith) {

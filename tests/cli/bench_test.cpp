@@ -70,7 +70,7 @@ TEST_F(BenchCommand, CutSaysWhatATickAndANewSurfaceCost) {
     ASSERT_EQ(json.at("cases").size(), 2U);
     EXPECT_EQ(json["cases"][0].at("diameter_mm"), 0.5);
     EXPECT_EQ(json["cases"][1].at("voxel_um"), 100);
-    // The bur goes on in real time: under a sanitizer the cut follows it ten times slower, and is less when it ends.
+    // The bur moves in real time. Under a sanitizer the cut follows ten times slower, and less is removed at the end.
     const double leastRemoved = test::isSanitized() ? 0.0 : 0.5;
     const int leastUpdates = test::isSanitized() ? 0 : 20;
     for (const auto& one : json["cases"]) {
@@ -107,7 +107,7 @@ TEST_F(BenchCommand, CutRefusesAToothWithoutAnInside) {
     expectRefused(runTactooth({"bench", "cut", "--voxel", "0"}), "see 'tactooth bench cut --help'");
 }
 
-/// Times of such small pictures say nothing; that each scene is drawn in each of its ways does.
+/// The times of such small frames mean nothing. The test checks that each scene is drawn in each of its variants.
 TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
     if (isSanitized()) GTEST_SKIP() << "draws a whole mouth, which takes minutes under a sanitizer";
     const ProgramRun run = runTactooth({"bench", "view", "--size", "160x100", "--frames", "2", "--json"});

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-/// Two blocks of enamel and dentin beside each other, as files of the teeth L6 and L7, in centimetres.
+/// Two adjacent blocks of enamel and dentin, as files of the teeth L6 and L7, in centimetres.
 class CaseCommand : public ::testing::Test {
 protected:
     void SetUp() override {

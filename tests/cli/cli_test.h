@@ -7,7 +7,7 @@
 
 #include "cli/run_program.h"
 
-/// What the tests of the program speak with.
+/// Helpers that the tests of the program use.
 namespace tactooth::test {
 
 using ::testing::AllOf;

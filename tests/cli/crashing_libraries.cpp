@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Preloaded, it takes the place of the first calls of the libraries behind gamepads, SpaceMouse, pedal and sound, and
-// takes the program down as a broken one would. With TACTOOTH_CRASHING_MIXER the sound library cannot even mix.
+// Preloaded, this library replaces the first calls of the libraries for gamepads, SpaceMouse, pedal and sound. It
+// crashes the program as a broken library would. With TACTOOTH_CRASHING_MIXER the sound library cannot even mix.
 #include <csignal>
 
 extern "C" {

@@ -16,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 
 class CutCommand : public test::MotionFiles {
 protected:
-    /// A flat bur of 1 mm.
+    /// A flat-ended bur of 1 mm.
     std::string bur() {
         EXPECT_TRUE(writeStl(test::cylinder(Vec3::Zero(), 0.5, 4, 128), file("bur.stl")));
         return file("bur.stl");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program and its doctor say where no window can be opened: the same.
+// Where no window can be opened, the program and its doctor report the same.
 #include <arpa/inet.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace test;
 
-/// No display, whatever the tests run on, but what `more` says.
+/// An environment without a display, wherever the tests run, except for the variables of `more`.
 Environment displayless(const TemporaryFolder& home, const Environment& more) {
     Environment environment = {{"DISPLAY", std::nullopt},
                                {"WAYLAND_DISPLAY", std::nullopt},
@@ -57,7 +57,7 @@ TEST(Display, WithoutOneTheProgramAndTheDoctorSayTheSameAndWhatToDo) {
     }
 }
 
-/// A server on a port of this computer that lets everybody connect and then does what `kind` says.
+/// A server on a port of this computer. It accepts every connection and then acts according to `kind`.
 class FakeServer {
 public:
     enum class Kind { Silent, NeverAccepts, HalfAnAnswer, HalfAnAnswerAndOn, Closes };
@@ -90,7 +90,7 @@ private:
     void serve() {
         for (int connection = 0; (connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC)) >= 0;) {
             connections_.push_back(connection);
-            // The head of a setup that has been accepted; its length counts words of 4 bytes.
+            // The head of an accepted setup; its length counts words of 4 bytes.
             const unsigned char head[8] = {1, 0, 11, 0, 0, 0, 200, 0};
             if (kind_ == Kind::HalfAnAnswer) (void)!::send(connection, head, 3, MSG_NOSIGNAL);
             if (kind_ == Kind::HalfAnAnswerAndOn) (void)!::send(connection, head, sizeof head, MSG_NOSIGNAL);

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 Json doctorSays(const Environment& changes) { return Json::parse(runTactooth({"doctor", "--json"}, changes).out); }
 
-/// The first finding of that area whose text begins so.
+/// The first finding of this area with a text that starts with `beginning`.
 Json finding(const Json& findings, const std::string& area, const std::string& beginning = "") {
     const auto found = std::ranges::find_if(findings, [&](const Json& one) {
         return one.at("area") == area && one.at("text").get<std::string>().starts_with(beginning);

@@ -17,7 +17,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
-    /// Down onto the plate at `speed` mm/s, 0.2 mm into it, and then a rest.
+    /// Down onto the plate at `speed` mm/s, 0.2 mm into it, then a rest.
     std::string pressDown(double speed) {
         std::vector<Row> rows;
         for (int tick = 0; tick < 600; ++tick) {
@@ -41,7 +41,7 @@ TEST_F(FeelCommand, WritesTheColumnsOfItsContract) {
 TEST_F(FeelCommand, WithSixDegreesOfFreedomTheProxyAlsoTurnsAwayOverAnEdge) {
     const std::string plank = file("plank.stl");
     ASSERT_TRUE(writeStl(test::box(Vec3(-1, -0.5, 0), Vec3(1, 0.5, 6)), plank));
-    std::vector<Row> rows;  // half of the plank stands beyond the plate's edge
+    std::vector<Row> rows;  // half of the plank extends beyond the edge of the plate
     for (int tick = 0; tick < 300; ++tick) rows.push_back({1e-3 * tick, 9.4, 0, 0.2 - 0.002 * tick});
     const std::string path = trajectory(rows);
     expectRefused(feel(path, {"--freedom", "5"}), "--freedom");
@@ -53,7 +53,7 @@ TEST_F(FeelCommand, WithSixDegreesOfFreedomTheProxyAlsoTurnsAwayOverAnEdge) {
         const CsvContent csv = table();
         ASSERT_EQ(csv.rows.size(), 300U);
         EXPECT_GT(csv.at(299, "fz"), 0.1);
-        const double turn = csv.at(299, "proxy_qy");  // about +y: its free side goes down
+        const double turn = csv.at(299, "proxy_qy");  // about +y: its free side tilts down
         EXPECT_TRUE(freedom == "3" ? turn == 0 : turn > 0.01) << turn;
     }
 }
@@ -94,7 +94,7 @@ TEST_F(FeelCommand, TheForceIsStiffnessTimesDepthAtRest) {
 TEST_F(FeelCommand, TheDamperAddsItsShareOfTheDepthRateAndGoesAtRest) {
     feel(pressDown(2), {"--stiffness", "1", "--damping", "0.05"});
     const CsvContent csv = table();
-    // The rate is low-passed: after 20 ms of steady sinking it is the hand's 2 mm/s.
+    // The rate is low-passed: after 20 ms of steady sinking it equals the hand's 2 mm/s.
     const double start = 0.1;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         const double t = csv.at(row, "t");

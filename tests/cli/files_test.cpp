@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files as other programs and systems write them, from the user's side.
+// Files from other programs and systems, tested as a user would use them.
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-/// A bar of the shape U, 20 mm high: its slot is open toward +y and +z.
+/// A U-shaped bar, 20 mm high: its slot is open toward +y and +z.
 std::string slottedBar(const std::string& before = "", const std::string& after = "") {
     const std::array<std::array<int, 2>, 8> outline = {
         {{5, -4}, {5, 4}, {2, 4}, {2, -1}, {-2, -1}, {-2, 4}, {-5, 4}, {-5, -4}}};
@@ -50,7 +50,7 @@ TEST_F(Files, ASlotIsFreeWhateverCornerItsLidBeginsWith) {
     const fs::path tooth = put("u.obj", slottedBar());
     EXPECT_NEAR(info(tooth)["area"].get<double>(), 1040, 1e-9);
     EXPECT_NEAR(info(tooth)["volume"].get<double>(), 1200, 1e-9);
-    // In the slot at its end, across it, in the wall, above.
+    // In the slot, at the end of the slot, across it, in the wall, above.
     const std::string poses = trajectory({{0, 0, 2, 18}, {1, 0, 2, 19.5}, {2, 0, -2.5, 10}, {3, 0, 2, 22}});
     const ProgramRun run =
         runTactooth({"contact", "--tooth", tooth, "--tool", ball(), "--poses", poses, "--out", out()});

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 using Json = nlohmann::json;
 
-/// What one sees of UTF-8.
+/// The number of visible letters of a UTF-8 text.
 std::size_t lettersOf(const std::string& line) {
     return static_cast<std::size_t>(
         std::ranges::count_if(line, [](unsigned char byte) { return (byte & 0xC0) != 0x80; }));
@@ -43,7 +43,7 @@ TEST(HapticsCommands, StabilityHasALineForEachDeviceAndHandOrForEachRun) {
     EXPECT_THAT(runTactooth(all).out, AllOf(HasSubstr("omni       firm     pulp      press"), HasSubstr("command:")));
 }
 
-// A softer hand is held by the friction of arm and tooth, so that nothing moves.
+// The friction of arm and tooth would hold a softer hand, so that nothing would move.
 TEST(HapticsCommands, StabilityCutsAndTrembles) {
     const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "firm", "--material",
                                         "dentin", "--situation", "cut", "--situation", "tremor", "--json"});

@@ -15,14 +15,14 @@ namespace {
 
 using namespace test;
 
-/// Files of a kind: undamaged ones to begin from, and what the program is asked to do with them.
+/// A kind of file: undamaged seeds, and the commands that the program runs on them.
 struct Kind {
     std::string ending;
     std::vector<std::string> seeds;
     std::vector<Attack> attacks;
 };
 
-/// The same surface as text.
+/// The same surface as OBJ text.
 std::string asObj(const TriangleMesh& mesh) {
     std::string text;
     for (const Vec3f& v : mesh.vertices)
@@ -46,7 +46,7 @@ std::string asPly(const TriangleMesh& mesh) {
 
 class HostileFiles : public ::testing::Test {
 protected:
-    /// Seeds of the fuzzers that have this ending.
+    /// The fuzzers' seeds with this ending.
     static std::vector<std::string> corpus(const std::string& name, const std::string& ending) {
         std::vector<std::filesystem::path> files;
         for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(TACTOOTH_CORPUS) / name)) {
@@ -58,7 +58,7 @@ protected:
         return seeds;
     }
 
-    /// A file that the program itself makes.
+    /// Makes a file with the program itself.
     std::string made(const Attack& command, const std::string& file) {
         const WatchedRun run = watchTactooth(command, folder_.input("").parent_path().parent_path());
         EXPECT_EQ(run.exitCode, 0) << run.err;
@@ -70,7 +70,7 @@ protected:
         return some;
     }
 
-    /// Damages a seed of each kind by turns and tries an attack by chance.
+    /// Damages a seed of each kind in turn and runs a random attack.
     void attackWith(const std::vector<Kind>& kinds, std::size_t runs, unsigned chance) {
         std::mt19937 random(chance);
         for (std::size_t i = 0; i < runs; ++i) {

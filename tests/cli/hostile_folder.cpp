@@ -15,7 +15,7 @@
 namespace tactooth::test {
 namespace {
 
-/// A ball of a millimetre comes down into a box, and slides.
+/// A ball of one millimetre comes down into a box and slides.
 std::string poses() {
     std::string text = "t,x,y,z,qw,qx,qy,qz\n";
     for (int i = 0; i < 40; ++i) {

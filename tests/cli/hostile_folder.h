@@ -16,19 +16,19 @@ namespace tactooth::test {
 /// The arguments of a run; "@" stands for the hostile file or number.
 using Attack = std::vector<std::string>;
 
-/// How many runs a test makes: `usual`, or as many hundredths of it as TACTOOTH_HOSTILE says (3400: 34 times).
+/// Number of runs of a test: `usual`, or as many hundredths of it as TACTOOTH_HOSTILE says (3400: 34 times).
 [[nodiscard]] std::size_t hostileRuns(std::size_t usual);
 
-/// A folder in which a program is attacked: good inputs in in/, and what a run writes in out/.
+/// A folder in which a test attacks the program: valid inputs in in/, and the output of a run in out/.
 class HostileFolder {
 public:
     HostileFolder();
 
     [[nodiscard]] std::filesystem::path input(const std::string& name) const { return folder_ / "in" / name; }
-    /// Runs an attack, says what is wrong with how it ended or with what it wrote (a run that failed leaves nothing),
-    /// and empties out/.
+    /// Runs an attack and empties out/. Returns the fault in the exit or in the output; empty if there is none. A run
+    /// that failed must leave nothing.
     [[nodiscard]] std::string tried(const Attack& attack, const std::string& instead);
-    /// How often the program ended with each code.
+    /// The number of exits with each code.
     [[nodiscard]] const std::map<int, int>& ends() const { return ends_; }
 
 private:

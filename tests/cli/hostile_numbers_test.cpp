@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// What people, scripts and attackers write where a number is asked for.
+/// Texts that people, scripts and attackers write instead of a number.
 const std::vector<std::string> kAbsurd = {"nan",
                                           "NaN",
                                           "-nan",
@@ -162,7 +162,7 @@ const std::vector<Attack> kOptions = {
     {"--force-spring=@", "--device", "none"},
 };
 
-/// The files that the option is about.
+/// Adds the files that the option refers to.
 Attack completed(Attack attack) {
     const Attack feel = {"--tooth", "in/box.stl", "--tool", "in/ball.stl", "--trajectory", "in/poses.csv", "--out"};
     if (attack.front() != "feel" && attack.front() != "cut") return attack;
@@ -179,7 +179,7 @@ TEST(HostileNumbers, EndInOneSentenceOrAResult) {
         const Attack attack = completed(kOptions[i % kOptions.size()]);
         std::string number = kAbsurd[below(random, kAbsurd.size())];
         if (random() % 4 == 0) mutate(number.empty() ? number = "1" : number, kAbsurd, random);
-        if (const auto end = number.find('\0'); end != std::string::npos) number.resize(end);  // no argument holds one
+        if (const auto end = number.find('\0'); end != std::string::npos) number.resize(end);  // no argument has one
         const std::string fault = folder.tried(attack, number);
         EXPECT_EQ(fault, "") << shownAttack(attack, number);
     }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ends the writing commands at any moment by any signal. TACTOOTH_KILLS=1000 does it so often; a few are usual.
+// Ends the writing commands at a random moment by a random signal. TACTOOTH_KILLS=1000 kills that many times; a few are
+// usual.
 #include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -18,21 +19,21 @@ using namespace test;
 namespace fs = std::filesystem;
 
 constexpr int kUsualKills = 60;
-constexpr const char* kOld = "old";  // content of a file that is replaced
+constexpr const char* kOld = "old";  // content of a file to be replaced
 
 int numberOfKills() {
     const char* wanted = std::getenv("TACTOOTH_KILLS");
     return wanted == nullptr ? kUsualKills : std::atoi(wanted);
 }
 
-/// A command, and the files that it leaves in its folder.
+/// A command and the files that it leaves in its folder.
 struct Job {
     std::string name;
     std::vector<std::string> arguments;  ///< "@/x" stands for x in the folder
     std::vector<std::string> outputs;
-    bool replaces = false;                          ///< there are older files of these names
-    double seconds = 0;                             ///< that it takes when nobody ends it
-    std::map<std::string, std::string> whole = {};  ///< what it writes then
+    bool replaces = false;                          ///< older files with these names exist
+    double seconds = 0;                             ///< duration without a kill
+    std::map<std::string, std::string> whole = {};  ///< its output without a kill
 };
 
 std::vector<std::string> argumentsIn(const Job& job, const fs::path& folder) {
@@ -53,7 +54,7 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
     return files;
 }
 
-/// Times and the like differ from run to run, but not how much there is.
+/// Times and similar values differ from run to run, but the size of the output does not.
 bool isWhole(const std::string& name, const std::string& content, const std::string& whole) {
     const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
     if (name.ends_with(".csv")) return content.ends_with('\n') && lines(content) == lines(whole);
@@ -116,7 +117,7 @@ protected:
         for (Job& job : jobs_) measure(job);
     }
 
-    /// Down into the plate and along.
+    /// Down into the plate and along it.
     std::string slot() {
         std::vector<Row> rows;
         for (int i = 0; i < 300; ++i) rows.push_back({i / 1000.0, 0.01 * i, 0, std::max(-1.0, 0.5 - 0.02 * i)});
@@ -142,7 +143,7 @@ protected:
         for (const std::string& output : job.outputs) ASSERT_TRUE(job.whole.contains(output)) << job.name << output;
     }
 
-    /// All files are there and whole, or none is new; what is left of a writer may be there after a SIGKILL.
+    /// Either all files are there and complete, or none is new. After a SIGKILL, remains of a writer may be left.
     static void expectAllOrNone(const Job& job, const fs::path& folder, bool mayLeave) {
         std::map<std::string, std::string> files = contentOf(folder);
         std::size_t complete = 0, expected = 0;
@@ -193,13 +194,13 @@ TEST_F(Kill, AtAnyMomentLeavesAllFilesOrNoneAndNothingInTheWay) {
         const ProgramRun run = program.wait();
         ended += run.signal != 0 ? 1 : 0;
         EXPECT_TRUE(run.exitCode == 0 || run.signal == number) << run.exitCode << run.err;
-        EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;  // one of progress
+        EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;  // one of them reports progress
         expectAllOrNone(job, folder.path(), number == SIGKILL);
         const auto left = contentOf(folder.path());
         if (run.exitCode == 0) EXPECT_EQ(left.size(), job.whole.size());
         const bool isLeft = run.signal == SIGKILL && !left.empty();
         if (isLeft || (run.signal == SIGKILL && i % 10 == 0 && job.name != "case folder")) {
-            const bool isMade = fs::exists(folder / "case/case.toml");  // a case is not made where there is one
+            const bool isMade = fs::exists(folder / "case/case.toml");  // a case is not made where one exists
             if (!isMade) expectNothingInTheWay(job, folder.path());
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers are written and read with a point, wherever the user lives.
+// Numbers are written and read with a decimal point in every locale.
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-/// A locale whose numbers have a comma, made in a folder of its own: most machines have only those of their users.
+/// A locale with decimal commas, made in a separate folder: most machines have only the locales of their users.
 class LocaleTest : public ::testing::Test {
 protected:
     static constexpr const char* kGerman = "de_DE.UTF-8";
@@ -31,7 +31,7 @@ protected:
         ::unsetenv("LOCPATH");
     }
 
-    /// `plain`: with the usual numbers instead.
+    /// `plain`: with ordinary numbers instead.
     [[nodiscard]] ProgramRun run(const std::vector<std::string>& arguments, bool plain) const {
         const std::string name = plain ? "C" : kGerman;
         return runTactooth(arguments, {{"LC_ALL", name}, {"LANG", name}, {"LOCPATH", folder_.path().string()}});
@@ -79,7 +79,7 @@ TEST_F(LocaleTest, NumbersOfOptionsHaveAPoint) {
     }
 }
 
-/// Plots are drawn by Qt, which takes the user's locale for the rest of the program.
+/// Qt draws the plots. It sets the user's locale for the rest of the program.
 TEST_F(LocaleTest, TablesAfterAPlotAreTheSame) {
     for (const bool plain : {false, true}) {
         const ProgramRun done = run({"reproduce", "fig11", "fig13", "--out", folder_ / (plain ? "c" : "de")}, plain);
@@ -90,7 +90,7 @@ TEST_F(LocaleTest, TablesAfterAPlotAreTheSame) {
     EXPECT_THAT(table, HasSubstr("."));
 }
 
-/// In this process, which stands in for a window: Qt takes the user's locale before it reads and writes them.
+/// This process stands in for a window: Qt sets the user's locale before the settings are read and written.
 TEST_F(LocaleTest, TheWindowsSettingsComeBack) {
     WindowSettings settings;
     settings.force.spring = 0.75;

@@ -1,22 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "cli/cli_test.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {
 
 using namespace test;
-
-std::string contentOf(const std::string& path) {
-    std::ifstream file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 std::string manual(const std::string& form) {
     const ProgramRun run = runTactooth({"manual", form});
@@ -25,23 +17,23 @@ std::string manual(const std::string& form) {
     return run.out;
 }
 
-/// What a shell with the completion offers behind these words.
+/// The completions that a shell offers after these words.
 std::string completions(const std::string& words) {
     const TemporaryFolder folder;
-    std::ofstream(folder / "complete") << manual("bash");
+    writeText(folder / "complete", manual("bash"));
     const std::string count = "$((${#COMP_WORDS[@]} - 1))";
     const std::string script = "source '" + (folder / "complete").string() + "'; COMP_WORDS=(tactooth " + words +
                                "); COMP_CWORD=" + count + "; _tactooth; echo \"${COMPREPLY[@]}\" > '" +
                                (folder / "offered").string() + "'";
     EXPECT_EQ(std::system(("bash -s <<'END'\n" + script + "\nEND\n").c_str()), 0);
-    return contentOf((folder / "offered").string());
+    return readText(folder / "offered");
 }
 
 TEST(Manual, PagesAreThoseOfTheProgram) {
     const std::string pages = TACTOOTH_PAGES;
-    EXPECT_EQ(manual("markdown"), contentOf(pages + "/commands.md"))
+    EXPECT_EQ(manual("markdown"), readText(pages + "/commands.md"))
         << "run: tactooth manual markdown > docs/user/commands.md";
-    EXPECT_EQ(manual("metrics"), contentOf(pages + "/metrics.md"))
+    EXPECT_EQ(manual("metrics"), readText(pages + "/metrics.md"))
         << "run: tactooth manual metrics > docs/user/metrics.md";
 }
 

@@ -28,10 +28,10 @@ struct CsvContent {
     }
 };
 
-/// A plate below z = 0, a ball of 1 mm on its tip, trajectories, and what must happen to bad ones.
+/// A plate below z = 0, a ball of 1 mm on its tip, trajectories, and the expected refusal of bad ones.
 class MotionFiles : public ::testing::Test {
 protected:
-    /// Seconds and the tip's place, mm.
+    /// Time, s, and the position of the tip, mm.
     using Row = std::array<double, 4>;
 
     std::string plate() {
@@ -57,7 +57,7 @@ protected:
         for (const auto& [t, x, y, z] : rows) content << t << ',' << x << ',' << y << ',' << z << ",1,0,0,0\n";
         return text("path.csv", content.str());
     }
-    /// File and a part of the sentence that must come.
+    /// A file and a part of the expected sentence.
     std::vector<std::pair<std::string, std::string>> badTrajectories() {
         const std::string head = "t,x,y,z,qw,qx,qy,qz\n";
         const std::string good = "0,0,0,1,1,0,0,0\n";
@@ -85,7 +85,7 @@ protected:
         }
         return csv;
     }
-    /// Exit code 2, one sentence, no output file nor a trace of one.
+    /// Expects exit code 2, one sentence, and no output file or remains of one.
     void expectRefused(const ProgramRun& run, const std::string& sentence) {
         EXPECT_EQ(run.exitCode, 2);
         EXPECT_THAT(run.out, ::testing::IsEmpty());

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-/// The program keeps its teeth in a folder of the test.
+/// The program stores its teeth in a folder of the test.
 class MouthCommand : public testing::Test {
 protected:
     MouthCommand() { setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1); }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// What the validator says; empty: it takes it.
+/// The validator's message; empty if it accepts the text.
 std::string said(const CLI::Validator& validator, std::string text) { return validator(text); }
 
 TEST(NumberRange, TakesNumbersInTheRangeWithItsEnds) {
@@ -61,7 +61,7 @@ TEST(NumberRange, WhatIsTakenReachesTheOptionAsTheSameNumber) {
         const double wantedNumber = std::ldexp(static_cast<double>(random()), -40 - static_cast<int>(random() % 40));
         const auto wantedWhole = static_cast<std::int64_t>(random() % 2'000'001) - 1'000'000;
         std::string text = std::to_string(std::abs(wantedWhole));
-        text = (wantedWhole < 0 ? "-" : "") + std::string(random() % 4, '0') + text;  // no octal number
+        text = (wantedWhole < 0 ? "-" : "") + std::string(random() % 4, '0') + text;  // zeros do not make it octal
         app.parse("--number=" + numberText(wantedNumber) + " --whole=" + text);
         ASSERT_EQ(number, wantedNumber);
         ASSERT_EQ(whole, wantedWhole) << text;

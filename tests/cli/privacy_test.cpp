@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are handed on say nothing about who made them, where, or by which command.
+// Files for other people contain nothing about their author, the place of their making or the command.
 #include <unistd.h>
 
 #include <array>
@@ -36,7 +36,7 @@ protected:
         EXPECT_EQ(run.exitCode, 0) << run.err;
     }
 
-    /// None of the files there names the folder, the machine, the user or an option.
+    /// Expects that no file in the folder names the folder, the machine, the user or an option.
     void expectSilent(const std::filesystem::path& folder) const {
         std::array<char, 256> machine{};
         ::gethostname(machine.data(), machine.size() - 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures that the program writes, as a user gets them.
+// Pictures that the program writes, in the form that a user gets.
 #include <algorithm>
 #include <filesystem>
 
@@ -30,7 +30,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
-    /// The picture with these options; they must be accepted.
+    /// The picture with these options, which must be accepted.
     [[nodiscard]] Image picture(const std::vector<std::string>& more) const {
         const ProgramRun run = render(more);
         EXPECT_EQ(run.exitCode, 0) << run.err;
@@ -65,7 +65,7 @@ TEST_F(RenderCommand, WithoutBackgroundOnlyTheToothIsOpaque) {
 
 TEST_F(RenderCommand, AClipPlaneTakesAHalfAway) {
     const Image image = picture({"--view", "buccal", "--clip", "mesial", "--no-background"});
-    // From buccal, +x (mesial) is to the left.
+    // From the buccal side, +x (mesial) is to the left.
     EXPECT_EQ(image.at(70, 60)[3], 0);
     EXPECT_EQ(image.at(90, 60)[3], 255);
 }

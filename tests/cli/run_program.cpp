@@ -55,7 +55,7 @@ RunningTactooth::RunningTactooth(const std::vector<std::string>& arguments, cons
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), kCreate, 0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err.c_str(), kCreate, 0600);
-    // As a shell starts it, whatever has started these tests.
+    // Starts it as a shell does, whatever started these tests.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t usual;

@@ -13,24 +13,24 @@
 
 namespace tactooth::test {
 
-/// What a run of the program left behind.
+/// The results of a run of the program.
 struct ProgramRun {
     int exitCode = -1;  ///< -1: ended by a signal
-    int signal = 0;     ///< that ended it
+    int signal = 0;     ///< the signal that ended it
     std::string out;
     std::string err;
 };
 
-/// Variables that are other than here; nullopt: not set.
+/// Variables that differ from those of this process; nullopt: not set.
 using Environment = std::map<std::string, std::optional<std::string>>;
 
-/// The real program while it runs, with `arguments` and no shell in between.
+/// The real program while it runs, with `arguments` and without a shell.
 class RunningTactooth {
 public:
     explicit RunningTactooth(const std::vector<std::string>& arguments, const Environment& changes = {});
 
     [[nodiscard]] pid_t number() const { return process_; }
-    /// Waits for its end; once.
+    /// Waits for its end; call it once.
     [[nodiscard]] ProgramRun wait();
 
 private:
@@ -38,7 +38,7 @@ private:
     pid_t process_ = 0;
 };
 
-/// Runs the real program with `arguments` (no shell in between) and waits for its end.
+/// Runs the real program with `arguments` (without a shell) and waits for its end.
 [[nodiscard]] ProgramRun runTactooth(const std::vector<std::string>& arguments, const Environment& changes = {});
 
 }  // namespace tactooth::test

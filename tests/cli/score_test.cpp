@@ -18,7 +18,7 @@ protected:
         EXPECT_TRUE(writeStl(test::box(Vec3(-2, -2, -3), Vec3(2, 2, 0)), file("block.stl")));
         return file("block.stl");
     }
-    /// The block with a round hole of 1 mm, `depth` mm deep.
+    /// The block with a round hole of 1 mm diameter, `depth` mm deep.
     std::string drilled(const std::string& name, double depth) {
         EXPECT_TRUE(writeStl(test::cylinder(Vec3::Zero(), 0.5, 4, 128), file("bur.stl")));
         const std::string path = trajectory({{0, 0, 0.01, 0.2}, {0.2, 0, 0.01, -depth}});

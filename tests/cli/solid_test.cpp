@@ -6,7 +6,7 @@
 #include "geometry/io/mesh_file.h"
 #include "geometry/mesh/mesh_report.h"
 
-// Every command has the same answer to the question what is solid.
+// Every command decides in the same way whether a surface is a solid.
 
 namespace tactooth {
 namespace {
@@ -34,7 +34,7 @@ protected:
         EXPECT_TRUE(writeStl(cylinder(Vec3::Zero(), 0.5, 8, 64), file("bur.stl")));
         return file("bur.stl");
     }
-    /// Straight down into a block whose top is at z = 5, to `depth` below it.
+    /// Straight down into a block with its top at z = 5, to `depth` below it.
     std::string bore(double depth) {
         std::vector<Row> rows;
         for (int i = 0; i <= 50; ++i) rows.push_back({0.01 * i, 0.01, 0.02, 5.2 - (0.2 + depth) * i / 50});
@@ -47,7 +47,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
-    /// What each command says of the surface: all refuse it with the same reason.
+    /// Expects that all commands refuse the surface for the same reason.
     void expectRefusedByAll(const std::string& reason) {
         const std::string path = trajectory({{0, 0, 0, 9}, {0.001, 0, 0, 8.9}});
         const std::vector<std::vector<std::string>> commands = {
@@ -82,7 +82,7 @@ TEST_F(Solids, AnInnerShellIsAHollowWhicheverWayItLooks) {
         EXPECT_NEAR(json["volume"].get<double>(), 1568, 1e-3);
         const ProgramRun run = cut({"--removed", out()});
         ASSERT_EQ(run.exitCode, 0) << run.err;
-        // The bur comes 5 mm deep, to where the hollow begins.
+        // The bur goes 5 mm deep, to the start of the void.
         constexpr double kRemoved = 0.25 * 3.14159265 * 5;
         EXPECT_NEAR(table().rows.back()[1], kRemoved, 0.004 * kRemoved);
         const MeshReport left = reportOn(*loadMesh(file("cut.stl")));
@@ -109,7 +109,7 @@ TEST_F(Solids, BodiesThatReachIntoEachOtherAreRefusedByAll) {
 }
 
 TEST_F(Solids, AnEdgeOfFourTrianglesHasAnInside) {
-    // Two blocks that touch along an edge: 3 mm deep in one of them.
+    // Two blocks that touch along an edge. The bur cuts 3 mm deep in one of them.
     surface(together(box(Vec3(-5, -5, 0), Vec3(0, 0, 5)), box(Vec3(0, 0, 0), Vec3(5, 5, 5))));
     EXPECT_EQ(info()["closed"], true);
     EXPECT_NEAR(info()["volume"].get<double>(), 250, 1e-3);

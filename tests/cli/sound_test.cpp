@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures the WAV files that the program writes: what a listener gets, whatever happened inside.
+// Measures the WAV files that the program writes, because they are the sound that a listener gets.
 #include <sndfile.h>
 
 #include <algorithm>
@@ -51,13 +51,13 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runTactooth(arguments);
     }
-    /// The left channel; the two are equal.
+    /// The left channel; both channels are equal.
     std::vector<float> heard(const std::string& rows) {
         const ProgramRun run = sound(profile(rows));
         EXPECT_EQ(run.exitCode, 0) << run.err;
         return readWav(out()).left;
     }
-    /// Cutting at a steady speed for 1.5 s, after half a second to settle.
+    /// Cuts at a steady speed for 1.5 s, after half a second of settling.
     std::vector<float> steadyCut(const std::string& material, double watt, int rpm) {
         std::ostringstream rows;
         for (const int time : {0, 2}) rows << time << ',' << rpm << ',' << watt << ',' << material << '\n';
@@ -101,7 +101,7 @@ TEST_F(SoundCommand, TheFundamentalFollowsARampAndALoadStepWithinHalfAPercent) {
     const auto samples =
         heard("0,0,0,none\n2,400000,0,none\n2.5,400000,0,none\n2.5,260000,8,enamel\n3.5,280000,8,enamel\n");
     for (double t = 0.15; t < 3.4; t += 0.05) {
-        if (std::abs(t - 2.0) < 0.03 || std::abs(t - 2.5) < 0.03) continue;  // no one frequency across a corner
+        if (std::abs(t - 2.0) < 0.03 || std::abs(t - 2.5) < 0.03) continue;  // no single frequency at a corner
         const double rpm = t < 2.0 ? 200000.0 * t : t < 2.5 ? 400000.0 : 260000.0 + 20000.0 * (t - 2.5);
         EXPECT_NEAR(toneAt(samples, t, rpm / 60), rpm / 60, 0.005 * rpm / 60) << "at " << t << " s";
     }
@@ -118,14 +118,14 @@ TEST_F(SoundCommand, NoLineButTheDrivesOwnStandsAboveMinusSeventyDecibels) {
             std::vector<double> around(spectrum.power.begin() + static_cast<std::ptrdiff_t>(i) - 20,
                                        spectrum.power.begin() + static_cast<std::ptrdiff_t>(i) + 21);
             std::nth_element(around.begin(), around.begin() + 20, around.end());
-            const bool isLine = spectrum.power[i] > 10 * around[20];  // 10 dB out of the hiss
+            const bool isLine = spectrum.power[i] > 10 * around[20];  // 10 dB above the hiss
             EXPECT_FALSE(isLine && decibel(spectrum.power[i]) > -70.0) << hz << " Hz at " << rpm << " rev/min";
         }
     }
 }
 
 TEST_F(SoundCommand, NoChangeClicks) {
-    // Only a click reaches the last two kilohertz below half the rate.
+    // Only a click has power in the last two kilohertz below half the sample rate.
     const auto samples = heard(
         "0,300000,0,none\n0.5,300000,0,none\n0.5,300000,3,dentin\n1,300000,3,dentin\n1,250000,9,caries\n"
         "1.5,250000,9,caries\n1.5,400000,0,none\n2,400000,0,none\n2,0,0,none\n2.5,0,0,none\n");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the way of output: files that are closed, full or too long, and names that are taken.
+// Obstacles to output: files that are closed, full or too long, and names that are already in use.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class Endings : public MotionFiles {
 protected:
-    /// What a shell makes of `arguments` with `around` behind them; its exit code, and what came on stderr.
+    /// Runs `arguments` in a shell with `around` after them. Returns the exit code and the text on stderr.
     ProgramRun inShell(const std::string& arguments, const std::string& around, const std::string& before = "") {
         const std::string line = before + " '" TACTOOTH_PROGRAM "' " + arguments + " 2>'" + file("err") + "' " + around;
         const int status = std::system(line.c_str());
@@ -31,7 +31,7 @@ protected:
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
 
-    /// Commands that end well, with what they write.
+    /// Commands that succeed, with their output.
     std::vector<std::pair<std::string, std::string>> commands() {
         std::vector<Row> rows;
         for (int i = 0; i < 50; ++i) rows.push_back({0.001 * i, 0, 0, 0.2 - 0.01 * i});
@@ -59,7 +59,7 @@ TEST_F(Endings, AFullOutputIsOneSentenceAndWhatWasMadeIsThere) {
 TEST_F(Endings, APipeThatNobodyReadsIsNoCrash) {
     for (const auto& [command, output] : commands()) {
         SCOPED_TRACE(command);
-        const ProgramRun run = inShell(command, "| true");  // the shell's exit code is that of the last one
+        const ProgramRun run = inShell(command, "| true");  // the shell returns the exit code of the last command
         EXPECT_EQ(run.exitCode, 0);
         EXPECT_THAT(run.err, Not(HasSubstr("terminate")));
         EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
@@ -86,7 +86,7 @@ TEST_F(Endings, AFileThatGrowsTooLargeIsASentenceAndNothingIsLeft) {
         if (output.empty()) continue;
         SCOPED_TRACE(command);
         fs::remove(file(output));
-        // One block of 512 bytes: enough for a sentence.
+        // One block of 512 bytes: enough for one sentence.
         expectOneSentence(inShell(command, ">/dev/null", "ulimit -f 1;"),
                           output + ": cannot be written: File too large.");
         EXPECT_FALSE(fs::exists(file(output)));

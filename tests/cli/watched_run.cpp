@@ -33,7 +33,7 @@ double secondsOf(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// The process that is started, in `folder`.
+/// Starts the process in `folder`.
 pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const std::string& out,
             const std::string& err) {
     std::vector<std::string> words = {TACTOOTH_PROGRAM};
@@ -99,7 +99,7 @@ WatchedRun watchTactooth(const std::vector<std::string>& arguments, const std::f
     const std::string out = streams / "out", err = streams / "err";
     const pid_t process = start(arguments, folder, out, err);
     WatchedRun run;
-    pollfd end{static_cast<int>(::syscall(SYS_pidfd_open, process, 0)), POLLIN, 0};  // its header is no C++
+    pollfd end{static_cast<int>(::syscall(SYS_pidfd_open, process, 0)), POLLIN, 0};  // its header is not C++
     run.isLate = ::poll(&end, 1, kTimeoutMs) == 0;
     if (run.isLate) ::kill(process, SIGKILL);
     int status = 0;
@@ -142,9 +142,9 @@ std::string faultOfFiles(const std::filesystem::path& folder) {
         const std::string ending = entry.path().extension();
         const bool isText = ending == ".csv" || ending == ".json" || ending == ".toml";
         if (isText && hasNotFinite(readText(entry.path()))) return entry.path().native() + " holds nan or inf";
-        constexpr std::uintmax_t kHeadOfStl = 84;  // bytes: nothing was left
+        constexpr std::uintmax_t kHeadOfStl = 84;  // bytes: an STL file without triangles
         if (ending != ".stl" || entry.file_size() <= kHeadOfStl) continue;
-        const auto mesh = loadMesh(entry.path());  // it takes finite corners alone
+        const auto mesh = loadMesh(entry.path());  // it accepts only finite corners
         if (!mesh) return mesh.error().message();
     }
     return {};

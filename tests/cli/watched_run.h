@@ -9,9 +9,9 @@
 
 namespace tactooth::test {
 
-/// What a run of the program left behind, and what it took.
+/// The results and the resource use of a run of the program.
 struct WatchedRun {
-    int exitCode = -1;  ///< -1: it was ended by a signal, its own or, when it was late, that of the watcher
+    int exitCode = -1;  ///< -1: ended by a signal: its own or, if it was late, the watcher's
     int signal = 0;
     bool isLate = false;
     std::string out;
@@ -20,15 +20,16 @@ struct WatchedRun {
     std::size_t peakBytes = 0;  ///< of memory
 };
 
-/// Runs the real program in `folder` and ends it when it is late: ten times what it may take, for a busy machine.
+/// Runs the real program in `folder`. Ends it when it is late: after ten times its permitted time, for a busy machine.
 [[nodiscard]] WatchedRun watchTactooth(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
-/// What is wrong with how the program ended; empty: nothing. It has to end by itself with 0, 1 or 2 and within 10 s of
-/// a processor and 1 GB, with one sentence on stderr if it is 2, and with nothing for a terminal to obey on any stream.
+/// The fault in the end of the program; empty: none. The program must end by itself with 0, 1 or 2, within 10 s of
+/// processor time and 1 GB. With 2 it must print one sentence on stderr. No stream may contain control sequences that a
+/// terminal obeys.
 [[nodiscard]] std::string faultOf(const WatchedRun& run);
 
-/// The same for the files in a folder that a run has written to: no text (CSV, JSON, TOML) or surface (STL) holds a
-/// number that is not finite.
+/// The same for the files in a folder that a run has written to: no text (CSV, JSON, TOML) and no surface (STL)
+/// contains a number that is not finite.
 [[nodiscard]] std::string faultOfFiles(const std::filesystem::path& folder);
 
 }  // namespace tactooth::test

@@ -116,7 +116,7 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
     }
 }
 
-/// A tooth whose free space is above all of these planes.
+/// The exact depth of a tool in a tooth whose free space is above all of these planes, mm.
 double exitFromPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& hand) {
     std::vector<HalfSpace> forTheCentre = walls;
     for (HalfSpace& wall : forTheCentre) wall.offset -= lowestAlong(cornersAt(tool, hand), wall.normal);

@@ -20,7 +20,7 @@ using test::ScopedVariable;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// No pen is set up.
+/// No pen is configured.
 class DeviceEnumeration : public ::testing::Test {
     PenFolder noPens_{{}};
 };
@@ -30,7 +30,7 @@ DetectedDevice named(const std::string& name, const std::vector<DetectedDevice>&
     return found == devices.end() ? DetectedDevice{} : *found;
 }
 
-constexpr const char* kNobody = "localhost:1";  // where nobody listens
+constexpr const char* kNobody = "localhost:1";  // no service listens here
 
 std::vector<DetectedDevice> devicesWith(const char* library, const std::string& haply = kNobody) {
     const ScopedVariable pen("TACTOOTH_LIBHD", library);
@@ -38,7 +38,7 @@ std::vector<DetectedDevice> devicesWith(const char* library, const std::string& 
     return enumerateDevices();
 }
 
-/// The names of those that are pens, in their order.
+/// The names of the devices that are pens, in their order.
 std::vector<std::string> pensOf(const std::vector<DetectedDevice>& devices) {
     std::vector<std::string> names;
     for (const DetectedDevice& device : devices) {
@@ -89,7 +89,7 @@ TEST_F(DeviceEnumeration, NoLibraryIsNoPenAndSaysWhatToInstall) {
     EXPECT_THAT(pen.text, HasSubstr("install the device's driver"));
 }
 
-/// The child has the stand-in as it is here.
+/// The child process inherits the stand-in's state from this process.
 const test::HdStandinControl& standin() {
     static const auto* const control = static_cast<const test::HdStandinControl*>(
         dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
@@ -131,7 +131,7 @@ TEST_F(DeviceEnumeration, HasNoLineForADefaultPenThatIsNotSetUpBesideOthers) {
 }
 
 TEST_F(DeviceEnumeration, EachPenSaysForItselfWhyItIsNotReady) {
-    const PenFolder pens({"Left", "Right", "Third"});  // which the stand-in does not know
+    const PenFolder pens({"Left", "Right", "Third"});  // names that the stand-in does not know
     standin().reset();
     standin().setFault(static_cast<int>(test::HdFault::LinkFault));
     standin().setFaultyPen(1);

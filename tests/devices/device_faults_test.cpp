@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Whatever a device tells of its hand, mid-press, by a clock of the test's own: a busy machine changes nothing here.
+// Pose faults of a device while the tool presses on a block of enamel. The test has its own clock, so a busy machine
+// has no effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +22,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPressed = -1;      // mm: the hand in the block
-constexpr double kKnowable = 0.005;  // s from the first wrong reading to no force
+constexpr double kPressed = -1;      // mm: device position inside the block
+constexpr double kKnowable = 0.005;  // s from the first wrong reading to zero force
 constexpr double kFelt = 0.2;        // N
 const double kNan = std::nan("");
 
@@ -33,10 +34,10 @@ std::shared_ptr<const Surface> block() {
     return surface;
 }
 
-/// A device whose hand stands where the test wants it, and that tells something else from the moment of a fault on.
+/// A device whose pose the test sets; from the start of a fault on it reports another pose.
 class FaultyDevice final : public HapticDevice {
 public:
-    /// `tick`: since the fault began, from 1 on; `time`: the same in s.
+    /// `tick`: ticks since the fault began, from 1 on; `time`: the same in s.
     using Fault = std::function<void(DeviceSample&, int tick, double time)>;
 
     explicit FaultyDevice(const DevicePreset& preset) {
@@ -56,14 +57,14 @@ public:
 
     DeviceSample hand;
     Fault fault;
-    int ticks = 0;  // since the fault began; the first one is wrong already
+    int ticks = 0;  // since the fault began; the first one already has a wrong reading
     Vec3 force = Vec3::Zero();
 
 private:
     DeviceInfo info_;
 };
 
-/// A hand with its device over a block of enamel, tick by tick.
+/// A device over a block of enamel, tick by tick.
 class Bench {
 public:
     Bench(const DevicePreset& preset, double rateHz)
@@ -85,7 +86,7 @@ public:
         strongest = std::max(strongest, device.force.norm());
         finite = finite && device.force.allFinite() && last.proxy.position.allFinite();
     }
-    /// Down to the block, from wherever the hand is, at 0.1 m/s.
+    /// Moves the device down onto the block at 0.1 m/s, after a jump to 1 mm above it.
     void press() {
         device.hand.hand.position = Vec3(0, 0, 1);
         run(0.3);
@@ -112,7 +113,7 @@ private:
 
 struct Case {
     const char* name;
-    const char* sentence;  ///< nullptr: the device says it itself
+    const char* sentence;  ///< nullptr: the device reports the fault itself
     FaultyDevice::Fault fault;
 };
 
@@ -231,8 +232,8 @@ TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {
     EXPECT_NEAR(bench.last.cutWork, work, 1e-6);
 }
 
-/// A hand that dips into the block and out again, and whose device fails mid-press in some way or other for up to 90 ms
-/// now and then: less than it takes to believe a place that stays where it has jumped to.
+/// A device that moves into the block and out again, and that now and then has an arbitrary fault while it presses, for
+/// up to 90 ms. This is shorter than the time after which a jumped position is accepted.
 TEST(DeviceFaultsMixed, NoMixtureOfFaultsMakesAForceThatIsLateTooStrongOrNoNumber) {
     std::mt19937 random(20261125);
     Bench bench(*findDevicePreset("touch"), 1000);

@@ -71,7 +71,7 @@ TEST(OpenDevice, SaysWhatIsMissing) {
     unsetenv("TACTOOTH_LIBHD");
 }
 
-/// openDevice with another library for the pen.
+/// Error of openDevice with another library for the pen.
 std::string penError(const std::string& library) {
     setenv("TACTOOTH_LIBHD", library.c_str(), 1);
     const auto opened = openDevice("pen");

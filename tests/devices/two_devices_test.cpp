@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Two hands with devices of two backends, as far as the wires to the stand-ins.
+// Two devices of two backends, tested up to the connections of the stand-ins.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ const test::HdStandinControl& standin() {
     return *control;
 }
 
-/// What a tick would find on a plane.
+/// The result of a tick on a plane.
 Tick tickOnPlane(const Pose& tool) {
     Tick tick;
     tick.placed = tool.position.allFinite();
@@ -44,7 +44,7 @@ Tick tickOnPlane(const Pose& tool) {
     return tick;
 }
 
-/// A servo for two hands over the plane.
+/// A servo loop for two devices over the plane.
 class DeviceSetServo {
 public:
     DeviceSetServo(HapticDevice& first, HapticDevice& second)
@@ -74,7 +74,7 @@ protected:
         std::this_thread::sleep_for(30ms);
         standin().setButtons(0);
     }
-    /// All hands of the pens go down together until one feels it.
+    /// Presses all pens down together until one of them renders a force.
     static bool leanPens(int pen) {
         return soon([pen] {
             standin().wantPosition(0, 5, 0);
@@ -86,7 +86,7 @@ protected:
     }
 };
 
-/// A pen holds the turbine and an Inverse3 the mirror.
+/// A pen that holds the turbine, and an Inverse3 that holds the mirror.
 struct PenAndArm {
     void open() {
         ASSERT_TRUE(pen.open());
@@ -123,7 +123,7 @@ TEST_F(TwoDevices, APenAndAnInverse3ExchangeTurbineAndMirror) {
     swapByButton();
     EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
     EXPECT_EQ(both.service.force(), 0);
-    EXPECT_TRUE(soon([&] {  // the arm took over deep below: it lifts off and comes down again
+    EXPECT_TRUE(soon([&] {  // the arm took over deep below the plane: it lifts off and comes down again
         both.service.wantPosition(0, 0, 0.012);
         std::this_thread::sleep_for(200ms);
         both.service.wantPosition(0, 0, 0);

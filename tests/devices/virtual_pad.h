@@ -9,8 +9,8 @@
 
 namespace tactooth::test {
 
-/// A joystick that is none, plugged into SDL: what it is told to do, the program reads; what its motors are told to do,
-/// a test reads.
+/// A virtual joystick in SDL: the test sets its inputs, which the program reads, and reads the motor commands of the
+/// program.
 class VirtualPad {
 public:
     explicit VirtualPad(std::string name, SDL_JoystickType type = SDL_JOYSTICK_TYPE_GAMECONTROLLER);
@@ -20,7 +20,7 @@ public:
 
     void axis(int number, double value);  ///< -1..1
     void button(int number, bool down);
-    [[nodiscard]] double slowMotor() const { return slow_.load(); }    ///< 0..1, the last order
+    [[nodiscard]] double slowMotor() const { return slow_.load(); }    ///< 0..1, the last command
     [[nodiscard]] double quickMotor() const { return quick_.load(); }  ///< 0..1
     void forgetMotors() { strongestSlow_ = strongestQuick_ = 0; }
     [[nodiscard]] double strongestSlow() const { return strongestSlow_.load(); }

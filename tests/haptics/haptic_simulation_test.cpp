@@ -87,6 +87,20 @@ TEST(HapticSimulation, SteadyPenetrationOfAPlaneIsKelvinVoigt) {
     }
 }
 
+TEST(HapticSimulation, ARotationThatIsNearlyUnitCountsAsTheUnitOne) {
+    HapticSimulation exact = simulationOf(), rough = simulationOf();
+    for (int i = 0; i < 300; ++i) {
+        Pose pose = at(0.1, 0.2, 0.1 - 0.001 * i);
+        pose.rotation = Quat(Eigen::AngleAxisd(0.01 * i, Vec3(1, 2, 3).normalized()));
+        const Tick wanted = exact.step(touching(pose), kTick);
+        pose.rotation.coeffs() *= 1.0004;
+        const Tick found = rough.step(touching(pose), kTick);
+        ASSERT_NEAR((found.wrench.force - wanted.wrench.force).norm(), 0, 1e-9) << i;
+        ASSERT_NEAR((found.proxy.position - wanted.proxy.position).norm(), 0, 1e-9) << i;
+        ASSERT_NEAR(found.proxy.rotation.squaredNorm(), 1, 1e-12) << i;
+    }
+}
+
 TEST(HapticSimulation, OverridesReplaceTheMaterial) {
     HapticSettings settings;
     settings.force = {.stiffness = 2.5, .damping = 0.0, .friction = 0.0};

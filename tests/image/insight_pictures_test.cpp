@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Ways of looking into a tooth, and what is in the air around it, against stored pictures.
+// Compares pictures of views into a tooth, and of particles in the air around it, with stored pictures.
 #include "assessment/cavity_ghost.h"
 #include "geometry/util/pose.h"
 #include "image/molar_fixture.h"
@@ -37,7 +37,7 @@ protected:
         object.visible = false;
         return object;
     }
-    /// The tooth, whole or with a slot of 0.8 mm radius across its fossa, and its layers.
+    /// The tooth, uncut or with a slot of 0.8 mm radius across its fossa, and its layers.
     static std::vector<SceneObject> molar(bool cut) {
         CutModel piece(tooth_, 0.05);
         if (cut) {
@@ -62,7 +62,7 @@ protected:
         piece.refreshSurface();
         return piece.surface();
     }
-    /// `tooth` with the ghost of a slot of 1.2 mm radius and 4.8 mm length that is to be cut into it.
+    /// `tooth` with the ghost of a slot of 1.2 mm radius and 4.8 mm length that is still to be cut.
     static std::vector<SceneObject> withGhost(const std::shared_ptr<const Surface>& tooth) {
         CavityGhost cavity(visibleMesh(*slotted(1.2, 2.4, 4.2)).mesh, *tooth_->outer());
         SceneObject ghost;
@@ -92,11 +92,11 @@ protected:
         Scene scene = seenFrom(molar(cut), {1.3, 0.7});
         scene.objects.front().appearances.front().opacity = 0.35F;
         for (SceneObject& object : scene.objects) object.visible = true;
-        scene.objects[1].visible = false;  // enamel: its outside is the body's
+        scene.objects[1].visible = false;  // enamel: its outside is the outside of the body
         return scene;
     }
 
-    /// Turned so that the eye of `scene` sees the crown in it.
+    /// A mirror at such an angle that the eye of `scene` sees the crown in it.
     [[nodiscard]] SceneMirror mirrorBehindTheCrown(const Scene& scene) const {
         SceneMirror mirror;
         mirror.radius = 8;

@@ -8,7 +8,7 @@
 
 namespace tactooth::test {
 
-/// Pictures of the built-in molar with its layers, as a tooth that can be cut; made once.
+/// Pictures of the built-in molar with its layers, as a tooth that can be cut. The molar is made once.
 class MolarPictures : public Pictures {
 protected:
     static void SetUpTestSuite() {

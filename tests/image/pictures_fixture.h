@@ -10,12 +10,12 @@
 
 namespace tactooth::test {
 
-// Another driver rounds differently and places samples elsewhere: a mean of one grey level and one pixel in a hundred
-// (edges) is below what a person sees, and any real change of look or shape is far above.
+// Other drivers round differently and place samples elsewhere. A mean of one grey level and one pixel in a hundred
+// (edges) is below the limit of human vision. Any real change of appearance or shape is far above it.
 inline constexpr double kMeanTolerance = 1.0;
 inline constexpr double kShareTolerance = 0.01;
 
-/// Compares what is drawn with a stored picture.
+/// Compares drawn pictures with stored ones.
 class Pictures : public RendererTest {
 protected:
     static void expectBaseline(const std::string& name, const Scene& scene, const RenderSettings& settings = kFine,

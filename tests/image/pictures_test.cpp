@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of known scenes against stored ones. README.md in this folder says how to renew them.
+// Compares pictures of known scenes with stored ones. README.md in this folder explains how to renew them.
 #include <cmath>
 
 #include "geometry/util/pose.h"

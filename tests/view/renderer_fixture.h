@@ -14,7 +14,7 @@ namespace tactooth::test {
 
 inline constexpr ImageSize kTestSize{320, 240};
 
-/// A renderer that all pictures of a test program share, as making one takes a while.
+/// A renderer that all pictures of a test program share, because it takes a while to make one.
 class RendererTest : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -43,7 +43,7 @@ inline SceneObject objectOf(TriangleMesh mesh, const Appearance& look = appearan
     return object;
 }
 
-/// A scene on a transparent background, so that opacity tells object from nothing, seen from `direction`.
+/// A scene on a transparent background, seen from `direction`. Opacity then separates the object from the background.
 inline Scene sceneOf(std::vector<SceneObject> objects, OrbitCamera::Direction direction = {0.9, 0.5}) {
     Scene scene;
     scene.objects = std::move(objects);

@@ -33,7 +33,7 @@
 namespace tactooth {
 namespace {
 
-// What 'feel' computes with is no device's force, so it may be harder than any device renders.
+// The force of 'feel' goes to no device, so it may be stiffer than any device can render.
 constexpr double kMaxStiffness = 1000;  // N/mm: a tenth of a tooth
 constexpr double kMostDamping = 100;    // N*s/mm
 constexpr double kMaxFriction = 10;
@@ -272,12 +272,6 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
         ->type_name("FILE");
 }
 
-std::string soundMaterials() {
-    std::string names;
-    for (const std::string_view name : soundMaterialNames()) names.append(names.empty() ? "" : ", ").append(name);
-    return names;
-}
-
 void addSound(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<SoundOptions>();
     CLI::App* command = addCommand(
@@ -286,7 +280,7 @@ void addSound(CLI::App& program, CommandAction& chosen) {
         options, runSound);
     command
         ->add_option("--profile", options->profile,
-                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and " + soundMaterials() + " or none")
+                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and " + soundMaterialList() + " or none")
         ->required()
         ->type_name("FILE");
     command->add_option("--out", options->out, "WAV file to write: 48 kHz, 16 bits, stereo")
@@ -339,7 +333,7 @@ void addManual(CLI::App& program, CommandAction& chosen) {
         ->type_name("");
 }
 
-/// Output that could not be written (a full disk, a closed pipe) must not look like success.
+/// Output that could not be written (a full disk, a closed pipe) must not be reported as success.
 int withOutputFlushed(int exitCode) {
     const int reason = outputError();
     if (reason == 0 || exitCode == kExitBadInput) return exitCode;
@@ -350,7 +344,7 @@ void replaceFirst(std::string& text, std::string_view what, std::string_view by)
     if (const auto at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
 }
 
-/// "--mode: rigd not in {law,rigid}" as a person says it.
+/// Rewrites "--mode: rigd not in {law,rigid}" as a plain sentence.
 std::string asChoice(const std::string& message) {
     constexpr std::string_view kNotIn = " not in {";
     const std::size_t colon = message.find(": "), notIn = message.rfind(kNotIn);
@@ -361,9 +355,9 @@ std::string asChoice(const std::string& message) {
     return message.substr(0, colon) + " must be one of " + choices + ", but is " + quotedWord(found);
 }
 
-/// CLI11's message as one sentence that says where help is.
+/// Rewrites CLI11's message as one sentence that refers to the help.
 Error usageError(const CLI::App& program, const CLI::ParseError& error) {
-    constexpr std::size_t kLongest = 300;  // characters: an argument may be a whole file
+    constexpr std::size_t kLongest = 300;  // characters: an argument may be the text of a whole file
     std::string command = "tactooth";
     for (auto chosen = program.get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
         command.append(" ").append(chosen.front()->get_name());

@@ -4,8 +4,8 @@
 
 namespace tactooth {
 
-/// Understands the arguments of the program and runs the command that they name. The result is the program's exit
-/// code, one of ExitCode.
+/// Parses the program's arguments and runs the command that they name. Returns the program's exit code, one of
+/// ExitCode.
 [[nodiscard]] int runCommandLine(int argc, const char* const* argv);
 
 }  // namespace tactooth

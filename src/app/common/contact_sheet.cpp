@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kWordHeight = 18;  // pixels under each picture
+constexpr int kWordHeight = 18;  // pixels below each picture
 
 }  // namespace
 

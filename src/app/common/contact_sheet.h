@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// Many small pictures on one sheet, in rows and columns, with a word under each.
+/// Many small pictures on one sheet, in rows and columns, with a caption below each.
 class ContactSheet {
 public:
     ContactSheet(int columns, int rows, ImageSize tile);

@@ -18,21 +18,22 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTimeout = 20;         // s for all that Qt does: a display on another computer may be far away
-constexpr double kServerTimeout = 1.5;  // s for the server's first answer, through ssh a tenth of that
-constexpr double kShortTimeout = 0.5;   // s for Qt where one of two servers does not answer
+constexpr double kTimeout = 20;         // s for all of Qt's work: a display on another computer may be far away
+constexpr double kServerTimeout = 1.5;  // s for the server's first answer; through ssh it takes a tenth of that
+constexpr double kShortTimeout = 0.5;   // s for Qt if one of two servers does not answer
 
 std::string valueOf(const char* name) {
     const char* const value = std::getenv(name);
     return value == nullptr ? std::string() : std::string(value);
 }
 
-/// Qt's last word before it aborts; an exit leaves no core file and no entry in the system's list of crashes.
+/// Handles Qt's last message before it aborts. An exit leaves no core file and no entry in the system's list of
+/// crashes.
 void exitOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type == QtFatalMsg) _exit(1);
 }
 
-/// All that Qt does before the first window, so that no platform and no way to it has to be known here.
+/// Does all that Qt does before the first window, so that this code need not know any platform or connection.
 std::string startQt() {
     qInstallMessageHandler(exitOnFatal);
     int argc = 1;
@@ -42,7 +43,7 @@ std::string startQt() {
     return {};
 }
 
-/// Qt looks for a Wayland compositor only where it has a plugin for one.
+/// Qt searches for a Wayland compositor only if it has a plugin for one.
 bool hasWaylandPlugin() {
     const std::filesystem::path folder = QLibraryInfo::path(QLibraryInfo::PluginsPath).toStdString();
     std::error_code ignored;
@@ -58,7 +59,7 @@ struct Server {
     bool (*answers)();
 };
 
-/// Those that Qt may turn to.
+/// The servers that Qt may connect to.
 std::vector<Server> serversAskedFor() {
     const std::string platform = valueOf("QT_QPA_PLATFORM");
     std::vector<Server> servers;
@@ -72,7 +73,7 @@ std::vector<Server> serversAskedFor() {
     return servers;
 }
 
-/// The variable of the server that does not answer in time; null if all do, if only by refusing.
+/// The variable of the server that does not answer in time; null if all answer. A refusal is an answer.
 const char* silentServer(const std::vector<Server>& servers) {
     for (const Server& server : servers) {
         const auto probe = [&] { return std::string(server.answers() ? "ok" : ""); };
@@ -81,7 +82,7 @@ const char* silentServer(const std::vector<Server>& servers) {
     return nullptr;
 }
 
-/// What the environment asks for that is not to be had, and the way out of that, up to where the others follow.
+/// States which display of the environment is not available, and the remedy, as the first part of the message.
 Message whatIsWrong() {
     if (const std::string platform = valueOf("QT_QPA_PLATFORM"); !platform.empty())
         return {msg::kNoWindowOnPlatform, platform};

@@ -6,9 +6,9 @@
 
 namespace tactooth {
 
-/// Whether a window can be opened: tries it in a child process, as Qt would, which ends the program by itself where
-/// there is no display. Fails with one sentence, for behind "tactooth: ", that says what to do. A server that
-/// never answers is told within three seconds. Call it while the program has no thread that works.
+/// Checks whether a window can be opened. It tries this in a child process, as Qt would, because Qt ends the program if
+/// there is no display. Fails with one sentence that gives the remedy, to be printed after "tactooth: ". A server that
+/// never answers is reported within three seconds. Call it while no other thread of the program is running.
 [[nodiscard]] Expected<void> checkDisplay();
 
 }  // namespace tactooth

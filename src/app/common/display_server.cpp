@@ -27,7 +27,7 @@ std::filesystem::path waylandSocket() {
         const char* const value = std::getenv(name);
         return std::filesystem::path(value == nullptr ? "" : value);
     };
-    return valueOf("XDG_RUNTIME_DIR") / valueOf("WAYLAND_DISPLAY");  // an absolute name takes the whole place
+    return valueOf("XDG_RUNTIME_DIR") / valueOf("WAYLAND_DISPLAY");  // an absolute name replaces the folder
 }
 
 bool readWhole(int socket, void* to, std::size_t bytes) {
@@ -41,7 +41,7 @@ bool readWhole(int socket, void* to, std::size_t bytes) {
     return true;
 }
 
-/// Asks for a sign when all before it is done, and waits for the first whole message.
+/// Requests a callback after all earlier requests (wl_display.sync), and waits for the first complete message.
 void askForSign(int socket) {
     constexpr std::uint32_t kLength = kHeaderBytes + sizeof(std::uint32_t);
     const std::array<std::uint32_t, 3> request = {kDisplay, kLength << kLengthShift | kSync, kCallback};
@@ -68,7 +68,7 @@ bool waylandServerAnswers() {
     const std::string path = waylandSocket().string();
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    if (path.size() >= sizeof address.sun_path) return true;  // nobody is there
+    if (path.size() >= sizeof address.sun_path) return true;  // no server can be there
     std::memcpy(address.sun_path, path.c_str(), path.size());
     const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (socket < 0) return true;

@@ -4,9 +4,9 @@
 
 namespace tactooth {
 
-/// Whether the X server of DISPLAY answers: not only lets one connect, but replies to a request. May wait for ever, for
-/// a server that never does or for a computer that is not there: to be called in a child process. True also where it
-/// refuses: that is an answer.
+/// Whether the X server of DISPLAY answers: it must reply to a request, not only accept a connection. May block for
+/// ever on a server that never answers or on a computer that is not there: call it in a child process. Also true if the
+/// server refuses, because that is an answer.
 [[nodiscard]] bool xServerAnswers();
 
 /// The same for the Wayland compositor of WAYLAND_DISPLAY.

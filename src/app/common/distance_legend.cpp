@@ -36,7 +36,7 @@ void drawDistanceLegend(Image& image, double range) {
                   QImage::Format_RGBA8888);
     QPainter painter(&canvas);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double unit = std::max(1.0, image.size.height / 60.0);  // a line of text takes two
+    const double unit = std::max(1.0, image.size.height / 60.0);  // a line of text takes two units
     QFont font = painter.font();
     font.setPixelSize(static_cast<int>(std::lround(1.6 * unit)));
     painter.setFont(font);

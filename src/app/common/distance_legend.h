@@ -6,8 +6,8 @@
 
 namespace tactooth {
 
-/// Draws into the lower left corner of `image` which colour stands for which distance, from -range to range mm. Needs
-/// no display.
+/// Draws the legend of the distance colours, from -range to range mm, into the lower left corner of `image`. Needs no
+/// display.
 void drawDistanceLegend(Image& image, double range);
 
 }  // namespace tactooth

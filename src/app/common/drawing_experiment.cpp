@@ -17,9 +17,9 @@ namespace {
 
 constexpr ImageSize kSize{1280, 800};
 constexpr int kPictures = 9;
-constexpr int kWarmUp = 2;  // pictures in which shapes go to the graphics card
+constexpr int kWarmUp = 2;  // frames in which shapes are uploaded to the graphics card
 
-/// Median time of a picture, ms, while the camera turns by a degree from each to the next.
+/// Median time of a frame, ms, while the camera moves by one degree per frame.
 Expected<double> timeDrawing(OffscreenRenderer& renderer, const TriangleMesh& mesh) {
     Scene scene;
     SceneObject tooth;

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// Time that a picture of a tooth takes, by its number of triangles; drawn without a window.
+/// Measures the time to draw a tooth, by its number of triangles, without a window.
 [[nodiscard]] Expected<Experiment> measureDrawing(TestTeeth& testTeeth);
 
 }  // namespace tactooth

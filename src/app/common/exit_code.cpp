@@ -16,7 +16,7 @@ void printImportNotes(const std::vector<ImportNote>& importNotes) {
 
 int reportError(const Error& error) {
     std::string sentence = displayText(error.message());
-    if (!sentence.ends_with('.')) sentence += '.';  // a library's own words may have none
+    if (!sentence.ends_with('.')) sentence += '.';  // the text of a library may have no full stop
     std::fprintf(stderr, "tactooth: %s\n", sentence.c_str());
     return kExitBadInput;
 }

@@ -9,18 +9,18 @@
 
 namespace tactooth {
 
-/// What the program tells the shell.
+/// The exit codes of the program.
 enum ExitCode {
     kExitOk = 0,
     kExitNegative = 1,  ///< the command worked and its answer is no
-    kExitBadInput = 2,  ///< wrong usage, or an input or output that cannot be used
+    kExitBadInput = 2,  ///< wrong usage, or unusable input or output
 };
 
-/// Writes what there is to say on the files that were read to stderr, a line each.
+/// Writes the import notes of the files to stderr, one line each.
 void printImportNotes(const std::vector<ImportNote>& importNotes);
 
-/// Writes the sentence to stderr as displayText shows it, with the program's name before it, and gives the exit code
-/// that goes with it.
+/// Writes the sentence to stderr as displayText formats it, with the program's name before it. Returns the exit code
+/// for the error.
 int reportError(const Error& error);
 
 }  // namespace tactooth

@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-/// Colours must be compared over the whole tooth: no gloss, no light from inside.
+/// Colours must be comparable over the whole tooth: no gloss, no translucency.
 Appearance mat(const Appearance& appearance) {
     Appearance result = appearance;
     result.roughness = 0.8F;
@@ -50,7 +50,7 @@ bool Inspection::operator==(const Inspection& other) const {
 }
 
 Box3 crownBox(const Box3& tooth, double above) {
-    constexpr double kCrown = 9;  // mm below its top
+    constexpr double kCrown = 9;  // mm below the top of the tooth
     Box3 crown = tooth;
     crown.min().z() = std::max(tooth.min().z(), tooth.max().z() - kCrown);
     crown.max().z() += above;
@@ -58,7 +58,7 @@ Box3 crownBox(const Box3& tooth, double above) {
 }
 
 Camera crownCamera(StandardView side, double mesialX, const Box3& box) {
-    constexpr double kAbove = 2;  // mm: the bur is seen as well
+    constexpr double kAbove = 2;  // mm: room for the bur in the picture
     OrbitCamera camera;
     camera.fit(crownBox(box, kAbove), kSecondViewAspect);
     camera.setView(side, mesialX);
@@ -111,7 +111,7 @@ void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& 
         Appearance appearance = solid[material];
         appearance.opacity = inspection.opacity[material];
         layers.push_back(layerObject(layer, appearance));
-        // Enamel is the outermost: its own outside is the body's.
+        // Enamel is the outermost layer: its outside is the outside of the body.
         layers.back().visible =
             seesInside && !tooth.materials().hasRole(layer.material, MaterialRole::Enamel) && appearance.opacity > 0;
     }

@@ -14,7 +14,7 @@
 
 namespace tactooth {
 
-/// The five standard views by the names that users give them: occlusal, buccal, lingual, mesial, distal.
+/// The five standard views with their user names: occlusal, buccal, lingual, mesial, distal.
 inline constexpr std::array<std::pair<std::string_view, StandardView>, 5> kStandardViews = {
     {{"occlusal", StandardView::Occlusal},
      {"buccal", StandardView::Buccal},
@@ -22,19 +22,19 @@ inline constexpr std::array<std::pair<std::string_view, StandardView>, 5> kStand
      {"mesial", StandardView::Mesial},
      {"distal", StandardView::Distal}}};
 
-/// Every material as it is.
+/// The opacities of a picture in which every material is opaque.
 [[nodiscard]] constexpr std::array<float, kMaxMaterials> opaque() {
     std::array<float, kMaxMaterials> all{};
     all.fill(1);
     return all;
 }
 
-/// How one looks into a tooth. Nothing of it changes the tooth.
+/// The settings of a view into the tooth. They do not change the tooth.
 struct Inspection {
-    std::optional<Plane> section;                         ///< tooth frame; takes away what lies on its positive side
+    std::optional<Plane> section;                         ///< tooth frame; removes everything on its positive side
     std::array<float, kMaxMaterials> opacity = opaque();  ///< by MaterialId, 0..1
     std::optional<DistanceColourMap> distances;
-    std::shared_ptr<CavityGhost> ghost;  ///< of the tooth's own target; null: none
+    std::shared_ptr<CavityGhost> ghost;  ///< of the target of this tooth; null: none
 
     bool operator==(const Inspection& other) const;
 };
@@ -42,17 +42,17 @@ struct Inspection {
 /// The unit vector toward the eye of a standard view, tooth frame.
 [[nodiscard]] Vec3 viewDirection(StandardView side, double mesialX);
 
-/// The part of a tooth with this box that is worked on, and so many mm above it.
+/// The crown part of a tooth with this box, extended upwards by `above` mm.
 [[nodiscard]] Box3 crownBox(const Box3& tooth, double above);
 
-/// What the second view shows: the crown of a tooth with this box, whole, wherever the first one has gone.
+/// The camera of the second view. It shows the whole crown of a tooth with this box, wherever the main camera is.
 [[nodiscard]] Camera crownCamera(StandardView side, double mesialX, const Box3& box);
 
-/// The plane square to `side`, `fromMiddle` mm from the middle of `box` toward that side.
+/// The plane perpendicular to `side`, `fromMiddle` mm from the centre of `box` toward that side.
 [[nodiscard]] Plane sectionPlane(StandardView side, double mesialX, const Box3& box, double fromMiddle);
 
-/// Lets `scene`, whose first object is the tooth, show what `inspection` asks for: adds the layers, which fill a
-/// section and appear where the tissue around them is transparent, and the ghost.
+/// Applies `inspection` to `scene`, whose first object is the tooth. Adds the ghost, and the layers, which fill a
+/// section and show through transparent tissue around them.
 void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& inspection);
 
 }  // namespace tactooth

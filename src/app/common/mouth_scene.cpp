@@ -5,7 +5,7 @@
 namespace tactooth {
 namespace {
 
-/// Teeth in place are wet, and a little yellower than the cut face of enamel.
+/// Teeth in the mouth are wet, and slightly yellower than cut enamel.
 Appearance toothAppearance() {
     Appearance appearance = appearances::enamel();
     appearance.wetness = std::max(appearance.wetness, 0.7F);

@@ -10,12 +10,12 @@
 
 namespace tactooth {
 
-/// The bodies around a tooth in a mouth as they are drawn, in the tooth's frame.
+/// The bodies around a tooth in a mouth, ready to draw, in the tooth's frame.
 [[nodiscard]] std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around);
 
 enum class ShownJaws { Both, Upper, Lower };
 
-/// A whole mouth, in its own frame.
+/// A whole mouth, ready to draw, in its own frame.
 [[nodiscard]] std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws = ShownJaws::Both);
 
 }  // namespace tactooth

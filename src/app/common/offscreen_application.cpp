@@ -15,7 +15,7 @@
 namespace tactooth {
 namespace {
 
-/// Passes Qt's messages on, but for the one on a missing XDG_RUNTIME_DIR, which a picture does not need.
+/// Forwards Qt's messages, except the one about a missing XDG_RUNTIME_DIR, which pictures do not need.
 void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
     if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
 }

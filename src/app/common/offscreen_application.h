@@ -12,8 +12,8 @@ class QImage;
 
 namespace tactooth {
 
-/// Lets Qt draw pictures in a program without a window: makes an application without a display for the while, if there
-/// is none already.
+/// Lets Qt draw pictures in a program without a window. Creates an application without a display for its lifetime, if
+/// there is none yet.
 class OffscreenApplication {
 public:
     OffscreenApplication();

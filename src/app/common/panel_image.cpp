@@ -24,7 +24,7 @@ constexpr int kWidth = 1400;  // of the whole picture, pixels
 constexpr int kWideHeight = 520;
 constexpr int kNarrowHeight = 380;
 
-/// Distinct on white, also for those who see red and green alike (after M. Okabe, K. Ito, "Color Universal Design").
+/// Distinct on white, also for people who confuse red and green (after M. Okabe, K. Ito, "Color Universal Design").
 const std::array<QColor, 6> kColours = {QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73),
                                         QColor(0xcc, 0x79, 0xa7), QColor(0xe6, 0x9f, 0x00), QColor(0x56, 0xb4, 0xe9)};
 const QColor kReference(0x60, 0x60, 0x60);  // of dashed curves
@@ -48,7 +48,7 @@ Range rangeOf(const ExperimentPlot& panel, int coordinate) {
 }
 
 QAbstractAxis* logAxis(Range range) {
-    auto* axis = new QLogValueAxis;  // the chart takes it over
+    auto* axis = new QLogValueAxis;  // the chart takes ownership
     axis->setBase(10);
     axis->setLabelFormat("%.10g");
     axis->setMinorTickCount(8);
@@ -66,15 +66,16 @@ double roundInterval(double length) {
     return (parts >= 5 ? 5 : parts >= 2 ? 2 : 1) * power;
 }
 
-/// From zero, or the lowest value if that is negative. `closed` ends the axis at a tick with room for the curve.
+/// Starts at zero, or at the lowest value if that is negative. `closed` ends the axis at a tick with room for the
+/// curve.
 QAbstractAxis* linearAxis(Range range, bool closed) {
-    auto* axis = new QValueAxis;  // the chart takes it over
+    auto* axis = new QValueAxis;  // the chart takes ownership
     axis->setLabelFormat("%.10g");
     const double low = std::min(0.0, range.low);
     const double high = std::max(range.high, low) > low ? range.high : low + 1;
     const double interval = roundInterval(high - low);
     if (closed) {
-        constexpr double kRoom = 0.02;  // of an interval
+        constexpr double kRoom = 0.02;  // as a share of an interval
         const int below = static_cast<int>(std::ceil(-low / interval - kRoom));
         const int above = static_cast<int>(std::ceil(high / interval + kRoom));
         axis->setRange(-below * interval, above * interval);
@@ -97,7 +98,7 @@ QAbstractAxis* axisOf(const ExperimentPlot& panel, int coordinate) {
 }
 
 QLineSeries* curveOf(const PlotSeries& from, const QColor& colour) {
-    auto* curve = new QLineSeries;  // the chart takes it over
+    auto* curve = new QLineSeries;  // the chart takes ownership
     curve->setName(QString::fromStdString(from.name));
     for (const auto& [x, y] : from.points) curve->append(x, y);
     curve->setPen(QPen(from.dashed ? kReference : colour, 2, from.dashed ? Qt::DashLine : Qt::SolidLine));
@@ -107,7 +108,7 @@ QLineSeries* curveOf(const PlotSeries& from, const QColor& colour) {
 }
 
 QPixmap drawPanel(const ExperimentPlot& panel, int width, int height) {
-    auto* chart = new QChart;  // the view takes it over
+    auto* chart = new QChart;  // the view takes ownership
     chart->setTitle(QString::fromStdString(panel.title));
     QFont title = chart->titleFont();
     title.setBold(true);

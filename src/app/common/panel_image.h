@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// Writes the experiment's panels as one picture (PNG), side by side in its number of columns. Needs no display.
+/// Writes the panels of the experiment as one picture (PNG), side by side in its number of columns. Needs no display.
 [[nodiscard]] Expected<void> writePanels(const Experiment& experiment, const std::filesystem::path& path);
 
 }  // namespace tactooth

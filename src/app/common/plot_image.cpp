@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kWidth = 1280;
 constexpr int kPlotHeight = 280;
-constexpr std::size_t kPointsShown = 1200;  // about one a pixel: of the ticks between two, the largest is shown
+constexpr std::size_t kPointsShown = 1200;  // about one per pixel: the largest of the ticks between two points is shown
 
 struct Plot {
     const char* title;
@@ -29,7 +29,7 @@ struct Plot {
 };
 
 QLineSeries* seriesOf(const Plot& plot, std::span<const Tick> ticks, double& largest) {
-    auto* series = new QLineSeries;  // the chart takes it over
+    auto* series = new QLineSeries;  // the chart takes ownership
     series->setPen(QPen(plot.colour, 1.8));
     const std::size_t stride = std::max<std::size_t>(1, ticks.size() / kPointsShown);
     for (std::size_t i = 0; i < ticks.size(); i += stride) {
@@ -51,7 +51,7 @@ QValueAxis* axisTo(double largest, const QString& title) {
 }
 
 void drawPlot(QPainter& painter, const Plot& plot, std::span<const Tick> ticks, int row, bool last) {
-    auto* chart = new QChart;  // the view takes it over
+    auto* chart = new QChart;  // the view takes ownership
     chart->setTitle(plot.title);
     chart->setMargins(QMargins(4, 0, 16, 0));
     chart->legend()->hide();

@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-/// Writes a picture (PNG) with three plots over time: depth of the hand behind the surface, speed of the tip, force.
-/// Needs no display. Makes a QApplication for the while if there is none.
+/// Writes a picture (PNG) with three plots over time: depth of the device pose behind the surface, speed of the tip,
+/// force. Needs no display. Creates a QApplication for the duration of the call if there is none.
 [[nodiscard]] Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const Tick> ticks);
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-/// The bur; while it turns, over it the body that its blades seem to fill.
+/// Adds the bur. While it rotates, adds over it the body that its blades seem to fill.
 void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
@@ -22,7 +22,7 @@ void addBur(Scene& scene, const ShownTool& tool) {
     bur.spin = blur < 1 ? tool.spin : 0;
     scene.objects.push_back(bur);
     if (blur == 0) return;
-    constexpr float kCover = 0.86F;  // what lies between the blades shimmers through even at full speed
+    constexpr float kCover = 0.86F;  // at full speed the gaps between the blades still shimmer through
     bur.shape = tool.blurred;
     bur.spin = 0;
     bur.appearances.front().opacity = kCover * blur;
@@ -66,8 +66,9 @@ void addSuction(Scene& scene, const ShownSuction& suction) {
     scene.objects.push_back(std::move(tube));
 }
 
-/// A mouth mirror throws the operating light on what it shows. That light takes the place of the weak fill light where
-/// it is the stronger: from the glass to the crown, by the share of the crown's surroundings that the glass takes up.
+/// A mouth mirror reflects the operating light onto the crown that it shows. That light replaces the weak fill light if
+/// it is stronger. It comes from the glass; its strength is the share of the crown's surroundings that the glass
+/// covers.
 void lightByMirror(Scene& scene, const Vec3& crown) {
     const SceneMirror& mirror = *scene.mirror;
     const Vec3 toGlass = mirror.mirrorInWorld * mirror.centre - crown;
@@ -80,9 +81,9 @@ void lightByMirror(Scene& scene, const Vec3& crown) {
     scene.lighting.fillColour = thrown;
 }
 
-/// The middle of the top of the tooth's box: near enough to the crown of any tooth.
+/// The centre of the tooth's box in x and y, just below its top: close enough to the crown of any tooth.
 Vec3 crownOf(const Surface& tooth) {
-    constexpr double kBelowTop = 3.5;  // mm: the middle of a crown's height
+    constexpr double kBelowTop = 3.5;  // mm: half the height of a crown
     const Box3 box = tooth.base->tree().box();
     return {box.center().x(), box.center().y(), box.max().z() - kBelowTop};
 }
@@ -120,7 +121,7 @@ Scene makeScene(const SceneContents& contents) {
     if (contents.mirror) addMirror(scene, *contents.mirror);
     if (contents.suction) addSuction(scene, *contents.suction);
     scene.particles = contents.flying;
-    constexpr double kSteep = 0.65;  // sine of the angle from which on one looks through the other jaw
+    constexpr double kSteep = 0.65;  // sine of the angle from which on the opposite jaw is left out of the view
     const bool isSteep = (contents.camera.cameraInWorld.rotation * Vec3::UnitZ()).z() > kSteep;
     for (const ShownBody& body : contents.around) {
         if (body.opposite && isSteep) continue;

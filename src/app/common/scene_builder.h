@@ -10,44 +10,44 @@
 
 namespace tactooth {
 
-/// The instrument that cuts, as it is drawn. Meshes in the tool frame (tip at the origin, +z along the shaft).
+/// The cutting instrument as it is drawn. Meshes in the tool frame (tip at the origin, +z along the shaft).
 struct ShownTool {
     std::shared_ptr<const TriangleMesh> bur;
-    std::shared_ptr<const TriangleMesh> turbine;  ///< null: the bur alone
+    std::shared_ptr<const TriangleMesh> turbine;  ///< null: only the bur
     BurMaterial material = BurMaterial::Carbide;
     Pose toolInTooth;
     double spin = 0;  ///< of the bur about its axis, rad
     double speedRpm = 0;
     BurEdge edge = {};
     std::shared_ptr<const TriangleMesh> blurred =
-        {};  ///< the bur as the eye sees it turning fast (spinEnvelopeMesh), or null
+        {};  ///< the appearance of the bur at high speed (spinEnvelopeMesh), or null
 };
 
-/// The mirror, as it is drawn.
+/// The mirror as it is drawn.
 struct ShownMirror {
     std::shared_ptr<const TriangleMesh> mesh;  ///< mirror frame
     MirrorDisc disc;
     Pose mirrorInTooth;
-    float fog = 0, drops = 0;  ///< on the glass, as SceneMirror
+    float fog = 0, drops = 0;  ///< on the glass, as in SceneMirror
 };
 
-/// The suction tube, as it is drawn.
+/// The suction tube as it is drawn.
 struct ShownSuction {
-    std::shared_ptr<const TriangleMesh> mesh;  ///< as makeSuctionTube
+    std::shared_ptr<const TriangleMesh> mesh;  ///< from makeSuctionTube
     Pose tubeInTooth;
 };
 
-/// A body that stands around the tooth: a neighbour, the gum.
+/// A body that stands around the tooth: a neighbour, the gingiva.
 struct ShownBody {
     std::shared_ptr<const TriangleMesh> mesh;
     Pose bodyInTooth;
     Appearance appearance;
-    bool opposite = false;  ///< of the other jaw: left out where it would stand between the eye and the tooth
+    bool opposite = false;  ///< part of the opposite jaw: left out where it would stand between the eye and the tooth
 };
 
-/// All that a picture of the bench shows, in the tooth's frame. Whatever is empty is not there.
+/// Everything in a picture of the session, in the tooth's frame. Empty members are not drawn.
 struct SceneContents {
-    std::shared_ptr<const Surface> tooth;  ///< tagged by MaterialId
+    std::shared_ptr<const Surface> tooth;  ///< tags: MaterialId
     MaterialTable materials;               ///< for the tooth's colours
     std::optional<ShownTool> tool;
     std::optional<ShownMirror> mirror;
@@ -57,15 +57,15 @@ struct SceneContents {
     Camera camera;
 };
 
-/// What each material looks like, by MaterialId.
+/// The appearance of each material, by MaterialId.
 [[nodiscard]] std::vector<Appearance> appearancesOf(const MaterialTable& materials);
 
-/// Towards a lamp 15 degrees above the eye and to its left: it lights what the eye sees, and leaves it a little shadow
-/// to show its depth.
+/// The direction to a lamp 15 degrees above the eye and to its left. It lights what the eye sees, but leaves some
+/// shadow that shows depth.
 [[nodiscard]] Vec3 toLoupeLamp(const Camera& camera);
 
-/// The picture under the operating light; inside a mouth, where the other jaw stands in that light, by the lamp on the
-/// loupe. World frame = tooth frame.
+/// The scene under the operating light. Inside a mouth, where the opposite jaw blocks that light, the lamp on the loupe
+/// lights it. World frame = tooth frame.
 [[nodiscard]] Scene makeScene(const SceneContents& contents);
 
 }  // namespace tactooth

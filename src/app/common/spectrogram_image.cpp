@@ -14,11 +14,11 @@
 namespace tactooth {
 namespace {
 
-constexpr int kPlotWidth = static_cast<int>(kSpectrogramTimes), kPlotHeight = 512;  // pixels; one for each frequency
+constexpr int kPlotWidth = static_cast<int>(kSpectrogramTimes), kPlotHeight = 512;  // pixels; a frequency per row
 constexpr int kLeft = 70, kTop = 36, kBottom = 56, kLegend = 110;
-constexpr float kLoudest = -20.0f, kFaintest = -100.0f;  // dB: black below
+constexpr float kLoudest = -20.0f, kFaintest = -100.0f;  // dB: black below kFaintest
 
-/// From black over violet, red and yellow to white: brighter is louder also in grey.
+/// From black over violet, red and yellow to white: louder is brighter, also in greyscale.
 QColor colourOf(float level) {
     constexpr std::array<std::array<float, 3>, 6> kSteps{
         {{0, 0, 0}, {50, 15, 110}, {140, 35, 110}, {220, 80, 55}, {250, 170, 30}, {252, 255, 220}}};

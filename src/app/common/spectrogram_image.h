@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// Times that a spectrogram is to have for the picture: one for each pixel across.
+/// Number of times in a spectrogram for the picture: one for each pixel column.
 inline constexpr std::size_t kSpectrogramTimes = 1100;
 
-/// Writes a picture (PNG) of the frequencies of a sound of that length over time. Needs no display.
+/// Writes a picture (PNG) of the frequencies over time, for a sound of this length. Needs no display.
 [[nodiscard]] Expected<void> writeSpectrogram(const std::filesystem::path& path, const Spectrogram& spectrogram,
                                               double seconds);
 

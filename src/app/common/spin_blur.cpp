@@ -7,7 +7,7 @@
 namespace tactooth {
 
 float spinBlur(double speedRpm, const BurEdge& edge) {
-    constexpr double kGrains = 40;               // around a diamond of 1.4 mm with grains of 0.1 mm
+    constexpr double kGrains = 40;               // around a diamond bur of 1.4 mm with grains of 0.1 mm
     constexpr double kPicturesPerMinute = 1500;  // 25 a second
     const double edges = edge.flutes > 0 ? edge.flutes : kGrains;
     return static_cast<float>(std::clamp(speedRpm * edges / kPicturesPerMinute, 0.0, 1.0));

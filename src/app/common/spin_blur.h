@@ -7,8 +7,8 @@
 
 namespace tactooth {
 
-/// How far the blades or grains of a bur run into each other for the eye, 0..1: 1 where one comes to the place of the
-/// next within the time in which an eye takes in a picture.
+/// How much the blades or grains of a bur blur for the eye, 0..1. It is 1 if a blade reaches the place of the next one
+/// within the time that the eye takes for one picture.
 [[nodiscard]] float spinBlur(double speedRpm, const BurEdge& edge);
 
 }  // namespace tactooth

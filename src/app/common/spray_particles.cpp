@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-const Vec3f kWater(0.90F, 0.93F, 0.96F);  // sRGB: lit drops before a darker mouth
+const Vec3f kWater(0.90F, 0.93F, 0.96F);  // sRGB: lit drops in front of a darker mouth
 constexpr float kPowder = 0.6F;           // share of white in the colour of a chip: fine grains scatter light
 constexpr float kPaling = 0.45F;          // share of the water in the colour of a wet chip
 
@@ -18,7 +18,7 @@ Particle particleOf(const SprayParticle& bit, const MaterialTable& materials) {
         case SprayParticleKind::Jet:
             particle.opacity = 0.50F;
             break;
-        case SprayParticleKind::Mist:  // the same water over a growing disc
+        case SprayParticleKind::Mist:  // the same amount of water over a growing disc
             particle.opacity = 0.45F * left * std::min(1.0F, 0.25F / bit.radius);
             break;
         case SprayParticleKind::Chip: {

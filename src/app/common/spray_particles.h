@@ -11,7 +11,8 @@
 
 namespace tactooth {
 
-/// What a cloud of water and chips looks like: chips in the colour of what was cut, paler where water carries them.
+/// The appearance of a cloud of water and chips. Chips have the colour of the cut material, paler if water carries
+/// them.
 [[nodiscard]] std::vector<Particle> particlesOf(std::span<const SprayParticle> bits, const MaterialTable& materials);
 
 }  // namespace tactooth

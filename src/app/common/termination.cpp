@@ -23,12 +23,12 @@
 namespace tactooth {
 namespace {
 
-constexpr double kNamesTimeout = 5;  // s that files may take to get their names before the program ends
+constexpr double kNamesTimeout = 5;  // s to wait for renames in progress before the program ends
 constexpr int kEndings[] = {SIGINT, SIGTERM, SIGHUP};
 
 int noticePipe[2] = {-1, -1};
 pid_t ownNumber = 0;
-std::atomic<int> askedBy{0};  // signal that an orderly end follows
+std::atomic<int> askedBy{0};  // signal that asked for a graceful shutdown
 
 std::mutex& orderMutex() {
     static auto* const mutex = new std::mutex;
@@ -58,7 +58,7 @@ bool isIgnored(int number) {
     return ::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// Unlike SIG_IGN, programs that this one starts do not inherit it.
+/// Unlike SIG_IGN, child programs do not inherit this handler.
 void doNothing(int) {}
 
 void notice(int number) {
@@ -66,7 +66,7 @@ void notice(int number) {
     if (::getpid() == ownNumber) {
         const auto byte = static_cast<unsigned char>(number);
         (void)!::write(noticePipe[1], &byte, 1);
-    } else {  // a child that has not become another program yet
+    } else {  // a child process before it becomes another program
         setHandler(number, SIG_DFL);
         ::raise(number);
     }
@@ -90,7 +90,7 @@ std::string nameOf(int number) {
     while (true) ::pause();
 }
 
-/// The next signal; 0 if none comes within so many seconds.
+/// The next signal; 0 if none arrives within so many seconds.
 int nextSignal(double seconds) {
     pollfd waiting{noticePipe[0], POLLIN, 0};
     constexpr double kMilli = 1000;
@@ -102,7 +102,7 @@ int nextSignal(double seconds) {
     }
 }
 
-/// True if the program was asked to end in order.
+/// Asks for a graceful shutdown; true if a GracefulShutdown exists.
 bool askForOrder(int number) {
     const std::lock_guard lock(orderMutex());
     if (!orderly()) return false;
@@ -121,7 +121,7 @@ void watchForSignals() {
     endBy(number);
 }
 
-/// Of an exception that nobody catches.
+/// The handler of uncaught exceptions.
 [[noreturn]] void terminateOnException() {
     std::string why = "it cannot go on";
     try {
@@ -146,7 +146,7 @@ void installTerminationHandlers() {
     ownNumber = ::getpid();
     std::set_terminate(terminateOnException);
     for (const int number : {SIGPIPE, SIGXFSZ}) setHandler(number, doNothing);
-    if (::pipe2(noticePipe, O_CLOEXEC) != 0) return;  // then they end the program as usual
+    if (::pipe2(noticePipe, O_CLOEXEC) != 0) return;  // then signals end the program as usual
     ::fcntl(noticePipe[1], F_SETFL, O_NONBLOCK);
     for (const int number : kEndings) {
         if (number != SIGHUP || !isIgnored(number)) setHandler(number, notice);

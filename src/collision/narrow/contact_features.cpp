@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 // The contact features of two polyhedra (corner and face, edge and edge): D. Baraff, "Analytical Methods for Dynamic
 // Simulation of Non-penetrating Rigid Bodies", SIGGRAPH 1989, section 4. Differs from the paper: the features are found

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "collision/narrow/minkowski_simplex.h"
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 // E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A Fast Procedure for Computing the Distance Between Complex Objects in
 // Three-Dimensional Space", IEEE J. Robotics and Automation 4(2), 1988; G. van den Bergen, "A Fast and Robust GJK

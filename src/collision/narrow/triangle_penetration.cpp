@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 // Expanding polytope: G. van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects", GDC
 // 2001. The depth is the distance of the origin from the boundary of the Minkowski difference of the two sets. Differs

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "collision/narrow/gjk.h"
-#include "collision/narrow/unit_normal.h"
 #include "collision/neighbours/neighbour_list.h"
+#include "geometry/util/pose.h"
 
 // The lowest level of the list: the pairs of a cluster. A cluster is opened when a step makes it uncertain. Separating
 // axes: S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree: A Hierarchical Structure for Rapid Interference Detection",

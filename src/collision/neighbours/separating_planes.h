@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/narrow/unit_normal.h"
 #include "collision/neighbours/neighbour_list.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth {
+
+/// Cosine between two normals above which their planes count as one: 1.4 microradians apart.
+inline constexpr double kSamePlane = 1 - 1e-12;
 
 /// A plane in the tooth's frame with a tooth triangle behind it, and at some pose a tool triangle in front of it.
 struct SeparatingPlane {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "collision/narrow/simd8.h"
-#include "collision/narrow/unit_normal.h"
+#include "geometry/util/pose.h"
 
 // A polytope of fixed directions around a body: J. T. Klosowski et al., "Efficient Collision Detection Using Bounding
 // Volume Hierarchies of k-DOPs", IEEE TVCG 4(1), 1998. Differs from the paper: there is one polytope for the whole

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 namespace tactooth {
 namespace {

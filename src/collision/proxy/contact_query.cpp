@@ -10,8 +10,8 @@
 #include "collision/bvh/closest_point.h"
 #include "collision/narrow/gjk.h"
 #include "collision/narrow/triangle_penetration.h"
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 // Penetration depth as the least translation to a free pose: S. Cameron, R. K. Culley, "Determining the Minimum
 // Translational Distance Between Two Convex Polyhedra", IEEE ICRA 1986. Differs from the paper: a tooth is not convex,

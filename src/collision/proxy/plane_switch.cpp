@@ -10,13 +10,12 @@
 namespace tactooth {
 namespace {
 
-constexpr double kThinnest = 0.25;        // of the margin: what a plane must leave that lets the tool move on
-constexpr double kRelativeGap = 0.9;      // ... or of what the plane at hand leaves, if that is less
-constexpr double kTiltMargin = 0.6;       // ... if it is tilted over an edge: more than a check asks of other pairs
-constexpr double kTiltReach = 0.0625;     // a tilt is tried up to a quarter of the distance that it could pass
-constexpr double kWorthMargins = 20;      // a shorter way is none ...
-constexpr double kWorthGain = 0.1;        // ... nor is one that comes no nearer to the goal than by so many margins
-constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
+constexpr double kThinnest = 0.25;     // of the margin: what a plane must leave that lets the tool move on
+constexpr double kRelativeGap = 0.9;   // ... or of what the plane at hand leaves, if that is less
+constexpr double kTiltMargin = 0.6;    // ... if it is tilted over an edge: more than a check asks of other pairs
+constexpr double kTiltReach = 0.0625;  // a tilt is tried up to a quarter of the distance that it could pass
+constexpr double kWorthMargins = 20;   // a shorter way is none ...
+constexpr double kWorthGain = 0.1;     // ... nor is one that comes no nearer to the goal than by so many margins
 
 }  // namespace
 

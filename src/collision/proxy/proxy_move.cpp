@@ -135,7 +135,6 @@ bool ProxyMove<Constraints>::prepareStep() {
 /// `found` is what the last check found.
 template <class Constraints>
 bool ProxyMove<Constraints>::findSafeStep(Violation& found) {
-    constexpr int kMaxSolutions = 8 * (Constraints::Set::kCapacity + 1);
     constraints_.restart(context_, step_);
     for (int i = 0; i < kMaxSolutions; ++i) {
         if (!constraints_.solve(context_, step_)) {
@@ -175,7 +174,6 @@ void ProxyMove<Constraints>::rotateLess() {
 /// one is tried. False if the step is as short as it may be. `solution`: number of the answer in this iteration.
 template <class Constraints>
 bool ProxyMove<Constraints>::constrain(const WatchedPair& violator, int solution) {
-    constexpr int kManySolutions = Constraints::Set::kCapacity + 1;  // more come of a rotation that does not settle
     if (!constraints_.set().isFull() && solution % kManySolutions != kManySolutions - 1) {
         constraints_.add(context_, step_, violator);
         return true;

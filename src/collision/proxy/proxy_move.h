@@ -24,6 +24,10 @@ public:
     [[nodiscard]] MoveResult run();
 
 private:
+    /// Solutions of an iteration; more come of a rotation that does not settle.
+    static constexpr int kManySolutions = Constraints::Set::kCapacity + 1;
+    static constexpr int kMaxSolutions = 8 * kManySolutions;
+
     // The phases.
     void begin();
     [[nodiscard]] bool prepareStep();

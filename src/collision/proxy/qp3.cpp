@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "collision/narrow/unit_normal.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 
 // Incremental solution of an LP-type problem: R. Seidel, "Small-Dimensional Linear Programming and Convex Hulls Made
 // Easy", Discrete & Computational Geometry 6, 1991; J. Matousek, M. Sharir, E. Welzl, "A Subexponential Bound for

@@ -77,8 +77,7 @@ public:
     }
 
 private:
-    static constexpr double kSamePlane = 1 - 1e-12;  // cosine: 1.4 microradians apart
-    static constexpr std::size_t kPlaces = 32;       // direct-mapped: a collision costs only time
+    static constexpr std::size_t kPlaces = 32;  // direct-mapped: a collision costs only time
     struct Leaf {
         std::uint32_t number = SweptTool::kNone;
         int measured = 0;

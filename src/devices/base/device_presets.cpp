@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-// Peak and continuous force, inertia, friction, encoder step and workspace: the makers' data sheets. Stiffness: half to
-// four fifths of the nominal one, as virtual couplings are set in practice (0.35-0.5 on a Touch, 0.8-1 on a Touch X,
-// 2-3 on an omega; an Inverse3's link costs a tick, so less than a Touch X). Damping: 0.5 N*s/m, the least of what is
-// measured on such arms; what a maker does not tell (omega's and Inverse3's inertia and friction, Inverse3's step) is
-// chosen on the side that shakes sooner. Hands: pen grips of 1 to 3 N; a hand's stiffness and damping rise with its
-// grip (C. Hasser, M. Cutkosky, "System Identification of the Human Hand Grasping a Haptic Knob", Haptics Symposium
-// 2002).
+// Peak and continuous force, inertia, friction, encoder step and workspace are from the makers' data sheets. Stiffness
+// is half to four fifths of the nominal value, as virtual couplings are set in practice (0.35-0.5 on a Touch, 0.8-1 on
+// a Touch X, 2-3 on an omega; the link of an Inverse3 costs a tick, so it gets less than a Touch X). Damping is 0.5
+// N*s/m, the lowest value measured on such arms. Where a maker states no value (inertia and friction of omega and
+// Inverse3, encoder step of the Inverse3), the value that oscillates sooner is chosen. Hands: pen grips of 1 to 3 N;
+// the stiffness and damping of a hand rise with its grip force (C. Hasser, M. Cutkosky, "System Identification of the
+// Human Hand Grasping a Haptic Knob", Haptics Symposium 2002).
 
 namespace tactooth {
 namespace {
@@ -43,8 +43,6 @@ auto findNamed(const Presets& presets, std::string_view name) {
 
 }  // namespace
 
-std::span<const DevicePreset> penPresets() { return std::span(kDevices).first(4); }
-std::span<const DevicePreset> inverse3Presets() { return std::span(kDevices).last(1); }
 std::span<const DevicePreset> devicePresets() { return kDevices; }
 const DevicePreset* findDevicePreset(std::string_view name) { return findNamed(kDevices, name); }
 

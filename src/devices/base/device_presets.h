@@ -9,43 +9,40 @@
 
 namespace tactooth {
 
-/// A kind of haptic device: what it can do and what its mechanics do to the hand.
+/// A model of haptic device: its performance and its mechanics.
 struct DevicePreset {
-    std::string_view name;   ///< on the command line
-    std::string_view title;  ///< for people
+    std::string_view name;   ///< name on the command line
+    std::string_view title;  ///< display name
     double peakForce;        ///< N
-    double continuousForce;  ///< N that its motors bear for ever
-    double stiffness;        ///< N/mm: the stiffest wall that it renders at 1 kHz without shaking
-    double inertia;          ///< N*s^2/mm (1e-3 of its kilograms) at the tip
-    double friction;         ///< N, dry
+    double continuousForce;  ///< N that its motors bear without time limit
+    double stiffness;        ///< N/mm: the stiffest wall that it renders stably at 1 kHz
+    double inertia;          ///< N*s^2/mm (1e-3 of the mass in kg) at the tip
+    double friction;         ///< N, dry friction
     double damping;          ///< N*s/mm
     double encoderStep;      ///< mm at the tip
-    int delayTicks;          ///< that its link holds a force back
+    int delayTicks;          ///< ticks by which its link delays a force
     Vec3 workspace;          ///< mm
 };
 
-/// Those that OpenHaptics drives or that are like them: omni, touch, touch-x, omega.
-[[nodiscard]] std::span<const DevicePreset> penPresets();
-/// inverse3.
-[[nodiscard]] std::span<const DevicePreset> inverse3Presets();
-/// All of them.
+/// omni, touch, touch-x, omega, inverse3.
 [[nodiscard]] std::span<const DevicePreset> devicePresets();
 /// The preset of that name; nullptr if there is none.
 [[nodiscard]] const DevicePreset* findDevicePreset(std::string_view name);
 
-/// What the safety limiter keeps to for such a device.
+/// Limits of the safety limiter for such a device.
 ///
-/// Power: twice the most that a wall of the device's own stiffness, wound up to its peak force, gives when it springs
-/// back and moves nothing but the bare arm, F^2 / (2 sqrt(k m)). A hand on the arm makes it slower, but may push on its
-/// own account: of the simulated hands none comes to more than 1.5 times. A reading or a sum that asks for more than
-/// twice is wrong.
+/// Power: twice the power of a wall of the device's own stiffness that is loaded to the peak force, springs back and
+/// moves only the bare arm, F^2 / (2 sqrt(k m)). A hand on the arm slows it down, but may push too: none of the
+/// simulated hands reaches more than 1.5 times this power of the bare arm. A reading or a calculation that asks for
+/// more than twice is wrong.
 [[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset);
 
-/// The same for one whose driver tells its own peak and continuous force, N: the smaller one of each counts. A number
-/// that is none, or not above zero, is no answer.
+/// The same for a device whose driver reports its peak and continuous force, N; the smaller value of each applies. A
+/// value that is NaN or not above zero is ignored.
 [[nodiscard]] ForceLimits limitsOf(const DevicePreset& preset, double driverPeak, double driverContinuous);
 
-/// How a hand holds the pen: a mass on a spring and a damper, whose other end goes where the person wants.
+/// Impedance of the hand that holds the pen: a mass on a spring and a damper, whose other end follows the intended
+/// path.
 struct HandImpedance {
     std::string_view name;
     double mass;       ///< N*s^2/mm

@@ -7,10 +7,10 @@
 
 namespace tactooth {
 
-/// The clock that nobody sets; on Linux the one that system calls know as CLOCK_MONOTONIC.
+/// A clock that is never adjusted; on Linux it is CLOCK_MONOTONIC of the system calls.
 using MonotonicClock = std::chrono::steady_clock;
 
-/// s since some moment before the program started.
+/// s since an arbitrary moment before the program started.
 [[nodiscard]] inline double monotonicSeconds() {
     return std::chrono::duration<double>(MonotonicClock::now().time_since_epoch()).count();
 }
@@ -20,7 +20,7 @@ using MonotonicClock = std::chrono::steady_clock;
            std::chrono::duration_cast<MonotonicClock::duration>(std::chrono::duration<double>(seconds));
 }
 
-/// A moment of a clock as POSIX takes it.
+/// A time point of a clock as a POSIX timespec.
 template <class Moment>
 [[nodiscard]] timespec timespecOf(const Moment& moment) {
     const auto whole = std::chrono::floor<std::chrono::seconds>(moment);

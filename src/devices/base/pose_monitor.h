@@ -9,14 +9,14 @@
 
 namespace tactooth {
 
-/// What a fault of a hand means and what to do about it, one sentence; nullptr for none. Lives as long as the program.
+/// Explains a pose fault and its remedy in one sentence; nullptr for none. The message lives as long as the program.
 [[nodiscard]] const Message* poseFaultMessage(PoseFault fault);
 
-/// Says it when a device tells poses that no hand can have. The force is cut by the force pipeline on its own account;
-/// this is for the person who wonders why.
+/// Keeps the message about a pose fault for the user. The force pipeline cuts the force independently of this class;
+/// the message explains why.
 class PoseMonitor {
 public:
-    /// The servo's, at each tick. `elapsed`: since the last tick, s.
+    /// Servo thread only, at each tick. `elapsed`: s since the last tick.
     void update(PoseFault fault, double elapsed) {
         left_ -= elapsed;
         if (fault != PoseFault::None) {
@@ -26,7 +26,7 @@ public:
             faultMessage_.store(nullptr, std::memory_order_relaxed);
         }
     }
-    /// Any thread; nullptr if nothing is wrong. Lives as long as the program.
+    /// Any thread; nullptr without a fault. The message lives as long as the program.
     [[nodiscard]] const Message* faultMessage() const { return faultMessage_.load(std::memory_order_relaxed); }
 
 private:

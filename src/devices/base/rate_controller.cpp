@@ -8,19 +8,19 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSmoothing = 40;  // 1/s: readings come 100 to 250 times a second, the hand moves 1000 times
-// mm/s that the hand gives way to each newton: 20 mm/s of a stick press 2.5 N. On enamel (1 N/mm) force follows the
-// stick within an eighth of a second; far below what would shake on the stiffest wall.
+constexpr double kSmoothing = 40;  // 1/s: readings arrive 100 to 250 times a second, the pose moves 1000 times
+// Admittance, mm/s for each newton: a stick command of 20 mm/s presses with 2.5 N. On enamel (1 N/mm) the force follows
+// the stick within an eighth of a second. The value is far below the one that would oscillate on the stiffest wall.
 constexpr double kYield = 8;
-constexpr double kMaxLean = 1.2;        // rad from where it began: a handpiece does not stand on its head
-constexpr double kLongestStep = 0.1;    // s: after a stall the hand goes on gently
-constexpr double kStrongestForce = 20;  // N: no device renders more, so a stronger one is no measure
+constexpr double kMaxLean = 1.2;        // rad from the start orientation: a handpiece is not held upside down
+constexpr double kLongestStep = 0.1;    // s: after a stall the pose continues gently
+constexpr double kStrongestForce = 20;  // N: no device renders more, so a larger value is not plausible
 
 }  // namespace
 
 Pose RateController::advance(const RateCommand& asked, double elapsed) {
     const double dt = std::isfinite(elapsed) ? std::clamp(elapsed, 0.0, kLongestStep) : 0;
-    // What is no number would stay so for ever.
+    // A NaN would stay in the smoothed rate for ever.
     const RateCommand wanted = asked.speed.allFinite() && asked.turn.allFinite() ? asked : RateCommand{};
     const double part = 1 - std::exp(-kSmoothing * dt);
     rate_.speed += part * (wanted.speed - rate_.speed);

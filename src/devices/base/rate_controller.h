@@ -6,22 +6,23 @@
 
 namespace tactooth {
 
-/// What a person wants of a tool that is steered by speed, in the device's frame.
+/// Commanded velocity of a tool under rate control, in the device's frame.
 struct RateCommand {
     Vec3 speed = Vec3::Zero();  ///< mm/s
-    Vec3 turn = Vec3::Zero();   ///< rad/s about the device's axes
+    Vec3 turn = Vec3::Zero();   ///< angular velocity, rad/s about the device's axes
 };
 
-/// A hand that is steered by speed, for devices that go back to their middle: sticks, a SpaceMouse. It gives way to the
-/// force that it meets, as a hand does: pushing further presses harder, and who lets go is soon out of the tooth.
+/// Rate control for self-centring devices: sticks, a SpaceMouse. Integrates the commanded velocity to a device pose.
+/// The pose yields to the contact force as a hand does: a larger deflection presses harder, and the tool soon leaves
+/// the tooth after the user releases the stick.
 class RateController {
 public:
-    /// Of the way from the middle to each side, mm.
+    /// Travel from the middle to each side, mm.
     static constexpr double kReach = 20;
 
-    /// Where the hand is `elapsed` s later.
+    /// Device pose `elapsed` s later.
     [[nodiscard]] Pose advance(const RateCommand& asked, double elapsed);
-    /// What the tool meets, N, device's frame; counts from the next step on.
+    /// Contact force on the tool, N, in the device's frame. Takes effect from the next step.
     void setForce(const Vec3& force) { force_ = force; }
 
 private:

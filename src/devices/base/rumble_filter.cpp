@@ -7,8 +7,8 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSteadyTime = 0.02;  // s: slower changes press, quicker ones (from some 10 Hz on) shake
-constexpr double kShakeTime = 0.03;   // s over which shaking is averaged: motors of pads take as long to start
+constexpr double kSteadyTime = 0.02;  // s: slower changes are steady force, quicker ones (from about 10 Hz) vibration
+constexpr double kShakeTime = 0.03;   // s over which the vibration is averaged: gamepad motors take as long to start
 
 }  // namespace
 

@@ -6,11 +6,11 @@
 
 namespace tactooth {
 
-/// Splits a force into what presses and what shakes, as the two motors of a gamepad render it: the heavy one the steady
-/// force, the light one the quick changes (a cutting bur, a tap).
+/// Splits a force into a steady part and a vibration part for the two motors of a gamepad. The heavy motor renders the
+/// steady force, the light one the quick changes (a cutting bur, a tap).
 class RumbleFilter {
 public:
-    /// `force` N, `elapsed` s since the last one.
+    /// `force`: N. `elapsed`: s since the previous call.
     void add(const Vec3& force, double elapsed);
     [[nodiscard]] double steady() const { return steady_.norm(); }
     /// Root mean square of the quick changes, N.

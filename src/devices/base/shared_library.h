@@ -8,11 +8,12 @@
 
 namespace tactooth {
 
-/// A vendor's library, brought in by the system's loader while the program runs. It stays until the program ends:
-/// drivers keep threads of their own. `path`: a file, or a name that the loader finds. Fails with the loader's words.
+/// Loads a vendor's library at run time with the system's loader. It stays loaded until the program ends, because
+/// drivers keep threads of their own. `path`: a file, or a name that the loader finds. Fails with the loader's error
+/// text.
 [[nodiscard]] Expected<void*> loadSharedLibrary(const std::string& path);
 
-/// What the library calls `name`; nullptr if it has no such thing.
+/// Address of the symbol `name` in the library; nullptr if the library does not have it.
 [[nodiscard]] void* findInLibrary(void* library, const char* name);
 
 }  // namespace tactooth

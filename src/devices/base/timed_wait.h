@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// Until someone posts, or for `longest` s. Whoever sets the computer's clock changes nothing; on Windows, whose
-/// threads know no other, that wait alone.
+/// Waits until the semaphore is posted, at most `longest` s. A change of the computer's clock has no effect, except on
+/// Windows: its threads can wait only by the system clock, so a change affects the wait in progress there.
 inline void waitForSemaphore(sem_t& semaphore, double longest) {
 #ifdef _WIN32
     const auto wait =

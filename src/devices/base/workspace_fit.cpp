@@ -8,8 +8,8 @@
 namespace tactooth {
 
 WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box) {
-    constexpr double kSteps = 10;       // from one whole number to the next
-    constexpr double kRounding = 1e-9;  // a room that is just large enough is
+    constexpr double kSteps = 10;       // steps in each unit of motion scaling
+    constexpr double kRounding = 1e-9;  // tolerance for a workspace that is only just large enough
     const double most = room.cwiseQuotient(box).minCoeff();
     if (!(most >= kMinMotionScaling - kRounding)) return {kMinMotionScaling, false};
     return {std::clamp(std::floor(kSteps * most + kRounding) / kSteps, kMinMotionScaling, kMaxMotionScaling), true};

@@ -6,24 +6,26 @@
 
 namespace tactooth {
 
-inline constexpr double kMinMotionScaling = 1, kMaxMotionScaling = 3;  ///< mm of the hand for each mm of the tool
+inline constexpr double kMinMotionScaling = 1, kMaxMotionScaling = 3;  ///< mm of the device for each mm of the tool
 
-/// How finely a hand can work.
+/// Result of fitting a workspace: the motion scaling and whether it covers the whole box.
 struct WorkspaceFit {
     double motionScaling = kMinMotionScaling;
-    bool coversBox = true;  ///< from one place of the clutch
+    bool coversBox = true;  ///< without use of the clutch
 };
 
-/// The greatest fineness at which a hand in a room of this size brings the tool to all of a box of that size, both in
-/// mm along the hand's axes and with their middles on each other. In tenths, as it can be set by hand. Where even the
-/// least fineness does not reach all, that one.
+/// The largest motion scaling at which a device with a workspace of size `room` brings the tool to all points of a box
+/// of size `box`. Both sizes are in mm along the device's axes, and the centres coincide. The result is a multiple of
+/// 0.1, like the value that the user can set. If even the smallest motion scaling does not cover the box, the result is
+/// the smallest.
 [[nodiscard]] WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box);
 
-/// The size along the hand's axes of a box that lies along the tooth's. `turn`: from the hand's frame into the tooth's.
+/// Size along the device's axes of a box that is aligned with the tooth's axes. `turn`: rotation from the device's
+/// frame into the tooth's.
 [[nodiscard]] Vec3 sizeInDeviceFrame(const Vec3& size, const Quat& turn);
 
-/// Whether a hand is no more than `margin` mm inside the room of its device, or outside; false where it is not known
-/// where that room is.
+/// Whether the device position is within `margin` mm of the workspace limit, or outside the workspace. False if the
+/// position of the workspace is unknown.
 [[nodiscard]] bool isNearWorkspaceLimit(const DeviceInfo& device, const Vec3& hand, double margin);
 
 }  // namespace tactooth

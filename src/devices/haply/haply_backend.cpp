@@ -14,14 +14,14 @@ namespace {
 constexpr const char* kName = "inverse3";
 constexpr double kLinkTimeout = 1;  // s: the service is on this machine
 
-/// Why there is no line for an Inverse3: nobody serves it or none is plugged in, or the service cannot be used.
+/// The reason why no Inverse3 is listed: no service runs, no device is plugged in, or the service is not usable.
 DetectedDevice noInverse3(const char* backend, const std::string& address, const Error& why) {
     const bool isServed =
         !why.contains(msg::kHaplyNoInverse3) && HaplyConnection::open(address, kLinkTimeout).has_value();
-    return {"inverse3", backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why.message()};
+    return {kName, backend, isServed ? DeviceState::Unusable : DeviceState::NotFound, why.message()};
 }
 
-/// One line for each Inverse3; one that says why not if there is none.
+/// One entry for each Inverse3; if there is none, one entry with the reason.
 std::vector<DetectedDevice> probeInverse3() {
     constexpr const char* kBackend = "Haply Inverse3";
     const std::string address = HaplyDevice::defaultAddress();
@@ -31,7 +31,8 @@ std::vector<DetectedDevice> probeInverse3() {
     for (const HaplyNames& names : *found) {
         HaplyDevice device(names.device);
         const auto opened = device.open();
-        devices.push_back({"inverse3:" + names.device, kBackend, opened ? DeviceState::Ready : DeviceState::Unusable,
+        devices.push_back({std::string(kName) + ':' + names.device, kBackend,
+                           opened ? DeviceState::Ready : DeviceState::Unusable,
                            opened ? capabilityText(device.info()) : opened.error().message(),
                            opened ? capabilitiesOf(device.info()) : DeviceCapabilities()});
     }
@@ -44,8 +45,6 @@ std::unique_ptr<HapticDevice> createArm(const DeviceRequest& request) {
 
 }  // namespace
 
-DeviceBackend haplyBackend() {
-    return {kName, msg::kHaplyInverse3, "ID", createArm, nullptr, probeInverse3, inverse3Presets()};
-}
+DeviceBackend haplyBackend() { return {kName, msg::kHaplyInverse3, "ID", createArm, nullptr, probeInverse3}; }
 
 }  // namespace tactooth

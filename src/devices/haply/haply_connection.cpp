@@ -20,13 +20,13 @@ namespace websocket = boost::beast::websocket;
 using asio::ip::tcp;
 using Failure = boost::system::error_code;
 
-constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes: two devices take less than ten thousand
-constexpr double kMaxScanTime = 0.001;              // s that messages are taken that came unasked
+constexpr std::size_t kLongestMessage = 1U << 20U;  // bytes: two devices need less than ten thousand
+constexpr double kMaxDrainTime = 0.001;             // s for taking messages that came unrequested
 
 }  // namespace
 
-/// Every call starts its work and lets it run until it is done or time is up; only a message that has not come yet
-/// stays awaited from one call to the next.
+/// Every call starts its operation and runs it until it is done or the time is up. Only a read of a message that has
+/// not arrived yet stays pending from one call to the next.
 class HaplyConnection::Socket {
 public:
     Socket() : stream_(io_) {}
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool connect(const std::string& host, const std::string& port, MonotonicClock::time_point end) {
         Failure failure;
         tcp::resolver resolver(io_);
-        const auto found = resolver.resolve(host, port, failure);  // of this machine: no name server is asked
+        const auto found = resolver.resolve(host, port, failure);  // of this machine: no query to a name server
         if (failure) return false;
         auto& tcpStream = beast::get_lowest_layer(stream_);
         if (!run(end, [&](auto done) {
@@ -61,7 +61,7 @@ public:
         if (!heard_ && !runUntil(end, heard_)) return ReceiveStatus::Nothing;
         return take(text);
     }
-    /// What has come until now.
+    /// Checks without waiting whether a message has arrived.
     [[nodiscard]] ReceiveStatus poll(std::string& text) {
         await();
         io_.restart();
@@ -69,7 +69,7 @@ public:
         }
         return heard_ ? take(text) : ReceiveStatus::Nothing;
     }
-    /// Drops what is under way, so that no handler is left that could be called later.
+    /// Cancels pending operations, so that no handler remains that could be called later.
     void abandon() {
         Failure ignored;
         beast::get_lowest_layer(stream_).socket().close(ignored);
@@ -97,7 +97,7 @@ private:
         }
         return result.has_value();
     }
-    /// True if `start`'s work is done in time and well; if not, nothing of it is left.
+    /// True if the operation that `start` begins succeeds in time; otherwise it is cancelled completely.
     template <class Start>
     bool run(MonotonicClock::time_point end, const Start& start) {
         std::optional<Failure> result;
@@ -110,7 +110,7 @@ private:
     asio::io_context io_;
     websocket::stream<beast::tcp_stream> stream_;
     beast::flat_buffer buffer_;
-    bool awaited_ = false;  // a read is under way
+    bool awaited_ = false;  // a read is pending
     std::optional<Failure> heard_;
 };
 
@@ -140,7 +140,7 @@ HaplyConnection::ReceiveStatus HaplyConnection::receive(std::string& text, doubl
 }
 
 HaplyConnection::ReceiveStatus HaplyConnection::receivePending(std::string& text, int& count) {
-    const MonotonicClock::time_point end = secondsFromNow(kMaxScanTime);
+    const MonotonicClock::time_point end = secondsFromNow(kMaxDrainTime);
     ReceiveStatus status = socket_->poll(text);
     if (status != ReceiveStatus::Message) return status;
     while (status == ReceiveStatus::Message) {

@@ -10,27 +10,28 @@
 
 namespace tactooth {
 
-/// A WebSocket to a service on this machine, for text. All calls from one thread; none takes longer than it is told.
+/// A WebSocket connection for text to a service on this machine. One thread makes all calls; none takes longer than its
+/// time limit.
 class HaplyConnection {
 public:
     enum class ReceiveStatus {
         Message,
-        Nothing,  ///< within the time
-        Broken,   ///< the other side has closed it, or answers no more
+        Nothing,  ///< no message within the time
+        Broken,   ///< the other side has closed the connection or no longer responds
     };
 
-    /// `address`: "host:port". Fails with one sentence that says what to do.
+    /// `address`: "host:port". Fails with one sentence that states the remedy.
     [[nodiscard]] static Expected<std::unique_ptr<HaplyConnection>> open(const std::string& address, double seconds);
     ~HaplyConnection();
     HaplyConnection(const HaplyConnection&) = delete;
     HaplyConnection& operator=(const HaplyConnection&) = delete;
 
-    /// False if it is broken.
+    /// False if the connection is broken.
     [[nodiscard]] bool send(std::string_view text, double seconds);
     /// Waits for the next message.
     [[nodiscard]] ReceiveStatus receive(std::string& text, double seconds);
-    /// Takes those that have come already: `text` is the newest of them, and `count` goes up by their number. Comes to
-    /// an end however fast they come.
+    /// Takes the messages that have already arrived: `text` becomes the newest of them, and `count` increases by their
+    /// number. Returns in bounded time, however fast messages arrive.
     [[nodiscard]] ReceiveStatus receivePending(std::string& text, int& count);
 
 private:

@@ -21,16 +21,16 @@ namespace tactooth {
 namespace {
 
 constexpr double kConnectTimeout = 1;       // s to connect: the service is on this machine
-constexpr double kLongestSilence = 0.0035;  // s: three answers were left out, so the device is lost; limp within 5 ms
-constexpr double kLateAnswer = 0.003;       // s: from then on a zero force is sent without waiting for the answer
-constexpr double kLateForce = 0.003;        // s without a new force: the servo hangs, so nothing is rendered
+constexpr double kLongestSilence = 0.0035;  // s: three answers are missing, so the device is lost; no force after 5 ms
+constexpr double kLateAnswer = 0.003;       // s: after this time a zero force is sent without waiting for the answer
+constexpr double kLateForce = 0.003;        // s without a new force: the servo thread hangs, so no force is rendered
 constexpr double kBroken = 1;               // s without any answer: the connection is given up
-constexpr double kPollTimeout = 0.02;       // s between two looks at whether the program wants to end
-constexpr double kCloseTimeout = 0.2;       // s for the answer to the last zero
-constexpr double kShownFor = 3;             // s that a passing trouble is shown
-constexpr double kReportDelay = 0.05;       // s: an answer that is so late is told at once
-constexpr double kRecoveryTime = 0.1;       // s after an answer too many that no answer is believed
-constexpr double kGripPeriod = 0.02;        // s: a VerseGrip is read some 50 times a second, whatever the arm is
+constexpr double kPollTimeout = 0.02;       // s between two checks whether the thread has to stop
+constexpr double kCloseTimeout = 0.2;       // s for the answer to the last zero force
+constexpr double kShownFor = 3;             // s for which a transient fault is shown
+constexpr double kReportDelay = 0.05;       // s: an answer that is this late is reported at once
+constexpr double kRecoveryTime = 0.1;       // s after a surplus answer during which no answer is trusted
+constexpr double kGripPeriod = 0.02;  // s: a VerseGrip is read about 50 times a second, independently of the arm's rate
 constexpr auto kRetry = std::chrono::seconds(1);
 constexpr int kGripButtons = 3;
 
@@ -39,7 +39,7 @@ const Message kTooManyAnswers(msg::kHaplyTooManyAnswers);
 const Message kLost(msg::kHaplyLost);
 const Message kNoAnswer(msg::kHaplyNoAnswer);
 
-/// A message that stays as long as the program; there are few different ones.
+/// Stores the message as long as the program runs; there are few different ones.
 const Message& kept(const Message& message) {
     static std::mutex mutex;
     static std::map<std::string, Message> messages;
@@ -77,7 +77,7 @@ void HaplyDevice::describe() {
     info_.stiffness = preset.stiffness;
 }
 
-/// Connects and finds out who is there. The thread's, or open()'s before there is one.
+/// Connects and finds the device. Called by the thread, or by open() before the thread exists.
 Expected<std::unique_ptr<HaplyConnection>> HaplyDevice::handshake(const std::string& wanted) {
     auto link = HaplyConnection::open(address_, kConnectTimeout);
     if (!link) return link;
@@ -114,7 +114,8 @@ Expected<void> HaplyDevice::open() {
 void HaplyDevice::close() {
     if (!thread_.joinable()) return;
     thread_ = {};
-    // The thread is gone, and what it said last may have been a force: with the answer to this the arm is limp.
+    // The thread has ended, and its last message may have carried a force. When the service answers this message, the
+    // arm renders no force.
     if (connection_ && connection_->send(haplyForce(names_.device, Vec3::Zero()), kPollTimeout)) {
         const double end = monotonicSeconds() + kCloseTimeout;
         for (++outstanding_; outstanding_ > 0 && monotonicSeconds() < end; --outstanding_) {
@@ -125,8 +126,8 @@ void HaplyDevice::close() {
 }
 
 void HaplyDevice::run(const std::stop_token& stop) {
-    pthread_setname_np(pthread_self(), "haply");  // for debuggers and profilers
-    (void)acquireRealTimePriority();              // without the right to it everything works, with more jitter
+    pthread_setname_np(pthread_self(), "haply");  // name for debuggers and profilers
+    (void)acquireRealTimePriority();              // without the privilege everything works, with more jitter
     std::mutex alone;
     std::condition_variable_any wake;
     while (!stop.stop_requested()) {
@@ -144,16 +145,16 @@ void HaplyDevice::run(const std::stop_token& stop) {
     }
 }
 
-/// True if the servo makes a force in time.
+/// True if the servo thread produces a force in time.
 bool HaplyDevice::waitForForce() {
-    while (sem_trywait(&wake_) == 0) {  // forces that were made while an answer was on its way
+    while (sem_trywait(&wake_) == 0) {  // forces that were written while an answer was pending
     }
     if (force_.refresh()) return true;
     waitForSemaphore(wake_, kLateForce);
     return force_.refresh();
 }
 
-/// Counts answers that have come; more than there were messages is a fault of the service.
+/// Counts arrived answers; more answers than messages are a fault of the service.
 void HaplyDevice::countAnswers(int answers) {
     outstanding_ -= answers;
     if (outstanding_ >= 0) return;
@@ -166,7 +167,7 @@ bool HaplyDevice::isConnectionValid() const {
     return surplusAnswerAt_ < 0 || monotonicSeconds() - surplusAnswerAt_ > kRecoveryTime;
 }
 
-/// What has come since the last answer; false if the connection is broken.
+/// Takes the messages that have arrived since the last answer; false if the connection is broken.
 bool HaplyDevice::drainPending() {
     int unasked = 0;
     const HaplyConnection::ReceiveStatus status = connection_->receivePending(text_, unasked);
@@ -174,7 +175,8 @@ bool HaplyDevice::drainPending() {
     return status != HaplyConnection::ReceiveStatus::Broken;
 }
 
-/// Takes in the answer that has just come, or a newer one that has come since; false if the connection is broken.
+/// Processes the answer that has just arrived, or a newer one that has arrived since; false if the connection is
+/// broken.
 bool HaplyDevice::receiveAnswers() {
     int answers = 1;
     const HaplyConnection::ReceiveStatus status = connection_->receivePending(text_, answers);
@@ -184,7 +186,7 @@ bool HaplyDevice::receiveAnswers() {
     return true;
 }
 
-/// One message and its answer; false if the connection is broken.
+/// Sends one message and waits for its answer; false if the connection is broken.
 bool HaplyDevice::exchange(const std::stop_token& stop) {
     if (!connection_) return false;
     const bool isFresh = waitForForce();
@@ -208,14 +210,15 @@ bool HaplyDevice::exchange(const std::stop_token& stop) {
     return false;
 }
 
-/// Counts one more answer that is late at this time, s. The force ends with each of them; a person hears of many.
+/// Records a late answer at the time `now`, s. Each late answer ends the force; the user gets a message only if there
+/// are many.
 bool HaplyDevice::isRepeatedlyLate(double now) {
     std::rotate(lateAnswers_.begin(), lateAnswers_.begin() + 1, lateAnswers_.end());
     lateAnswers_.back() = now;
     return now - lateAnswers_.front() < 1;
 }
 
-/// The device must not go on with a force while its answer is late.
+/// Sends a zero force and waits: the device must not keep a force while its answer is late.
 bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
     const double began = monotonicSeconds();
     if (isRepeatedlyLate(began)) setFault(kSlow);
@@ -238,10 +241,10 @@ bool HaplyDevice::waitForLateAnswer(const std::stop_token& stop) {
     return false;
 }
 
-/// Takes in an answer.
+/// Processes an answer.
 void HaplyDevice::parseAnswer() {
     Expected<HaplyReading> reading = readHaply(text_, names_);
-    if (!reading) {  // the servo shall not go on with the place before until that is old
+    if (!reading) {  // otherwise the servo thread would use the previous position until it is too old
         HaplyReading none;
         none.usable = false;
         none.time = monotonicSeconds();
@@ -250,7 +253,7 @@ void HaplyDevice::parseAnswer() {
     }
     reading->time = monotonicSeconds();
     if (reading->hasTurn) turn_ = reading->hand.rotation;
-    reading->hand.rotation = turn_;  // a grip that sleeps keeps its direction
+    reading->hand.rotation = turn_;  // a grip in sleep mode keeps its last rotation
     reading->usable &= isConnectionValid();
     reading_.write(*reading);
     if (reading->faultMessage != nullptr) return setFault(*reading->faultMessage);
@@ -262,7 +265,7 @@ void HaplyDevice::setFault(const Message& message) {
     faultSetAt_ = monotonicSeconds();
 }
 
-/// All is well: a sentence about what is over stays long enough to be read.
+/// Called when there is no fault: clears the message of a past fault after it was shown long enough to be read.
 void HaplyDevice::clearOldFault() {
     if (faultSetAt_ > 0 && monotonicSeconds() - faultSetAt_ > kShownFor) {
         faultMessage_.store(nullptr, std::memory_order_relaxed);
@@ -288,7 +291,8 @@ void HaplyDevice::write(const SafeWrench& wrench) {
 }
 
 const Message* HaplyDevice::faultMessage() const {
-    if (const Message* const fault = faultMessage_.load(std::memory_order_acquire)) return fault;  // with what it holds
+    if (const Message* const fault = faultMessage_.load(std::memory_order_acquire))
+        return fault;  // acquire: the message behind the pointer must be visible too
     return HapticDevice::faultMessage();
 }
 

@@ -17,20 +17,21 @@
 
 namespace tactooth {
 
-/// A Haply Inverse3 with the VerseGrip on it, through the Haply Inverse Service of this machine.
+/// A Haply Inverse3 with the VerseGrip on it, accessed through the Haply Inverse Service of this machine.
 ///
-/// A thread of its own talks to the service: one message with the newest force, one answer with the newest place. The
-/// servo thread follows its own clock and only exchanges the newest values with it. An answer that is late makes the
-/// device count as lost, and the thread sends a zero force of its own accord; so it does when the servo is late. Of
-/// several answers that have come the newest one counts, but more answers than messages make the device count as lost,
-/// too: nobody knows when what they tell was true. A connection that broke is tried again every second.
+/// A separate thread communicates with the service: each message carries the newest force, each answer the newest pose.
+/// The servo thread runs at its own rate and only exchanges the newest values with it. If an answer is late, the device
+/// counts as lost, and the thread sends a zero force by itself; it also sends a zero force if the servo thread is late.
+/// If several answers have arrived, the newest one counts. More answers than messages also make the device count as
+/// lost, because the time at which their content was valid is unknown. The thread retries a broken connection every
+/// second.
 class HaplyDevice final : public HapticDevice {
 public:
-    /// `device`: its name with the service, four letters and digits; empty: the first. `address`: "host:port".
+    /// `device`: its name in the service, four letters and digits; empty: the first device. `address`: "host:port".
     explicit HaplyDevice(std::string device, std::string address = defaultAddress());
     ~HaplyDevice() override;
 
-    /// $TACTOOTH_HAPLY, else the service's own: localhost:10001.
+    /// $TACTOOTH_HAPLY, else the service's default: localhost:10001.
     [[nodiscard]] static std::string defaultAddress();
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
@@ -61,23 +62,24 @@ private:
     DeviceInfo info_;
     HaplyNames names_;
 
-    // The thread's own.
+    // Used only by the thread.
     std::unique_ptr<HaplyConnection> connection_;
     std::string text_;
     double faultSetAt_ = 0;         // s
-    int outstanding_ = 0;           // answers to messages that were sent
-    double surplusAnswerAt_ = -1;   // s: when an answer too many came last
-    Quat turn_ = Quat::Identity();  // that the grip told last
-    /// s: when the last answers were late. Three within a second are told: one alone is a hiccup of the machine.
+    int outstanding_ = 0;           // number of sent messages without an answer yet
+    double surplusAnswerAt_ = -1;   // s: time of the last surplus answer
+    Quat turn_ = Quat::Identity();  // last rotation that the grip reported
+    /// s: times of the last late answers. Three within a second are reported: a single one is a brief delay of the
+    /// machine.
     std::array<double, 3> lateAnswers_ = {-1, -1, -1};
 
-    // Between the threads.
+    // Shared between the threads.
     TripleBuffer<HaplyReading> reading_;      // to the servo
     TripleBuffer<Vec3> force_{Vec3::Zero()};  // from the servo, N
-    sem_t wake_;                              // posted by the servo after each force
+    sem_t wake_;                              // posted by the servo thread after each force
     std::atomic<const Message*> faultMessage_{nullptr};
 
-    std::jthread thread_;  // last: it uses all of the above
+    std::jthread thread_;  // last member: it uses all of the above
 };
 
 }  // namespace tactooth

@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-/// Who is there, as the service at `address` says. Fails with one sentence that says what to do.
+/// The devices that the service at `address` lists. Fails with one sentence that states the remedy.
 [[nodiscard]] Expected<std::vector<HaplyNames>> enumerateHaply(const std::string& address);
 
 }  // namespace tactooth

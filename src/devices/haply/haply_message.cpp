@@ -19,8 +19,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kMillimetres = 1000;    // in a metre
-constexpr double kFurthest = 1;          // m: an Inverse3 reaches 0.4 m; a number beyond is not in metres
-constexpr double kUnitTolerance = 0.02;  // of a quaternion's squared length: it comes as rounded text
+constexpr double kFurthest = 1;          // m: an Inverse3 reaches 0.4 m; a larger number is not in metres
+constexpr double kUnitTolerance = 0.02;  // of a quaternion's squared length: the service sends it as rounded text
 
 // Made before any device runs, whose threads only hand their places on.
 const Message kNoPlace(msg::kInverse3Lost);
@@ -30,7 +30,7 @@ const Message kNotReady(msg::kInverse3NotReady);
 const Message kGripAsleep(msg::kGripAsleep);
 const Message kGripBroken(msg::kGripBroken);
 
-/// The member of an object; a null value where there is none.
+/// The member of an object; a null value if there is none.
 const Json& member(const Json& object, const char* key) {
     static const Json kNone;
     if (!object.is_object()) return kNone;
@@ -48,20 +48,20 @@ Vec3 vectorOf(const Json& value) {
     return {numberOf(member(value, "x")), numberOf(member(value, "y")), numberOf(member(value, "z"))};
 }
 
-/// A name that can be put between quotes as it is.
+/// True if the name can be put between quotes without escapes.
 bool isPlain(const std::string& id) {
     return !id.empty() && std::ranges::all_of(id, [](unsigned char c) {
         return c == '-' || c == '_' || c == ':' || (c < 128 && std::isalnum(c) != 0);
     });
 }
 
-/// True only for a plain "no": a service that does not tell is taken to be content.
+/// True only for an explicit false: a missing value counts as no fault.
 bool isDenied(const Json& status, const char* key) {
     const Json& value = member(status, key);
     return value.is_boolean() && !value.get<bool>();
 }
 
-/// Nothing where four numbers are no rotation.
+/// The rotation; no value if the four numbers are not a rotation.
 std::optional<Quat> rotationOf(const Json& value) {
     const Quat rotation(numberOf(member(value, "w")), numberOf(member(value, "x")), numberOf(member(value, "y")),
                         numberOf(member(value, "z")));
@@ -69,7 +69,7 @@ std::optional<Quat> rotationOf(const Json& value) {
     return isOne ? std::optional(rotation.normalized()) : std::nullopt;
 }
 
-/// a, b, c, or button_0, button_1, ... of other grips.
+/// Buttons a, b, c, or button_0, button_1, ... of other grips.
 std::uint32_t buttonsOf(const Json& value) {
     constexpr std::array<std::array<const char*, 2>, 4> kNames = {
         {{"a", "button_0"}, {"b", "button_1"}, {"c", "button_2"}, {"d", "button_3"}}};
@@ -91,7 +91,7 @@ const Json* findIn(const Json& list, const std::string& id) {
     return nullptr;
 }
 
-/// The whole message as a value. Every message of format 3 has a list of the devices.
+/// Parses the whole message. Every message of format 3 has a list of the devices.
 Expected<Json> parsed(std::string_view message) {
     Json json = Json::parse(message, nullptr, false);
     if (json.is_discarded() || !json.is_object()) return unexpected(msg::kHaplyNoJson);
@@ -102,7 +102,7 @@ Expected<Json> parsed(std::string_view message) {
     return json;
 }
 
-/// The `index`-th grip, those with a cable first; empty if there are fewer.
+/// The `index`-th grip, those with a cable first; empty if there are fewer grips.
 std::string gripAt(const Json& json, std::size_t index) {
     for (const char* const kind : {"verse_grip", "wireless_verse_grip"}) {
         const Json& list = member(json, kind);

@@ -12,41 +12,42 @@
 
 namespace tactooth {
 
-// The messages of the Haply Inverse Service, format 3: JSON text over a WebSocket on this machine. Its first message
-// tells of all devices; after that each message that it gets is answered by one. On the wire: m, N, unit quaternions;
-// +x right, +y away from the user, +z up, as here.
+// The messages of the Haply Inverse Service, format 3: JSON text over a WebSocket on this machine. The service's first
+// message lists all devices; afterwards it answers each message that it receives with one message. Units on the wire:
+// m, N, unit quaternions; axes +x right, +y away from the user, +z up, as in this program.
 
-/// Which Inverse3 is meant, and the grip that the same hand holds.
+/// Identifies an Inverse3 and the grip in the same hand.
 struct HaplyNames {
-    std::string device;  ///< four letters and digits, as the service gives them
-    std::string grip;    ///< of a VerseGrip; empty: there is none
+    std::string device;  ///< four letters and digits, as the service reports them
+    std::string grip;    ///< name of a VerseGrip; empty: there is none
 };
 
-/// One Inverse3 with its grip at one moment.
+/// Reading of one Inverse3 and its grip at one moment.
 struct HaplyReading {
-    Pose hand;             ///< mm; where `hasTurn` is false it is not turned
-    bool hasTurn = false;  ///< a grip tells how it is turned
+    Pose hand;             ///< mm; without a rotation if `hasTurn` is false
+    bool hasTurn = false;  ///< a grip has reported its rotation
     std::uint32_t buttons = 0;
-    bool usable = true;                     ///< false: the place is not known, or the device makes no force
-    const Message* faultMessage = nullptr;  ///< what is wrong and what to do about it; lives as long as the program
-    double time = 0;                        ///< s of the monotonic clock; filled in by whoever has a clock
+    bool usable = true;                     ///< false: the position is unknown, or the device renders no force
+    const Message* faultMessage = nullptr;  ///< the fault and its remedy; lives as long as the program
+    double time = 0;  ///< s of the monotonic clock; set by the caller, because the parser has no clock
 };
 
-/// All devices of the service's first message, in its order; at least one. The n-th Inverse3 goes with the n-th
-/// VerseGrip, those with a cable first. Fails with one sentence that says what to do.
+/// All devices of the service's first message, in its order; at least one. The n-th Inverse3 is paired with the n-th
+/// VerseGrip; grips with a cable come first. Fails with one sentence that states the remedy.
 [[nodiscard]] Expected<std::vector<HaplyNames>> haplyDevices(std::string_view firstMessage);
 
-/// The one called `wanted`, or the first if that is empty.
+/// The device named `wanted`, or the first if that is empty.
 [[nodiscard]] Expected<HaplyNames> findHaply(std::string_view firstMessage, std::string_view wanted);
 
-/// What any message says of a device. Fails with one sentence if it is no JSON, of another version, or does not speak
-/// of the device; what the message says is never trusted to be a number or near.
+/// The reading of a device from any message. Fails with one sentence if the message is not JSON, has another version or
+/// does not contain the device. Numbers in the message are never trusted to be finite or in range.
 [[nodiscard]] Expected<HaplyReading> readHaply(std::string_view message, const HaplyNames& names);
 
-/// The message that asks for a force, N. Also a zero force has to be sent: the service answers only what it is asked.
+/// The message that requests a force, N. A zero force has to be sent too: the service answers only messages that it
+/// receives.
 [[nodiscard]] std::string haplyForce(const std::string& device, const Vec3& force);
 
-/// The first message of a session, which tells the service who is there.
+/// The first message to the service in a session; it identifies this program and requests a zero force.
 [[nodiscard]] std::string haplyHandshake(const std::string& device);
 
 }  // namespace tactooth

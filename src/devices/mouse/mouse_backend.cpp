@@ -16,6 +16,6 @@ std::vector<DetectedDevice> probeMouse() {
 
 }  // namespace
 
-DeviceBackend mouseBackend() { return {"mouse", msg::kMouseAndKeyboard, nullptr, nullptr, nullptr, probeMouse, {}}; }
+DeviceBackend mouseBackend() { return {"mouse", msg::kMouseAndKeyboard, nullptr, nullptr, nullptr, probeMouse}; }
 
 }  // namespace tactooth

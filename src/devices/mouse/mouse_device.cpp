@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kFollowRate = 60;  // 1/s, critically damped: within 5 % of a jump after 80 ms, smooth at 1 kHz
+constexpr double kFollowRate = 60;  // 1/s, critically damped: within 5 % of a step after 80 ms, smooth at 1 kHz
 
 }  // namespace
 
@@ -24,7 +24,7 @@ DeviceSample MouseDevice::read(double elapsed) {
     DeviceSample sample = target_.value();
     const Pose& target = sample.hand;
     if (!target.position.allFinite() || !target.rotation.coeffs().allFinite() || !std::isfinite(elapsed)) {
-        sample.hand = hand_;  // which it would be no more for ever
+        sample.hand = hand_;  // else the pose would stay NaN for ever
         return sample;
     }
     const Vec3 away = hand_.position - sample.hand.position;

@@ -7,13 +7,13 @@
 
 namespace tactooth {
 
-/// The mouse as a hand that feels nothing: the window says where the hand should go, and the hand follows smoothly,
-/// since a mouse moves in 60 to 125 jumps a second and a damper needs a speed.
+/// The mouse as a device without force feedback. The window sets a target pose, and the device pose follows it
+/// smoothly: a mouse moves in 60 to 125 steps a second, and a damper needs a continuous velocity.
 class MouseDevice final : public HapticDevice {
 public:
     explicit MouseDevice(const Pose& start);
 
-    /// Where the hand should go, from the window's thread; wait-free.
+    /// Sets the target pose, from the window's thread; wait-free.
     void moveTo(const DeviceSample& target) { target_.write(target); }
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }

@@ -15,13 +15,13 @@
 namespace tactooth {
 namespace {
 
-constexpr unsigned kStaleTicks = 2;       // of the driver without a new force: the servo hangs, so nothing is rendered
-constexpr unsigned kScanInterval = 100;   // ticks between two looks at the motors' temperature
-constexpr unsigned kZeroForceTicks = 10;  // ticks in which a pen that is lost is told to make no force
-constexpr unsigned kFaultTicks = 3000;    // that a passing trouble is shown for
-constexpr int kMaxErrors = 16;            // in a tick: the list is the driver's, and it may be broken
-constexpr double kCountFor = 0.01;        // s over which the driver's ticks are counted
-constexpr double kMaxTimes = 4;           // what was asked for; a driver that has stalled may catch up with some
+constexpr unsigned kStaleTicks = 2;  // driver ticks without a new force: the servo thread hangs, so none is rendered
+constexpr unsigned kMotorCheckTicks = 100;  // ticks between two readings of the motors' temperature
+constexpr unsigned kZeroForceTicks = 10;    // ticks in which a zero force is sent to a lost pen
+constexpr unsigned kFaultTicks = 3000;      // ticks for which a transient fault is shown
+constexpr int kMaxErrors = 16;              // in a tick: the list belongs to the driver and may be broken
+constexpr double kCountFor = 0.01;          // s over which the driver's ticks are counted
+constexpr double kMaxTimes = 4;  // times the requested rate; a driver that has stalled may catch up on some ticks
 constexpr auto kRetry = std::chrono::seconds(1);
 const Message kFlood(msg::kHdFlood);
 const Message kDockPen(msg::kHdDockPen);
@@ -36,8 +36,8 @@ std::string listOf(const std::vector<std::string>& names) {
     return list;
 }
 
-/// Why the pen `name` has not been started; `code`: of the driver, 0 if it says nothing. To a driver, a name that it
-/// does not know may be a fault of the link: what is set up tells the one from the other.
+/// The reason why the pen `name` has not started. `code`: error code of the driver, 0 if it reports none. A driver may
+/// report an unknown name as a link fault; the list of configured pens distinguishes the two cases.
 Message whyNotStarted(const std::string& name, std::uint32_t code) {
     const bool mayBeUnknown = code == 0 || code == hd::kLinkFault || code == hd::kLinkSettings;
     const std::vector<std::string> pens = configuredPens();
@@ -48,14 +48,14 @@ Message whyNotStarted(const std::string& name, std::uint32_t code) {
     return {msg::kPenUnknown, titleOf(name)};
 }
 
-/// A motor's temperature as the driver reports it, 0 cold .. 1 hot. What is no number may be anything, so it counts as
-/// hot; what is out of its range is of a model that tells something else.
+/// A motor's temperature from the driver's value, 0 cold .. 1 hot. NaN may mean anything, so it counts as hot. A value
+/// out of range comes from a model that reports another quantity, so it counts as cold.
 double motorTemperatureOf(double reported) {
     if (std::isnan(reported)) return 1;
     return reported >= 0 && reported <= 1 ? reported : 0;
 }
 
-/// The preset whose mechanics a model has; a Touch is the one that needs most care.
+/// The preset with the mechanics of a model. An unknown model gets that of the Touch, the one that needs most care.
 const DevicePreset& presetFor(const std::string& model) {
     const bool fine = model.find("Touch X") != std::string::npos || model.find("Desktop") != std::string::npos ||
                       model.find("Premium") != std::string::npos;
@@ -87,7 +87,7 @@ HdDriver::~HdDriver() {
     pause();
 }
 
-/// After this no callback runs.
+/// Stops the scheduler; no callback runs afterwards.
 void HdDriver::pause() {
     if (!std::exchange(running_, false)) return;
     call_.stopScheduler();
@@ -134,7 +134,7 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     info.rendersForce = info.sensesRotation = true;
     info.buttonCount = 2;
     call_.getIntegers(hd::kCalibrationStyle, &pen.calibrationStyle);
-    while (call_.getError().code != 0) {  // a question that this model does not answer is no fault
+    while (call_.getError().code != 0) {  // a query that this model does not support is not a fault
     }
 }
 
@@ -165,7 +165,7 @@ void HdDriver::stop(HdPen& pen) {
     const std::lock_guard lock(mutex_);
     pause();
     pen.active = false;
-    sendZeroForce(pen);  // whatever its last tick has set
+    sendZeroForce(pen);  // replaces the force of its last tick
     call_.disableDevice(pen.handle);
     resume();
 }
@@ -184,7 +184,8 @@ std::uint32_t HdDriver::onTick(void* driver) {
     return kHdContinue;
 }
 
-/// Believes the driver again after ten milliseconds at a pace that it may have.
+/// Counts the ticks. Sets the rate fault when they come too often, and clears it after ten milliseconds at an
+/// acceptable rate.
 void HdDriver::countTick() {
     const double now = monotonicSeconds();
     ++counted_;
@@ -205,7 +206,7 @@ void HdDriver::exchange(HdPen& pen) {
     std::int32_t buttons = 0;
     call_.getIntegers(hd::kButtons, &buttons);
     reading.buttons = static_cast<std::uint32_t>(buttons);
-    const bool isTurn = pen.ticks++ % kScanInterval == 0;
+    const bool isTurn = pen.ticks++ % kMotorCheckTicks == 0;
     if (isTurn) monitorMotors(pen);
     monitorCalibration(pen, isTurn);
     pen.forceAge = pen.force.refresh() ? 0 : pen.forceAge + 1;
@@ -227,7 +228,7 @@ void HdDriver::exchange(HdPen& pen) {
     sem_post(&pen.ready);
 }
 
-/// A fault need not be the motors': the library goes on with the last force until it is given another one.
+/// A fault need not affect the motors: the library keeps the last force until it gets another one.
 void HdDriver::sendZeroForce(HdPen& pen) {
     if (pen.zeroForcesLeft > 0) --pen.zeroForcesLeft;
     const Vec3 nothing = Vec3::Zero();
@@ -236,7 +237,7 @@ void HdDriver::sendZeroForce(HdPen& pen) {
     call_.setDoubles(hd::kForce, nothing.data());
     call_.endFrame(pen.handle);
     call_.disable(hd::kForceOutput);
-    for (int i = 0; i < kMaxErrors && call_.getError().code != 0; ++i) {  // of a device that is gone; it is said
+    for (int i = 0; i < kMaxErrors && call_.getError().code != 0; ++i) {  // of a device that is gone; already reported
     }
 }
 
@@ -248,8 +249,8 @@ void HdDriver::monitorMotors(HdPen& pen) {
         pen.motorTemperature = std::max(pen.motorTemperature, motorTemperatureOf(motor));
 }
 
-/// At every tick: the place of a pen that has lost its calibration is not to be trusted, and so no force may come of
-/// it.
+/// Called at every tick: the position of a pen that has lost its calibration is not valid, so it must not cause a
+/// force.
 void HdDriver::monitorCalibration(HdPen& pen, bool mayUpdate) {
     const HdEnum state = call_.checkCalibration();
     if (mayUpdate && state == hd::kNeedsUpdate) call_.updateCalibration(static_cast<HdEnum>(pen.calibrationStyle));
@@ -277,12 +278,12 @@ void HdDriver::takeErrors(HdPen& pen) {
     }
 }
 
-/// To start a pen, the driver's ticks have to stop: not while another hand feels something.
+/// Starting a pen interrupts the driver's ticks, so it must not happen while another device renders a force.
 bool HdDriver::isAnyForceActive() const {
     return std::ranges::any_of(pens_, [](const HdPen& pen) { return pen.active && !pen.lost && pen.forceActive; });
 }
 
-/// Tries lost pens again.
+/// Tries periodically to restart lost pens.
 void HdDriver::maintain(const std::stop_token& stop) {
     std::condition_variable_any wake;
     std::unique_lock lock(mutex_);

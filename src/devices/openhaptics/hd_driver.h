@@ -16,16 +16,16 @@
 
 namespace tactooth {
 
-/// What the driver's callback has read of a pen.
+/// Reading of a pen by the driver's callback.
 struct HdReading {
-    std::array<double, 16> transform{};  // as HDAPI gives it
+    std::array<double, 16> transform{};  // in the layout of HDAPI
     std::uint32_t buttons = 0;
     double motorTemperature = 0;
     bool calibrated = false;
     double time = 0;  // s of the monotonic clock
 };
 
-/// A pen between the driver's callback and the servo thread.
+/// A pen's data shared by the driver's callback and the servo thread.
 struct HdPen {
     HdPen() { sem_init(&ready, 0, 0); }
     ~HdPen() { sem_destroy(&ready); }
@@ -37,34 +37,34 @@ struct HdPen {
     sem_t ready;                             // posted by the callback after each reading
     std::atomic<const Message*> faultMessage{nullptr};
     std::atomic<bool> lost{false};
-    std::atomic<bool> forceActive{false};  // its last force was one
+    std::atomic<bool> forceActive{false};  // its last force was not zero
 
-    // The callback's, or the maintenance's while no callback is scheduled.
+    // Used by the callback, or by the maintenance thread while no callback is scheduled.
     std::string name;
     HdHandle handle = 0;
     bool active = false;
     std::int32_t calibrationStyle = 0;
-    unsigned forceAge = 0;  // ticks since the servo's last force
+    unsigned forceAge = 0;  // ticks since the last force of the servo thread
     unsigned ticks = 0;
-    unsigned faultTicks = 0;      // left for a trouble that passes
-    unsigned zeroForcesLeft = 0;  // how often a lost pen is still told to make no force
+    unsigned faultTicks = 0;      // ticks for which a transient fault is still shown
+    unsigned zeroForcesLeft = 0;  // number of zero forces still to be sent to a lost pen
     double motorTemperature = 0;
     bool calibrated = false;
 };
 
-/// The vendor's scheduler with all pens of this process: one callback serves them all.
+/// The vendor's scheduler with all pens of this process: one callback serves all of them.
 class HdDriver {
 public:
     static constexpr std::size_t kMaxPens = 4;
 
-    /// The one of this process; made when there is none.
+    /// The driver of this process; created on demand.
     [[nodiscard]] static Expected<std::shared_ptr<HdDriver>> shared(const std::string& library, double rateHz);
     HdDriver(std::shared_ptr<const HdLibrary> library, double rateHz);
     ~HdDriver();
     HdDriver(const HdDriver&) = delete;
     HdDriver& operator=(const HdDriver&) = delete;
 
-    /// Starts the pen `name` (empty: the default one) and fills in what it can do.
+    /// Starts the pen `name` (empty: the default one) and fills in its capabilities.
     [[nodiscard]] Expected<HdPen*> start(const std::string& name, DeviceInfo& info);
     void stop(HdPen& pen);
 
@@ -85,16 +85,16 @@ private:
 
     std::shared_ptr<const HdLibrary> library_;
     const HdFunctions& call_;
-    std::mutex mutex_;  // of everything but the callback
+    std::mutex mutex_;  // protects all members except those of the callback
     std::array<HdPen, kMaxPens> pens_;
     bool running_ = false;
     unsigned long task_ = 0;
     double rateHz_;
-    // The callback's.
+    // Used only by the callback.
     double countedFrom_ = 0;    // s of the monotonic clock
     unsigned counted_ = 0;      // ticks since then
-    bool rateFault_ = false;    // they come far too often: how old a force is cannot be told by them
-    std::jthread maintenance_;  // last: it uses all of the above
+    bool rateFault_ = false;    // ticks come far too often, so the age of a force cannot be counted in ticks
+    std::jthread maintenance_;  // last member: it uses all of the above
 };
 
 }  // namespace tactooth

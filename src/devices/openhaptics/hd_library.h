@@ -10,8 +10,9 @@
 
 namespace tactooth {
 
-// The binary interface of HDAPI, the device library of OpenHaptics, as far as it is used here: names, types and numbers
-// as public bindings list them. The library itself is the user's own installation and is found at run time.
+// The binary interface of HDAPI, the device library of OpenHaptics, as far as this program uses it: names, types and
+// numbers as public bindings list them. The library itself is part of the user's own installation and is found at run
+// time.
 
 using HdHandle = std::uint32_t;
 using HdEnum = std::uint32_t;
@@ -25,21 +26,21 @@ struct HdErrorRecord {
 };
 
 namespace hd {
-inline constexpr HdEnum kButtons = 0x2000;    // 1 int, a bit a button
+inline constexpr HdEnum kButtons = 0x2000;    // 1 int, one bit for each button
 inline constexpr HdEnum kTransform = 0x2052;  // 16 doubles, column by column, mm; +x right, +y up, +z toward the user
 inline constexpr HdEnum kModel = 0x2501;      // text
-inline constexpr HdEnum kUsableWorkspace = 0x2551;   // 6 doubles: least xyz, greatest xyz, mm
+inline constexpr HdEnum kUsableWorkspace = 0x2551;   // 6 doubles: smallest xyz, largest xyz, mm
 inline constexpr HdEnum kCalibrationStyle = 0x2555;  // 1 int
 inline constexpr HdEnum kMaxForce = 0x2603;          // 1 double, N
 inline constexpr HdEnum kContinuousForce = 0x2604;   // 1 double, N
 inline constexpr HdEnum kMotorTemperature = 0x2605;  // 3 doubles, 0 cold .. 1 hot
-inline constexpr HdEnum kForce = 0x2700;             // 3 doubles, N; setting replaces
+inline constexpr HdEnum kForce = 0x2700;             // 3 doubles, N; setting replaces the previous force
 inline constexpr HdEnum kForceOutput = 0x4000;       // switch
 inline constexpr HdEnum kForceClamping = 0x4001;     // switch
 inline constexpr HdEnum kCalibrated = 0x5000;
 inline constexpr HdEnum kNeedsUpdate = 0x5001;
 inline constexpr std::uint16_t kDefaultPriority = 32767;
-inline constexpr HdHandle kLargestHandle = 1024;  // a failed start may give a large number and no error
+inline constexpr HdHandle kLargestHandle = 1024;  // a failed start may return a large number and no error
 
 inline constexpr std::uint32_t kWarmMotors = 0x0200;
 inline constexpr std::uint32_t kTooMuchForce = 0x0201;
@@ -55,7 +56,7 @@ inline constexpr std::uint32_t kSchedulerFull = 0x0501;
 inline constexpr std::uint32_t kNoLicence = 0x0600;
 }  // namespace hd
 
-/// The functions of the library; all are there.
+/// The functions of the library; none is null.
 struct HdFunctions {
     HdHandle (*initDevice)(const char* name);
     void (*disableDevice)(HdHandle);
@@ -78,13 +79,13 @@ struct HdFunctions {
     void (*unschedule)(unsigned long task);
 };
 
-/// The vendor's library in this process.
+/// The vendor's library, loaded into this process.
 class HdLibrary {
 public:
-    /// `path`: a file, or a name that the system's loader finds. Fails with a sentence that says what to install.
+    /// `path`: a file, or a name that the system's loader finds. Fails with a sentence that states what to install.
     [[nodiscard]] static Expected<std::shared_ptr<const HdLibrary>> load(const std::string& path);
-    /// Starts and ends a device of the library in a child process, unless that went well before: one that crashes or
-    /// hangs takes the child with it and not the program. Fails only then; a device that is not there is no matter
+    /// Starts and stops a device of the library in a child process, unless an earlier trial succeeded. A library that
+    /// crashes or hangs ends the child and not the program. Fails only in that case; a missing device is not an error
     /// here.
     [[nodiscard]] static Expected<void> probeLibrary(const std::string& path);
     /// $TACTOOTH_LIBHD, else libHD.so, on Windows HD.dll.
@@ -96,10 +97,10 @@ private:
     HdFunctions functions_{};
 };
 
-/// What an error code means and what to do about it: one sentence. Lives as long as the program.
+/// Explains an error code and the remedy in one sentence. The message lives as long as the program.
 [[nodiscard]] const Message& hdErrorMessage(std::uint32_t code);
 
-/// Whether the device can go on after this error.
+/// Whether the device can continue after this error.
 [[nodiscard]] bool isHdErrorTransient(std::uint32_t code);
 
 }  // namespace tactooth

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A library is tried before it is trusted. The one part of this folder that needs a POSIX system.
+// Tries a library in a child process before this process uses it. The only part of this folder that needs a POSIX
+// system.
 #include <mutex>
 #include <set>
 
@@ -11,9 +12,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kConnectTimeout = 10;  // s: a driver that looks for its device takes a few
+constexpr double kProbeTimeout = 10;  // s: a driver needs a few seconds to look for its device
 
-/// Nothing, or why the library cannot be used.
+/// Empty, or the reason why the library cannot be used.
 std::string startAndEnd(const std::string& path) {
     const auto library = HdLibrary::load(path);
     if (!library) return library.error().message();
@@ -30,7 +31,7 @@ Expected<void> HdLibrary::probeLibrary(const std::string& path) {
     static std::set<std::string> harmless;
     const std::lock_guard lock(mutex);
     if (harmless.contains(path)) return {};
-    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kConnectTimeout);
+    const auto tried = inChildProcess([&path] { return startAndEnd(path); }, kProbeTimeout);
     if (!tried) {
         return unexpected(msg::kLibraryBroken, path, tried.error());
     }

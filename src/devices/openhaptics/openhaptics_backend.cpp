@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kName = "pen";
 
-/// `name`: empty for the default one.
+/// `name`: empty for the default pen.
 ProbeResult probePen(const std::string& name, const std::string& library) {
     OpenHapticsDevice pen(name, library);
     const auto opened = pen.open();
@@ -25,7 +25,7 @@ ProbeResult probePen(const std::string& name, const std::string& library) {
     return {isInstalled && !isUnplugged ? DeviceState::Unusable : DeviceState::NotFound, opened.error().message()};
 }
 
-/// One line for each pen that is set up; without any, one for the default pen, which says what to do.
+/// One entry for each configured pen; if there is none, one entry for the default pen with the remedy.
 std::vector<DetectedDevice> probePens() {
     const std::string library = HdLibrary::defaultPath();
     std::vector<std::string> pens = configuredPens();
@@ -48,8 +48,6 @@ Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultP
 
 }  // namespace
 
-DeviceBackend openHapticsBackend() {
-    return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens, penPresets()};
-}
+DeviceBackend openHapticsBackend() { return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens}; }
 
 }  // namespace tactooth

@@ -12,17 +12,17 @@
 namespace tactooth {
 namespace {
 
-constexpr double kLongestSilence = 2.5;  // ticks: two were left out, so the pen counts as lost
-constexpr double kMaxBent = 0.01;        // of the axes' lengths and of the cosines between them
-constexpr double kLongestStart = 0.5;    // s: until the first reading; before it nothing has stopped
+constexpr double kLongestSilence = 2.5;  // ticks: two are missing, so the pen counts as lost
+constexpr double kMaxBent = 0.01;        // tolerance of the axes' lengths and of the cosines between them
+constexpr double kLongestStart = 0.5;    // s for the first reading to arrive; before it the device is not silent
 const Message kSilent(msg::kHdSilent);
 
 // HDAPI: +x right, +y up, +z toward the user. Here: +x right, +y away from the user, +z up.
 Vec3 fromHd(const Vec3& v) { return {v.x(), -v.z(), v.y()}; }
 Vec3 toHd(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
 
-/// Three axes that are none give four noughts, which are no turn and are found as such: a matrix that is bent would
-/// pass for some turn or other.
+/// Rotation of the three axes. Axes that are not orthonormal and right-handed give four zeros, which later checks
+/// recognise as no rotation: a conversion of a distorted matrix would give some arbitrary rotation.
 Quat turnOf(const Eigen::Matrix3d& axes) {
     if (!axes.allFinite()) return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
     const double bent = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -73,7 +73,7 @@ void OpenHapticsDevice::close() {
 
 void OpenHapticsDevice::waitForTick(double longest) {
     waitForSemaphore(pen_->ready, longest);
-    while (sem_trywait(&pen_->ready) == 0) {  // readings that came while the last one was worked on
+    while (sem_trywait(&pen_->ready) == 0) {  // readings that arrived while the last one was processed
     }
 }
 

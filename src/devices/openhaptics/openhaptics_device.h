@@ -13,14 +13,14 @@ namespace tactooth {
 class HdDriver;
 struct HdPen;
 
-/// A pen of the PHANToM and Touch family, through the vendor's own library (HDAPI), which is loaded at run time.
+/// A pen of the PHANToM and Touch family, used through the vendor's own library (HDAPI), which is loaded at run time.
 ///
-/// The driver's callback only exchanges a reading for a force; the servo thread does the work in between and follows
-/// the driver's pace. If the servo is late by two ticks, the callback itself renders nothing; if the driver is late,
-/// the device counts as lost. A pen that was lost is tried again every second and comes back by itself.
+/// The driver's callback only exchanges a reading for a force; the servo thread computes in between, at the driver's
+/// rate. If the servo thread is two ticks late, the callback renders a zero force; if the driver is late, the device
+/// counts as lost. The program tries every second to restart a lost pen, which then works again without user action.
 class OpenHapticsDevice final : public HapticDevice {
 public:
-    /// `device`: its name in the vendor's setup program; empty for the default one. `library`: see HdLibrary::load.
+    /// `device`: its name in the vendor's setup program; empty: the default one. `library`: see HdLibrary::load.
     OpenHapticsDevice(std::string device, std::string library, double rateHz = 1000);
     ~OpenHapticsDevice() override;
 
@@ -39,9 +39,9 @@ private:
     double rateHz_;
     DeviceInfo info_;
     std::shared_ptr<HdDriver> driver_;
-    HdPen* pen_ = nullptr;     // of the driver
-    bool hasReading_ = false;  // there has been a reading
-    double silence_ = 0;       // s since the last reading, or since it was opened
+    HdPen* pen_ = nullptr;     // owned by the driver
+    bool hasReading_ = false;  // a reading has arrived since the device was opened
+    double silence_ = 0;       // s since the last reading, or since the device was opened
     std::atomic<bool> silent_{false};
 };
 

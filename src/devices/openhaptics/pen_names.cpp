@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Newer drivers keep their settings in the first of them; what an older one has left behind does not count then.
+/// Newer drivers keep their settings in the first of these folders; then files that an older driver has left in another
+/// one are ignored.
 std::vector<fs::path> defaultFolders() {
     std::vector<fs::path> homes = {"/usr/share/3DSystems", "/opt/geomagic_touch_device_driver"};
     const char* const user = std::getenv("HOME");

@@ -8,12 +8,12 @@
 
 namespace tactooth {
 
-/// What the vendor's setup program calls the pen that HDAPI starts without a name.
+/// The name in the vendor's setup program of the pen that HDAPI starts without a name.
 inline constexpr std::string_view kDefaultPen = "Default Device";
 
-/// The names of the pens that the vendor's setup program has set up: the default one first, the others sorted. HDAPI
-/// has no list of them; they are the files NAME.config in $GTDD_HOME/config, else in the driver's usual folder. None if
-/// that is not there or cannot be read.
+/// The names of the pens that are configured in the vendor's setup program: the default one first, the others sorted.
+/// HDAPI has no list of them; they are the files NAME.config in $GTDD_HOME/config, else in the driver's usual folder.
+/// Empty if that folder does not exist or cannot be read.
 [[nodiscard]] std::vector<std::string> configuredPens();
 
 }  // namespace tactooth

@@ -22,18 +22,19 @@
 namespace tactooth {
 namespace {
 
-// What the child says last, behind its answer. An exit status alone proves nothing: a library that calls exit(0) while
-// it is loaded ends with the same one. No answer holds a byte of zero.
+// The end mark that the child writes after its answer. An exit status alone proves nothing: a library that calls
+// exit(0) while it is being loaded has the same one. No answer contains a zero byte.
 constexpr std::string_view kOk("\0ok", 3);
 constexpr int kEnded = 3;          // exit status of a child that a library has ended
-constexpr int kUnheard = 4;        // of one that could not say its answer
-constexpr int kPollTimeoutMs = 5;  // between two looks whether a child has ended that has closed its pipe
+constexpr int kUnheard = 4;        // exit status of a child that could not write its answer
+constexpr int kPollTimeoutMs = 5;  // between two checks whether a child that has closed its pipe has ended
 
-/// exit() would run what the whole program does at its end: settings saved, files removed, threads waited for that are
-/// not there. What is registered last comes first.
+/// exit() would run the exit handlers of the whole program: save settings, remove files, wait for threads that the
+/// child does not have. The handler that is registered last runs first, so this one prevents the others.
 void endAtOnce() { _exit(kEnded); }
 
-/// As if nothing had been set: the program may catch or block signals that shall end this child.
+/// Restores the default signal actions and unblocks all signals: the program may catch or block signals that must end
+/// this child.
 void resetSignals() {
     for (const int number : {SIGSEGV, SIGABRT, SIGBUS, SIGILL, SIGFPE, SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGXFSZ}) {
         signal(number, SIG_DFL);
@@ -53,11 +54,11 @@ bool writeAll(int pipe, std::string_view text) {
     return true;
 }
 
-/// The child's whole life; an exception that leaves `probe` ends it too. What a library prints about itself is not for
-/// the user.
+/// The entire run of the child; an exception that leaves `probe` ends it too. Output of a library is discarded, because
+/// it is not for the user.
 [[noreturn]] void answer(int pipe, const std::function<std::string()>& probe) noexcept {
-    setpgid(0, 0);                     // so that what it starts can be ended with it
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a Ctrl+C ends the program alone: the child is of another group
+    setpgid(0, 0);  // a process group of its own, so that processes that it starts can be ended with it
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // Ctrl+C ends only the program, because the child is in another group
     const int nowhere = open("/dev/null", O_RDWR);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nowhere, stream);
     resetSignals();
@@ -68,8 +69,8 @@ bool writeAll(int pipe, std::string_view text) {
 
 enum class ReceiveStatus { Answer, Nothing, TooLate };
 
-/// Reads until the child has said that it is done, or has closed its end. Whoever else may hold the pipe open, as a
-/// process that a library has left behind, is not waited for.
+/// Reads until the child has written the end mark or closed its end of the pipe. Does not wait for other processes that
+/// hold the pipe open, such as one that a library has left behind.
 ReceiveStatus readAnswer(int pipe, MonotonicClock::time_point end, std::string& text) {
     std::array<char, 4096> buffer;
     while (!text.ends_with(kOk)) {
@@ -87,12 +88,13 @@ ReceiveStatus readAnswer(int pipe, MonotonicClock::time_point end, std::string& 
     return ReceiveStatus::Answer;
 }
 
-/// Why there is no answer, a few words. The child is not waited for so that nobody else gets its number yet.
+/// A few words on why there is no answer. Does not reap the child, so that no other process gets its process number
+/// yet.
 Message wordsFor(pid_t child, MonotonicClock::time_point end) {
     siginfo_t info{};
     while (info.si_pid == 0) {
         const int failed = waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
-        if (failed != 0 && errno != EINTR) break;  // this program waits for no child: how it ended is not known
+        if (failed != 0 && errno != EINTR) break;  // this program cannot wait for children: how it ended is unknown
         if (info.si_pid != 0) break;
         if (MonotonicClock::now() > end) return msg::kDoesNotReturn;
         poll(nullptr, 0, kPollTimeoutMs);
@@ -104,7 +106,7 @@ Message wordsFor(pid_t child, MonotonicClock::time_point end) {
     return msg::kEndsTheProgram;
 }
 
-/// Ends the child with all that it has started.
+/// Ends the child and all processes that it has started.
 void killProcessGroup(pid_t child) {
     kill(-child, SIGKILL);
     kill(child, SIGKILL);
@@ -124,7 +126,7 @@ Expected<std::string> inChildProcess(const std::function<std::string()>& probe, 
         close(ends[0]);
         return unexpected(msg::kNoChildProcess, systemReason(errno));
     }
-    setpgid(child, child);  // whoever comes first
+    setpgid(child, child);  // parent and child both call it, in either order
     const MonotonicClock::time_point end = secondsFromNow(seconds);
     std::string text;
     const ReceiveStatus heard = readAnswer(ends[0], end, text);

@@ -9,11 +9,11 @@
 
 namespace tactooth {
 
-/// Calls `probe` in a child process and gives the text that it returns: a library that crashes or hangs takes the child
-/// down and not the program. Only a child that says through a pipe that it has come to its end counts, whatever its
-/// exit status; what it has started is ended with it. Fails with a few words: how the child ended. The text holds no
-/// byte of zero. The child gets none of the program's other threads, so `probe` may not need them, nor a lock that one
-/// of them may hold; the heap and the loader of libraries are safe (glibc frees their locks in a child).
+/// Calls `probe` in a child process and returns its text. A library that crashes or hangs ends the child and not the
+/// program. A result counts only if the child confirms through a pipe that it has finished; the exit status does not
+/// matter. Processes that the child has started are ended with it. Fails with a few words: how the child ended. The
+/// text may contain no zero byte. The child has none of the program's other threads, so `probe` must not need them, nor
+/// a lock that one of them may hold. The heap and the library loader are safe (glibc releases their locks in a child).
 [[nodiscard]] Expected<std::string> inChildProcess(const std::function<std::string()>& probe, double seconds);
 
 }  // namespace tactooth

@@ -11,25 +11,25 @@ namespace tactooth {
 
 enum class DeviceState {
     Ready,
-    NotFound,  ///< nothing is plugged in, or its driver is not installed or does not run
-    Unusable,  ///< something is there that cannot be used: broken, in use, of another version
+    NotFound,  ///< no device is plugged in, or its driver is not installed or not running
+    Unusable,  ///< a device is present but cannot be used: broken, in use, of another version
 };
 
-/// What a device can do, as far as it is known.
+/// Capabilities of a device, as far as they are known.
 struct DeviceCapabilities {
-    std::optional<double> force;            ///< N; 0: renders none
-    std::optional<double> continuousForce;  ///< N that its motors bear for ever
+    std::optional<double> force;            ///< N; 0: renders no force
+    std::optional<double> continuousForce;  ///< N that its motors bear without time limit
     std::optional<Vec3> workspace;          ///< mm
-    std::optional<double> stiffness;        ///< N/mm: the stiffest wall that does not shake
+    std::optional<double> stiffness;        ///< N/mm: the stiffest wall that is stable
     std::optional<int> buttons;
 };
 
-/// A device that is there, or the reason why one is not.
+/// A device that was found, or the reason why none was.
 struct DetectedDevice {
-    std::string name;     ///< as --device takes it; "pedal": a foot pedal
-    std::string backend;  ///< for people
+    std::string name;     ///< value for --device; "pedal": a foot pedal
+    std::string backend;  ///< display name
     DeviceState state = DeviceState::NotFound;
-    std::string text;  ///< what it can do; if not ready, one sentence that says why and what to do
+    std::string text;  ///< capabilities; if not ready, one sentence with the reason and the remedy
     DeviceCapabilities capabilities = {};
 };
 

@@ -14,15 +14,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kConnectTimeout = 10;  // s: a driver that looks for its device takes a few
+constexpr double kProbeTimeout = 10;  // s: a driver needs a few seconds to look for its device
 
-/// Tenths, whatever the locale.
+/// Rounded to tenths, independent of the locale.
 std::string tenths(double value) {
     const long rounded = std::lround(10 * value);
     return std::to_string(rounded / 10) + '.' + std::to_string(rounded % 10);
 }
 
-/// As the child writes it into the pipe; an empty list: not known. A driver may name its device in any letters.
+/// JSON text that the child writes into the pipe; an empty list means unknown. A driver may use any characters in the
+/// name of its device.
 std::string packed(const ProbeResult& result) {
     const DeviceCapabilities& can = result.capabilities;
     const auto list = [](const auto& value) { return value ? Json::array({*value}) : Json::array(); };
@@ -38,7 +39,7 @@ std::string packed(const ProbeResult& result) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// No result if a library has ended the child in the middle of it.
+/// No result if a library has ended the child before the text was complete.
 std::optional<ProbeResult> unpacked(const std::string& text) {
     const Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) return std::nullopt;
@@ -76,7 +77,7 @@ std::string capabilityText(const DeviceInfo& info) {
 
 DetectedDevice probeInChild(const std::string& name, const char* backend, const std::string& library,
                             const std::string& remedy, const std::function<ProbeResult()>& probe) {
-    const auto text = inChildProcess([&probe] { return packed(probe()); }, kConnectTimeout);
+    const auto text = inChildProcess([&probe] { return packed(probe()); }, kProbeTimeout);
     const std::optional<ProbeResult> result = text ? unpacked(*text) : std::nullopt;
     if (result) return {name, backend, result->state, result->text, result->capabilities};
     const std::string end = text ? std::string(msg::kEndsTheProgram.english) : text.error().message();

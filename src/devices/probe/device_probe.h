@@ -8,24 +8,25 @@
 #include "devices/base/haptic_device.h"
 #include "devices/probe/detected_device.h"
 
-// What the backends share to find out which devices are there.
+// Shared code of the backends for device enumeration.
 
 namespace tactooth {
 
-/// What a probe has found out about a device.
+/// Result of a probe of a device.
 struct ProbeResult {
     DeviceState state;
     std::string text;  ///< see DetectedDevice
     DeviceCapabilities capabilities = {};
 };
 
-/// What a device reports about itself.
+/// Capabilities that a device reports about itself.
 [[nodiscard]] DeviceCapabilities capabilitiesOf(const DeviceInfo& info);
-/// The same as one sentence; for a device that renders force.
+/// The same as one sentence, for a device that renders force.
 [[nodiscard]] std::string capabilityText(const DeviceInfo& info);
 
-/// Runs a probe in a child process, so that a broken vendor library ends the child alone. `name` and `backend`: see
-/// DetectedDevice. `library`: what is broken if the child does not come to an end. `remedy`: what to do about it.
+/// Runs a probe in a child process, so that a broken vendor library ends only the child. `name` and `backend`: see
+/// DetectedDevice. `library`: the library to blame if the child does not end properly. `remedy`: the advice for that
+/// case.
 [[nodiscard]] DetectedDevice probeInChild(const std::string& name, const char* backend, const std::string& library,
                                           const std::string& remedy, const std::function<ProbeResult()>& probe);
 

@@ -22,6 +22,6 @@ std::unique_ptr<HapticDevice> createPad(const DeviceRequest& request) {
 
 }  // namespace
 
-DeviceBackend gamepadBackend() { return {kName, msg::kGamepad, "NAME", createPad, nullptr, probePads, {}}; }
+DeviceBackend gamepadBackend() { return {kName, msg::kGamepad, "NAME", createPad, nullptr, probePads}; }
 
 }  // namespace tactooth

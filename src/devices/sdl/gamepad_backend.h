@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// Gamepads that SDL knows.
+/// Gamepads that SDL supports.
 [[nodiscard]] DeviceBackend gamepadBackend();
 
 }  // namespace tactooth

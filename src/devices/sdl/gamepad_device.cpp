@@ -9,9 +9,9 @@
 namespace tactooth {
 namespace {
 
-constexpr double kFullForce = 3;     // N at which the heavy motor runs as strongly as it can: the most a hand presses
-constexpr double kFullShake = 0.08;  // N at which the light one does: a bur that cuts under 2 N
-constexpr double kStiffness = 2;     // N/mm: the hand gives way 8 mm/s a newton, so a stiffer wall is no stronger
+constexpr double kFullForce = 3;     // N at which the heavy motor runs at full strength: the largest pressing force
+constexpr double kFullShake = 0.08;  // N at which the light motor does: a bur that cuts under 2 N
+constexpr double kStiffness = 2;  // N/mm: the rate controller yields 8 mm/s for each N; a stiffer wall is no stronger
 const Message kLost(msg::kGamepadUnplugged);
 
 }  // namespace
@@ -40,7 +40,7 @@ Expected<void> GamepadDevice::open() {
     }
     PadState atRest;
     atRest.connected = true;
-    port_.state.write(atRest);  // it is there: until its first reading comes it is not lost
+    port_.state.write(atRest);  // the pad is present: it does not count as lost before its first reading
     if (auto fed = (*joysticks)->feed(&port_, name_); !fed) return fed;
     joysticks_ = std::move(*joysticks);
     info_.name = pad->name;

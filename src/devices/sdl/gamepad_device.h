@@ -13,11 +13,12 @@
 
 namespace tactooth {
 
-/// A gamepad that steers the tool by speed (see padCommand) and renders the force by its two motors. One that is
-/// plugged out is lost and comes back by itself when it, or another that fits, is plugged in.
+/// A gamepad that gives rate control of the tool (see padCommand) and renders the force with its two motors. An
+/// unplugged gamepad is lost; the device recovers by itself when the same pad, or another that fits the name, is
+/// plugged in.
 class GamepadDevice final : public HapticDevice {
 public:
-    /// `name`: a part of the pad's name; empty for the first one.
+    /// `name`: a part of the pad's name; empty: the first pad.
     explicit GamepadDevice(std::string name, bool leftHanded = false);
     ~GamepadDevice() override;
 

@@ -9,12 +9,12 @@
 
 namespace tactooth {
 
-/// Looks for joysticks in a child process: gamepads alone, or all. `can`: what each can do; its buttons are filled in
-/// from the first one. `none`: the sentence for none.
+/// Looks for joysticks in a child process: only gamepads, or all. `can`: the capabilities of each; the number of
+/// buttons is taken from the first one. `none`: the sentence if there is none.
 [[nodiscard]] DetectedDevice probeJoysticks(const std::string& name, const char* backend, bool padsOnly,
                                             const DeviceCapabilities& can, const std::string& none);
 
-/// Foot pedals: any joystick will do.
+/// Foot pedals: any joystick counts.
 [[nodiscard]] DetectedDevice probePedals();
 
 }  // namespace tactooth

@@ -14,12 +14,12 @@
 namespace tactooth {
 namespace {
 
-constexpr auto kPeriod = std::chrono::milliseconds(4);  // 250 Hz: what USB pads send at most, or near it
-constexpr unsigned kRumbleEvery = 5;  // periods between two orders to the motors: radio pads drop more
-constexpr Uint32 kRumbleMs = 100;     // that an order lasts: a servo that hangs falls silent
-constexpr double kFullAxis = 32767;   // SDL's
-constexpr double kFullMotor = 65535;  // SDL's
-constexpr std::size_t kMaxAxes = 32;  // a driver that claims more is broken
+constexpr auto kPeriod = std::chrono::milliseconds(4);  // 250 Hz: the highest rate of USB pads, or close to it
+constexpr unsigned kRumbleEvery = 5;                    // periods between two motor commands: wireless pads drop more
+constexpr Uint32 kRumbleMs = 100;     // ms for which a command lasts: if the servo thread hangs, the motors stop
+constexpr double kFullAxis = 32767;   // full scale in SDL
+constexpr double kFullMotor = 65535;  // full scale in SDL
+constexpr std::size_t kMaxAxes = 32;  // a driver that reports more is broken
 
 double fromAxis(Sint16 value) { return std::max(-1.0, static_cast<double>(value) / kFullAxis); }
 
@@ -41,7 +41,7 @@ JoystickState stateOf(SDL_Joystick* joystick, bool isPad) {
     return state;
 }
 
-/// Looks which buttons are down now and which of them were not before.
+/// Reads which buttons are down and counts those that were not down before.
 void follow(PadButtons& buttons, SDL_GameController* pad) {
     constexpr std::array<SDL_GameControllerButton, kPadButtons> kOrder = {SDL_CONTROLLER_BUTTON_DPAD_UP,
                                                                           SDL_CONTROLLER_BUTTON_DPAD_DOWN,
@@ -80,28 +80,28 @@ PadState padStateOf(SDL_GameController* pad) {
 
 }  // namespace
 
-/// What is plugged in, seen from the thread that owns SDL.
+/// The joysticks that are plugged in; used only by the thread that owns SDL.
 class SdlJoysticks::Worker {
 public:
     Worker() {
-        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");                // Ctrl+C is the program's own
+        SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");                // the program handles Ctrl+C itself
         SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");  // SDL has no window that could have the focus
         works_ = SDL_InitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER) == 0;
     }
     ~Worker() {
         closeAll();
         if (works_) SDL_QuitSubSystem(SDL_INIT_JOYSTICK | SDL_INIT_GAMECONTROLLER);
-        SDL_TLSCleanup();  // SDL has not made this thread, so it does not notice its end
+        SDL_TLSCleanup();  // SDL did not create this thread, so it does not notice its end
     }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
     [[nodiscard]] bool works() const { return works_; }
 
-    /// Reads them all.
+    /// Reads all joysticks.
     [[nodiscard]] std::vector<JoystickState> look() {
         SDL_JoystickUpdate();
-        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // nobody asks for them
+        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // no code reads them
         openNew();
         std::vector<JoystickState> states;
         for (Open& each : open_) {
@@ -133,7 +133,7 @@ private:
     struct Open {
         SDL_JoystickID id;
         SDL_Joystick* joystick;
-        SDL_GameController* pad;  // null: it has not the usual sticks
+        SDL_GameController* pad;  // nullptr: it does not have the usual sticks
         PadButtons buttons;
     };
 
@@ -143,7 +143,7 @@ private:
             close(each);
             return true;
         });
-        SDL_LockJoysticks();  // while they are counted none may go
+        SDL_LockJoysticks();  // none may disappear while they are counted
         for (int i = 0; i < SDL_NumJoysticks(); ++i) {
             const SDL_JoystickID id = SDL_JoystickGetDeviceInstanceID(i);
             if (id < 0 || std::ranges::find(open_, id, &Open::id) != open_.end()) continue;

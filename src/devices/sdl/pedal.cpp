@@ -11,10 +11,10 @@
 namespace tactooth {
 namespace {
 
-constexpr double kDeadZone = 0.05;          // of the way at both ends: a foot that rests on the pedal does not press it
-constexpr double kCalibrationTravel = 0.4;  // of an axis's whole way that counts as pressing a pedal
-constexpr double kBack = 0.15;              // of the way pressed: so near the start the pedal is up again
-constexpr double kMinTravel = 0.02;         // of an axis: shorter is no pedal but noise
+constexpr double kDeadZone = 0.05;          // of the travel at both ends: a foot resting on the pedal does not press it
+constexpr double kCalibrationTravel = 0.4;  // of an axis's full travel; a longer motion counts as pressing a pedal
+constexpr double kBack = 0.15;              // of the pressed travel: this close to the start, the pedal is up again
+constexpr double kMinTravel = 0.02;         // of an axis: a shorter travel is not a pedal but noise
 
 std::optional<double> stateOf(const PedalBinding& choice, const JoystickState& joystick) {
     const auto number = static_cast<std::size_t>(choice.number);
@@ -25,7 +25,7 @@ std::optional<double> stateOf(const PedalBinding& choice, const JoystickState& j
     return std::nullopt;
 }
 
-/// The part before the next colon, which is taken off `text`.
+/// Removes the part before the next colon from `text` and returns it.
 std::string cutWord(std::string& text) {
     const std::size_t end = std::min(text.find(':'), text.size());
     const std::string word = text.substr(0, end);
@@ -76,7 +76,7 @@ std::optional<PedalBinding> PedalCalibrator::update(std::span<const JoystickStat
     const auto isOther = [](const JoystickState& a, const JoystickState& b) {
         return a.name != b.name || a.axes.size() != b.axes.size() || a.buttons.size() != b.buttons.size();
     };
-    // Plugged in or out: everything begins anew.
+    // If a joystick was plugged in or out, the calibration starts again.
     if (!std::ranges::equal(joysticks, first_, [&](const auto& a, const auto& b) { return !isOther(a, b); })) {
         first_.assign(joysticks.begin(), joysticks.end());
         extremes_ = first_;

@@ -10,33 +10,33 @@
 
 namespace tactooth {
 
-/// Which axis or button of which joystick is the foot pedal, and between which values it goes.
+/// The axis or button of a joystick that serves as foot pedal, and the range of its values.
 struct PedalBinding {
     enum class Kind { None, Axis, Button };
 
     Kind kind = Kind::None;
-    int number = 0;        ///< of the axis or button, from 0
-    std::string joystick;  ///< a part of its name; empty: the first that has such an axis or button
-    double up = 0;         ///< the axis with the foot off, 0..1 of its whole way
-    double down = 1;       ///< and with the pedal pressed fully
+    int number = 0;        ///< index of the axis or button, from 0
+    std::string joystick;  ///< a part of its name; empty: the first joystick that has such an axis or button
+    double up = 0;         ///< axis value with the foot off, 0..1 of its full travel
+    double down = 1;       ///< axis value with the pedal fully pressed
 
     bool operator==(const PedalBinding&) const = default;
 };
 
-/// "" (none), "axis:N", "button:N", or these with ":NAME" of the joystick. Fails with a sentence.
+/// "" (none), "axis:N", "button:N", or these followed by ":NAME" of the joystick. Fails with a sentence.
 [[nodiscard]] Expected<PedalBinding> parsePedal(const std::string& text);
-/// As parsePedal takes it; without the calibration.
+/// The text that parsePedal reads; without the calibration.
 [[nodiscard]] std::string pedalText(const PedalBinding& choice);
 
-/// How far down the pedal is, 0..1; nothing if it is not plugged in.
+/// Pedal position, 0 up .. 1 down; no value if the pedal is not plugged in.
 [[nodiscard]] std::optional<double> pedalOf(const PedalBinding& choice, std::span<const JoystickState> joysticks);
 
-/// Learns a pedal from what a person does: press it fully once and let it go. It takes what has moved most, and its two
-/// ends.
+/// Finds and calibrates a pedal: the user presses it fully once and releases it. Chooses the axis or button that has
+/// moved by enough and come back, and records both ends of its travel.
 class PedalCalibrator {
 public:
-    /// What all joysticks do at the moment; the first call is taken as the foot being off. Gives the pedal as soon as
-    /// it was down and is up again.
+    /// Takes the present state of all joysticks; at the first call the foot must be off the pedal. Returns the binding
+    /// as soon as the pedal was down and is up again.
     [[nodiscard]] std::optional<PedalBinding> update(std::span<const JoystickState> joysticks);
 
 private:

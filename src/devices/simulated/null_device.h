@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// No device: a hand that rests at one place and feels nothing.
+/// No device: reports a constant pose and renders no force.
 class NullDevice final : public HapticDevice {
 public:
     explicit NullDevice(const Pose& rest);

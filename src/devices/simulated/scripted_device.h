@@ -8,18 +8,18 @@
 
 namespace tactooth {
 
-/// A hand and a foot at one moment of a script.
+/// Pose, pedal and buttons at one time of a script.
 struct DeviceKeyframe {
     double time;  ///< s
     DeviceSample sample;
 };
 
-/// A hand that follows a script, whatever force it meets: between two moments pose and pedal go in a straight line,
-/// buttons change with the moment reached. After the last moment it rests there.
+/// Follows a script, whatever force it meets. Pose and pedal are interpolated linearly between two keyframes; buttons
+/// change when a keyframe is reached. After the last keyframe the pose stays constant.
 class ScriptedDevice final : public HapticDevice {
 public:
-    /// `script` is not empty and its times do not descend.
-    /// `isInToothFrame`: its places are the tool's in the tooth's frame.
+    /// `script` must not be empty, and its times must not descend. `isInToothFrame`: its poses are those of the tool in
+    /// the tooth frame.
     explicit ScriptedDevice(std::vector<DeviceKeyframe> script, std::string name = "scripted hand",
                             bool isInToothFrame = false);
 
@@ -35,7 +35,7 @@ public:
 private:
     DeviceInfo info_;
     std::vector<DeviceKeyframe> script_;
-    std::size_t next_ = 0;  // first moment that is not reached
+    std::size_t next_ = 0;  // first keyframe that is not reached yet
     double time_ = 0;
     Vec3 lastForce_ = Vec3::Zero();
 };

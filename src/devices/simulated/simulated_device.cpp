@@ -8,15 +8,16 @@
 
 #include "geometry/util/assert.h"
 
-// Integrates by the semi-implicit Euler method; dry friction takes from the speed what it can within a step, so that a
-// pen that it holds stands still (J. Bender, K. Erleben, J. Trinkle, "Interactive Simulation of Rigid Body Dynamics in
-// Computer Graphics", Computer Graphics Forum 33, 2014, section 4.2: an impulse within the friction's bound).
+// Semi-implicit Euler integration. In each step dry friction reduces the speed by as much as its bound allows, so that
+// a pen held by friction stands still (J. Bender, K. Erleben, J. Trinkle, "Interactive Simulation of Rigid Body
+// Dynamics in Computer Graphics", Computer Graphics Forum 33, 2014, section 4.2: an impulse within the friction's
+// bound).
 
 namespace tactooth {
 namespace {
 
-constexpr double kLongestStep = 5e-5;  // s: a hundredth of the quickest swing of 50 g on 3 N/mm
-// Hz, mutually not in tune, around the 8 to 12 Hz of a hand's tremor.
+constexpr double kLongestStep = 5e-5;  // s: a hundredth of the shortest period, that of 50 g on 3 N/mm
+// Hz, without a common ratio, around the 8 to 12 Hz of a hand's tremor.
 constexpr std::array<double, 3> kTremor = {8.1, 9.7, 11.3};
 
 double rounded(double value, double step) { return step > 0 ? std::round(value / step) * step : value; }
@@ -55,7 +56,7 @@ Vec3 SimulatedDevice::tremorOffset(double time) const {
     for (int axis = 0; axis < 3; ++axis) {
         shake[axis] = std::sin(2 * std::numbers::pi * kTremor[static_cast<std::size_t>(axis)] * time);
     }
-    return behaviour_.tremor * std::sqrt(2.0 / 3) * shake;  // each sine's mean square is a half
+    return behaviour_.tremor * std::sqrt(2.0 / 3) * shake;  // the mean square of each sine is one half
 }
 
 void SimulatedDevice::move(const Vec3& wanted, const Vec3& wantedSpeed, const Vec3& force, double dt) {

@@ -11,18 +11,18 @@
 
 namespace tactooth {
 
-/// A hand on a device, both with their mechanics, that wants to follow a script: the force that it meets moves it. The
-/// device's arm has mass, dry friction and damping and reads its place in encoder steps; the hand is a mass that a
-/// spring and a damper pull after the place where the script wants it. Closes the loop as a real device does, without
-/// one. Time is that of the calls alone.
+/// A hand on a device, both with their mechanics, that tries to follow a script and is moved by the force. The device's
+/// arm has mass, dry friction and damping, and reports its position in encoder steps. The hand is a mass that a spring
+/// and a damper pull toward the position of the script. This closes the control loop as a real device does, without
+/// hardware. Time advances only with the calls.
 class SimulatedDevice final : public HapticDevice {
 public:
     struct OperatorBehaviour {
         double tremor = 0;                                             ///< mm, root mean square over all directions
-        double releaseTime = std::numeric_limits<double>::infinity();  ///< s: from then on nobody holds the pen
+        double releaseTime = std::numeric_limits<double>::infinity();  ///< s: from this time no hand holds the pen
     };
 
-    /// `script` is not empty and its times do not descend; it starts at its first moment.
+    /// `script` must not be empty, and its times must not descend; the device starts at the first keyframe.
     SimulatedDevice(const DevicePreset& device, const HandImpedance& hand, std::vector<DeviceKeyframe> script,
                     const OperatorBehaviour& habits);
     SimulatedDevice(const DevicePreset& device, const HandImpedance& hand, std::vector<DeviceKeyframe> script)
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] DeviceSample read(double elapsed) override;
     void write(const SafeWrench& wrench) override;
 
-    /// Where the pen's tip really is, mm, and how fast, mm/s.
+    /// True position of the pen's tip, mm, and its velocity, mm/s.
     [[nodiscard]] const Vec3& tip() const { return tip_; }
     [[nodiscard]] const Vec3& speed() const { return speed_; }
 

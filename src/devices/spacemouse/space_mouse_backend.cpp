@@ -28,7 +28,7 @@ std::unique_ptr<HapticDevice> createSpaceMouse(const DeviceRequest&) { return st
 }  // namespace
 
 DeviceBackend spaceMouseBackend() {
-    return {kName, msg::kSpaceMouse, nullptr, createSpaceMouse, nullptr, probeSpaceMice, {}};
+    return {kName, msg::kSpaceMouse, nullptr, createSpaceMouse, nullptr, probeSpaceMice};
 }
 
 }  // namespace tactooth

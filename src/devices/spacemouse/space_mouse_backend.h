@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// SpaceMouse devices by spacenavd.
+/// SpaceMouse devices, through spacenavd.
 [[nodiscard]] DeviceBackend spaceMouseBackend();
 
 }  // namespace tactooth

@@ -11,18 +11,18 @@
 #include <cmath>
 #include <condition_variable>
 
-#include <spnav.h>  // last: it brings X11's macros
+#include <spnav.h>  // last: it defines X11's macros
 
 namespace tactooth {
 namespace {
 
-constexpr double kFullAxis = 350;       // counts of a cap that is pushed as far as it goes
-constexpr double kDeadZone = 0.05;      // of that: a cap comes back to within this
-constexpr double kFastest = 25;         // mm/s, as with a gamepad
-constexpr double kFastestTurn = 1.2;    // rad/s
-constexpr double kStiffness = 2;        // N/mm: the hand gives way, so a stiffer wall is no stronger
-constexpr int kConnectTimeoutMs = 100;  // for the next event: closing takes no longer
-constexpr int kMaxEvents = 1000;        // at once: a driver that never stops must not keep the newest from the hand
+constexpr double kFullAxis = 350;     // counts of a cap at full deflection
+constexpr double kDeadZone = 0.05;    // fraction of full deflection: a cap returns to within this value
+constexpr double kFastest = 25;       // mm/s, as with a gamepad
+constexpr double kFastestTurn = 1.2;  // rad/s
+constexpr double kStiffness = 2;      // N/mm: the rate controller yields, so a stiffer wall gives no stronger force
+constexpr int kEventTimeoutMs = 100;  // ms to wait for the next event: closing takes no longer
+constexpr int kMaxEvents = 1000;  // at once: an endless stream of a driver must not keep the newest state from the pose
 constexpr auto kRetry = std::chrono::seconds(1);
 const Message kLost(msg::kSpaceMouseLost);
 
@@ -43,17 +43,18 @@ void take(const spnav_event& event, SpaceMouseState& state) {
     }
 }
 
-/// Whether the connection to the driver still stands; waits for its next word.
+/// Waits for the driver's next event; false if the connection is broken.
 bool waitForEvent() {
     pollfd waiting{spnav_fd(), POLLIN, 0};
-    return poll(&waiting, 1, kConnectTimeoutMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+    return poll(&waiting, 1, kEventTimeoutMs) >= 0 && (waiting.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
 }
 
 }  // namespace
 
 RateCommand rateCommand(const SpaceMouseState& state) {
     const auto& [x, y, z, rx, ry, rz] = state.axes;
-    // The driver counts right, up, away, and its turns are right-handed about these (libspnav, spnav_posrot_moveobj).
+    // The driver's axes are right, up and away; its rotations are right-handed about these (libspnav,
+    // spnav_posrot_moveobj).
     return {kFastest * Vec3(part(x), part(z), part(y)), kFastestTurn * Vec3(part(rx), part(rz), part(ry))};
 }
 

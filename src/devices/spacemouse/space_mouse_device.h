@@ -12,18 +12,19 @@
 
 namespace tactooth {
 
-/// A cap of six axes at one moment, as spacenavd tells it: right, up, away and the turns about them.
+/// State of a six-axis cap as spacenavd reports it: displacement right, up and away, and the rotations about these
+/// axes.
 struct SpaceMouseState {
     bool connected = false;
     std::array<int, 6> axes{};
     std::uint32_t buttons = 0;
 };
 
-/// What the hand on the cap wants. The cap's axes count to about 350 each.
+/// The velocity that the user commands with the cap. The cap's axes reach about 350 counts each.
 [[nodiscard]] RateCommand rateCommand(const SpaceMouseState& state);
 
-/// A SpaceMouse through the free driver spacenavd: its six axes steer the tool by speed. A driver that is started again
-/// is found again. One of these at a time in a process, as libspnav has one connection.
+/// A SpaceMouse, through the free driver spacenavd: its six axes give rate control of the tool. The device reconnects
+/// when the driver is restarted. Only one of these at a time in a process, because libspnav has a single connection.
 class SpaceMouseDevice final : public HapticDevice {
 public:
     SpaceMouseDevice();
@@ -45,7 +46,7 @@ private:
     RateController hand_;
     std::atomic<bool> lost_{false};
     bool open_ = false;
-    std::jthread listener_;  // last: it uses all of the above
+    std::jthread listener_;  // last member: it uses all of the above
 };
 
 }  // namespace tactooth

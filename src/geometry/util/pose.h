@@ -28,8 +28,9 @@ struct Pose {
 inline constexpr double kUnitLengthTolerance = 1e-3;
 
 /// Whether the length of a direction or of a quaternion is 1. False for NaN.
-[[nodiscard]] inline bool isUnit(const Vec3& direction) {
-    return std::abs(direction.squaredNorm() - 1) < kUnitLengthTolerance;
+template <class Vector>
+[[nodiscard]] bool isUnit(const Eigen::MatrixBase<Vector>& direction) {
+    return std::abs(static_cast<double>(direction.squaredNorm()) - 1) < kUnitLengthTolerance;
 }
 [[nodiscard]] inline bool isUnit(const Quat& rotation) {
     return std::abs(rotation.squaredNorm() - 1) < kUnitLengthTolerance;

@@ -72,7 +72,7 @@ LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
 }  // namespace
 
 ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
-    TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= 4);
+    TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= kMaxLesionWidth);
     TACTOOTH_ASSERT(!lesion.depth || *lesion.depth > 0);
     const LesionOrigin place = placeOf(shape, lesion.site);
     const double width = lesion.width;

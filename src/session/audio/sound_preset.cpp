@@ -52,9 +52,7 @@ private:
         for (auto&& [key, part] : *materials) {
             const auto found = std::find(names.begin(), names.end(), key.str());
             if (found == names.end()) {
-                std::string list;
-                for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
-                return fail(key, {msg::kMaterialUnknown, quotedWord(key.str()), list});
+                return fail(key, {msg::kMaterialUnknown, quotedWord(key.str()), soundMaterialList()});
             }
             if (!readPart(key.str(), part, false, kit_.cutting[static_cast<std::size_t>(found - names.begin())]))
                 return false;

@@ -44,12 +44,6 @@ DrillSoundState stateAt(double speedRpm, double watt, const SpindlePreset& drive
     return state;
 }
 
-std::string soundNames() {
-    std::string names;
-    for (const std::string_view name : soundMaterialNames()) names.append(names.empty() ? "" : ", ").append(name);
-    return names;
-}
-
 std::optional<Message> faultIn(const CsvTable& table, std::size_t row) {
     const double time = table.at(row, 0), speed = table.at(row, 1), power = table.at(row, 2);
     const std::string& material = table.wordAt(row, 0);
@@ -57,7 +51,7 @@ std::optional<Message> faultIn(const CsvTable& table, std::size_t row) {
     if (speed < 0 || speed > kMaxSpeed) return Message(msg::kProfileSpeed, numberText(speed));
     if (power < 0 || power > kMaxPower) return Message(msg::kProfilePower, numberText(power));
     if (material != kNothing && !findSoundCharacter(material))
-        return Message(msg::kProfileMaterial, quotedWord(material), soundNames());
+        return Message(msg::kProfileMaterial, quotedWord(material), soundMaterialList());
     return std::nullopt;
 }
 

@@ -6,16 +6,16 @@
 
 namespace tactooth {
 
-/// Which button does what; kNone: no button.
+/// Assignment of buttons to actions; kNone: no button.
 struct ButtonMap {
     static constexpr int kNone = -1;
-    int swap = 0;        ///< turbine or mirror: the white one of a pen
-    int cut = 1;         ///< touch or cut: the blue one
-    int clutch = kNone;  ///< held: the tool stays while the hand moves on
+    int swap = 0;        ///< exchanges turbine and mirror: the white button of a pen
+    int cut = 1;         ///< switches between touch and cut: the blue button
+    int clutch = kNone;  ///< while held, the tool stays and the device moves freely
 };
 
-/// Turns buttons that are down into what they do. A button counts when it goes down; one that is down at the first
-/// reading does nothing before it was up.
+/// Converts button states into actions. An action starts when its button goes down; a button that is down at the first
+/// reading has no effect until it was released.
 class ButtonActions {
 public:
     /// Bit i of `buttons`: button i is down.

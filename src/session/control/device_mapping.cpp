@@ -10,7 +10,7 @@ void DeviceMapping::setMotionScaling(double motionScaling) {
     motionScaling_ = std::isfinite(motionScaling) && motionScaling > 0 ? motionScaling : 1;
 }
 
-/// From now on, the hand at `hand` holds the tool at `tool`.
+/// From now on, the device pose `hand` corresponds to the tool pose `tool`.
 void DeviceMapping::registerAt(const Pose& hand, const Pose& tool) {
     isIdentity_ = false;
     deviceOrigin_ = hand.position;

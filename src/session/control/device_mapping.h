@@ -9,37 +9,37 @@
 
 namespace tactooth {
 
-/// How a hand takes a tool that has a frame of its own.
+/// Registration of a device with a tool that has a frame of its own.
 struct DeviceRegistration {
-    Pose tool;                     ///< where the tool is in the tooth's frame when the hand is first read, or at `hand`
-    Quat turn = Quat::Identity();  ///< from the device's frame into the tooth's: where the hand's "right" is
-    std::optional<Vec3> hand =
-        {};  ///< where it has to be for that, in the device's frame; none: where it happens to be
+    Pose tool;  ///< pose of the tool in the tooth frame at the first device reading, or when the device is at `hand`
+    Quat turn = Quat::Identity();   ///< from the device's frame into the tooth's: the direction of the device's "right"
+    std::optional<Vec3> hand = {};  ///< device position for `tool`, in the device's frame; none: the first reading
 };
 
-/// How a device's frame lies in the tooth's: turned, moved, and finer or not. The clutch lets the hand go back to a
-/// comfortable place while the tool stays, as one lifts a mouse at the edge of its pad; nothing that changes here moves
-/// the tool.
+/// Mapping of a device's frame to the tooth's: rotation, offset and motion scaling. The clutch lets the user move the
+/// device back to a comfortable position while the tool stays, like lifting a mouse at the edge of its pad. No change
+/// of these settings moves the tool.
 class DeviceMapping {
 public:
-    /// Without a seat, tool and hand are the same until something changes.
+    /// Without a registration, tool pose and device pose are equal until a setting changes.
     explicit DeviceMapping(const std::optional<DeviceRegistration>& registration = {}) : registration_(registration) {}
 
-    /// While held, the tool stays where it is.
+    /// While the clutch is held, the tool stays.
     void setClutch(bool held) { held_ = held; }
     [[nodiscard]] bool isHeld() const { return held_; }
-    /// From the next reading on the hand holds the tool that is at `tool`, wherever the hand is: another one hands it
-    /// over.
+    /// From the next reading on the device holds the tool, which is at `tool`, wherever the device is: used when
+    /// another device hands the tool over.
     void takeOver(const Pose& tool);
-    /// mm of the hand for each mm of the tool; 1 for anything that is no such number.
+    /// mm of the device for each mm of the tool; 1 replaces an invalid value.
     void setMotionScaling(double motionScaling);
     [[nodiscard]] double motionScaling() const { return motionScaling_; }
 
-    /// Of the tool in the tooth, for the device's newest reading. A reading that is no number is handed on as it is.
+    /// Pose of the tool in the tooth frame for the newest device pose. An invalid pose (not a number) is passed on
+    /// unchanged.
     [[nodiscard]] Pose toolFor(const Pose& hand);
 
-    /// A wrench in the tooth's frame, as the device's motors have to make it. Forces are not scaled: what is felt at
-    /// the tool is felt by the hand.
+    /// Converts a wrench from the tooth frame to the device's frame. Forces are not scaled: the device renders the
+    /// force that acts on the tool.
     [[nodiscard]] Wrench toDevice(const Wrench& inTooth) const;
 
 private:
@@ -47,15 +47,15 @@ private:
     [[nodiscard]] Quat turn() const { return registration_ ? registration_->turn : Quat::Identity(); }
 
     std::optional<DeviceRegistration> registration_;
-    bool isIdentity_ = true;  // tool and hand are the same
+    bool isIdentity_ = true;  // tool pose and device pose are equal
     bool held_ = false;
     bool wasHeld_ = false;
     double motionScaling_ = 1;
     double registeredMotionScaling_ = 1;
     Vec3 deviceOrigin_ = Vec3::Zero();
     Vec3 toolOrigin_ = Vec3::Zero();
-    Quat toolInDevice_ = Quat::Identity();  // of the tool in the hand
-    std::optional<Pose> last_;              // of the tool
+    Quat toolInDevice_ = Quat::Identity();  // orientation of the tool relative to the device
+    std::optional<Pose> last_;              // last pose of the tool
 };
 
 }  // namespace tactooth

@@ -9,8 +9,8 @@
 namespace tactooth {
 namespace {
 
-constexpr double kAtEnd = 2;   // mm from the end of the room
-constexpr double kBackIn = 8;  // mm: a hand that trembles there is told once
+constexpr double kAtEnd = 2;   // mm from the limit of the workspace
+constexpr double kBackIn = 8;  // mm, hysteresis: a hand that trembles at the limit is reported once
 
 PoseReading readingOf(const DeviceSample& sample) {
     return {sample.hand.position, sample.hand.rotation, sample.age, sample.isFresh};
@@ -18,17 +18,18 @@ PoseReading readingOf(const DeviceSample& sample) {
 
 }  // namespace
 
-DeviceSet::DeviceSlot::DeviceSlot(HapticDevice& held, const std::optional<DeviceRegistration>& turbineRegistration,
+DeviceSet::HeldDevice::HeldDevice(HapticDevice& held, const std::optional<DeviceRegistration>& turbineRegistration,
                                   const DeviceRegistration& mirrorRegistration)
     : device(&held),
       pipeline(held.info().limits, held.info().poseLimits),
       frames{DeviceMapping(turbineRegistration), DeviceMapping(mirrorRegistration)} {}
 
 DeviceSet::DeviceSet(HapticDevice& first, HapticDevice* second, const std::optional<DeviceRegistration>& registration) {
-    // The mirror moves the way that the hand does, from where it is parked.
+    // The mirror follows the device's motion, starting where it is parked.
     const DeviceRegistration mirrorRegistration{Pose(), registration ? registration->turn : Quat::Identity()};
     first_.emplace(first, registration, mirrorRegistration);
-    // What a second hand takes over is never where that hand is, so it needs a seat that turns it alike.
+    // An instrument that the second device takes over is never at that device's position, so the device needs a
+    // registration with the same rotation.
     if (second != nullptr) second_.emplace(*second, mirrorRegistration, mirrorRegistration);
     devices_ = {&*first_, second_ ? &*second_ : nullptr};
     holders_ = {0, second_ ? 1 : kNoHolder};
@@ -47,7 +48,7 @@ bool DeviceSet::cutToggled() const {
 
 double DeviceSet::pedal() const {
     double pedal = 0;
-    for (const DeviceSlot* const hand : devices_) {
+    for (const HeldDevice* const hand : devices_) {
         if (hand != nullptr && hand->poseValid) pedal = std::max(pedal, hand->sample.pedal);
     }
     return pedal;
@@ -64,18 +65,20 @@ double DeviceSet::maxStiffness() const {
                                : devices_[static_cast<std::size_t>(holder)]->device->info().stiffness;
 }
 
-/// A bur that was pressed deeper than the tooth let it stays at the surface.
+/// Leaves an instrument at rest while its device is lost or has a pose fault. A bur that was pressed deeper than the
+/// tooth allowed stays at the surface.
 void DeviceSet::rest(std::size_t instrument) {
     if (instrument == kTurbine && proxy_) instruments_[kTurbine] = *proxy_;
 }
 
-/// An instrument that nobody holds, or whose hand has lost its device, stays where it is.
+/// Moves an instrument with its device. An instrument that no device holds, or whose device is lost or has a pose
+/// fault, stays where it is.
 void DeviceSet::move(std::size_t instrument, const DeviceControls& controls) {
     const int holder = holderOf(instrument);
     const bool isNew = holder != holders_[instrument];
     holders_[instrument] = holder;
     if (holder == kNoHolder) return;
-    DeviceSlot& hand = *devices_[static_cast<std::size_t>(holder)];
+    HeldDevice& hand = *devices_[static_cast<std::size_t>(holder)];
     DeviceMapping& frame = hand.frames[instrument];
     if (isNew && instruments_[instrument].position.allFinite()) frame.takeOver(instruments_[instrument]);
     if (!hand.poseValid) return rest(instrument);
@@ -85,7 +88,7 @@ void DeviceSet::move(std::size_t instrument, const DeviceControls& controls) {
 }
 
 void DeviceSet::read(double elapsed, const DeviceControls& controls) {
-    for (DeviceSlot* const hand : devices_) {
+    for (HeldDevice* const hand : devices_) {
         if (hand == nullptr) continue;
         const DeviceSample& sample = hand->sample = hand->device->read(elapsed);
         hand->poseValid = sample.connected && hand->pipeline.judge(readingOf(sample), elapsed) == PoseFault::None;
@@ -99,7 +102,7 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
     move(kMirror, controls);
 }
 
-ForceCommand DeviceSet::wantedFor(const DeviceSlot& hand, const Tick& tick, bool enabled) const {
+ForceCommand DeviceSet::wantedFor(const HeldDevice& hand, const Tick& tick, bool enabled) const {
     const int holder = holders_[kTurbine];
     const bool holds = holder != kNoHolder && devices_[static_cast<std::size_t>(holder)] == &hand;
     ForceCommand wanted = forceCommandFrom(tick);
@@ -122,7 +125,7 @@ ForceCommand DeviceSet::wantedFor(const DeviceSlot& hand, const Tick& tick, bool
 void DeviceSet::write(const Tick& tick, bool enabled, double elapsed) {
     if (tick.placed) proxy_ = tick.proxy;
     silent_ = true;
-    for (DeviceSlot* const hand : devices_) {
+    for (HeldDevice* const hand : devices_) {
         if (hand == nullptr) continue;
         const SafeWrench safe = hand->pipeline.pass(wantedFor(*hand, tick, enabled), elapsed);
         hand->device->write(safe);

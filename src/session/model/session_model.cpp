@@ -131,12 +131,12 @@ SessionModel::StepResult SessionModel::step(double dt) {
         if (stepResult.newTooth) log_.clearEvents(haptics_.materials.registry());
     }
     if (simulator_ == nullptr) {
-        log_.record({}, {});
+        fetched_.clear();
+        log_.record(fetched_, {});
         return stepResult;
     }
-    std::vector<Tick> ticks;
-    simulator_->fetchTicks(ticks);
-    log_.record(ticks, simulator_->loss());
+    simulator_->fetchTicks(fetched_);
+    log_.record(fetched_, simulator_->loss());
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();

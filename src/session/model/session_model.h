@@ -87,6 +87,7 @@ private:
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
     SoundOutput& sound_;
+    std::vector<Tick> fetched_;  // empty between steps; keeps its memory
     HapticSettings haptics_;
     HandSettings hand_;
     std::optional<SessionTooth> tooth_;

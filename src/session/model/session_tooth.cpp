@@ -14,7 +14,7 @@ constexpr double kVoxel = 0.05;  // mm: a twentieth of a small bur's width; cut 
 }  // namespace
 
 Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
-                                        const std::string& importNote) {
+                                        const std::string& suffix) {
     const BuiltinTooth made = ToothCache(defaultCacheFolder()).make(request);
     Expected<LayeredTooth> layered = layeredTooth(made);
     if (!layered) return Unexpected{layered.error()};
@@ -22,7 +22,7 @@ Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::
     return SessionTooth{name,
                         std::make_shared<CutModel>(std::move(shared), kVoxel),
                         mesialX(made.fdi),
-                        {{"tooth", "built in: " + made.name + importNote}}};
+                        {{"tooth", "built in: " + made.name + suffix}}};
 }
 
 Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {

@@ -58,9 +58,9 @@ struct MouthChoice {
 // These take up to a few seconds: run them in a Task. They fail with one sentence for the user.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry);
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth);
-/// `importNote`: added to the built-in tooth's name in the provenance.
+/// `suffix`: added to the built-in tooth's name in the provenance.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
-                                                      const std::string& importNote);
+                                                      const std::string& suffix);
 /// `scan`: with layers, as finishScan makes it.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan);
 /// `workOn`: name of the tooth of a case; empty: its first.

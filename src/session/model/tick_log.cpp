@@ -14,8 +14,9 @@ void TickLog::clearEvents(const MaterialRegistry& materials) {
     timeBefore_ = -newest_.time;
 }
 
-void TickLog::record(std::span<const Tick> ticks, const ToothLoss& loss) {
-    ticks_.assign(ticks.begin(), ticks.end());
+void TickLog::record(std::vector<Tick>& ticks, const ToothLoss& loss) {
+    ticks_.swap(ticks);
+    ticks.clear();
     if (!ticks_.empty()) newest_ = ticks_.back();
     for (const Tick& tick : ticks_) events_.update(timeBefore_ + tick.time, tick, loss);
 }

@@ -17,8 +17,9 @@ public:
     void restart(const Tick& start);
     /// The list of events begins anew, at the time of the newest tick. `materials`: of the tooth.
     void clearEvents(const MaterialRegistry& materials = builtinMaterials());
-    /// The ticks since the last call, oldest first. `loss`: of the tooth after the last of them.
-    void record(std::span<const Tick> ticks, const ToothLoss& loss);
+    /// Takes the ticks since the last call, oldest first, and leaves an empty buffer for the next ones. `loss`: of the
+    /// tooth after the last of them.
+    void record(std::vector<Tick>& ticks, const ToothLoss& loss);
 
     [[nodiscard]] const Tick& newest() const { return newest_; }
     /// Of the last `record`, oldest first.

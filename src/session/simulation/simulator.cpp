@@ -175,7 +175,7 @@ bool Simulator::processModel() {
 }
 
 void Simulator::runCarving(const std::stop_token& stop) {
-    pthread_setname_np(pthread_self(), "cutter");  // for debuggers and profilers
+    pthread_setname_np(pthread_self(), "carving");  // for debuggers and profilers
     IdleDetector watch;
     while (!stop.stop_requested()) {
         if (processModel()) {
@@ -187,7 +187,7 @@ void Simulator::runCarving(const std::stop_token& stop) {
 }
 
 void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
-    pthread_setname_np(pthread_self(), "maker");  // for debuggers and profilers
+    pthread_setname_np(pthread_self(), "brick-prefetch");  // for debuggers and profilers
     while (!stop.stop_requested()) {
         (void)carvingPose_.refresh();
         const std::optional<Pose>& at = carvingPose_.value();
@@ -214,7 +214,7 @@ bool Simulator::send(HapticSurface* hapticSurface) {
 /// whose device entered the tooth, which the servo thread could not do within a tick. It has a thread of its own
 /// because a cut takes longer than a list lasts.
 void Simulator::runNeighbourLists(const std::stop_token& stop) {
-    pthread_setname_np(pthread_self(), "lister");
+    pthread_setname_np(pthread_self(), "neighbour-list");
     IdleDetector watch;
     bool idle = false;
     std::optional<CarvedSurface> unsent;

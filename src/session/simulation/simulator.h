@@ -85,7 +85,7 @@ public:
     [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
     /// The state of the force output.
     [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
-    /// See Hands.
+    /// See DeviceSet::isAtWorkspaceLimit.
     [[nodiscard]] bool isDeviceAtWorkspaceLimit() const {
         return deviceAtWorkspaceLimit_.load(std::memory_order_relaxed);
     }

@@ -15,10 +15,10 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kFileHead = 12;           // "RIFF", length, "WAVE"
-constexpr std::size_t kChunkHead = 8;           // name and length
-constexpr std::size_t kLengthAt = 4;            // in both
-constexpr std::uint64_t kMinMark = 0x7FFFF000;  // from here on a length means: unknown
+constexpr std::size_t kFileHead = 12;                    // "RIFF", length, "WAVE"
+constexpr std::size_t kChunkHead = 8;                    // name and length
+constexpr std::size_t kLengthAt = 4;                     // in both
+constexpr std::uint64_t kMinUnknownLength = 0x7FFFF000;  // from here on a length means: unknown
 constexpr std::uint64_t kMax = std::numeric_limits<std::uint32_t>::max();
 
 class Wav {
@@ -67,7 +67,7 @@ private:
     std::vector<std::byte>& bytes_;
 };
 
-bool isMark(std::uint64_t length) { return length == 0 || length >= kMinMark; }
+bool isMark(std::uint64_t length) { return length == 0 || length >= kMinUnknownLength; }
 
 /// The length of the samples in the first chunk of an RF64 file.
 std::uint64_t longLength(const Wav& wav) {

@@ -49,6 +49,12 @@ SoundCharacter sanitisedCharacter(const SoundCharacter& character) {
 
 std::span<const std::string_view, kSoundMaterials> soundMaterialNames() { return kNames; }
 
+std::string soundMaterialList() {
+    std::string list;
+    for (const std::string_view name : kNames) list.append(list.empty() ? "" : ", ").append(name);
+    return list;
+}
+
 std::optional<SoundCharacter> findSoundCharacter(std::string_view material) {
     const auto* found = std::find(kNames.begin(), kNames.end(), material);
     if (found == kNames.end()) return std::nullopt;

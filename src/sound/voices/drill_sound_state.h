@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace tactooth {
@@ -26,6 +27,8 @@ struct SoundCharacter {
 /// "composite" (sounds like a restoration) and "other" (like dentin).
 inline constexpr std::size_t kSoundMaterials = 8;
 [[nodiscard]] std::span<const std::string_view, kSoundMaterials> soundMaterialNames();
+/// The same as a list for messages and help: "enamel, dentin, ...".
+[[nodiscard]] std::string soundMaterialList();
 
 /// The character of a material; none for an unknown name.
 [[nodiscard]] std::optional<SoundCharacter> findSoundCharacter(std::string_view material);

@@ -25,6 +25,8 @@ enum class MaterialRole : std::uint8_t {
     Decay,         ///< what a cut is to remove
     Surroundings,  ///< gingiva, bone, and all else that a scan brings
 };
+/// The number of roles, None included.
+inline constexpr std::size_t kMaterialRoleCount = 6;
 
 /// How a material feels, cuts, looks and sounds.
 struct Material {

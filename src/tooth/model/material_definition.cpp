@@ -31,7 +31,7 @@ constexpr std::array<MaterialNumberKey, 15> kNumberKeys = {{
     {"tap_brightness", 1, [](Material& m, double value) { m.tapBrightness = value; }},
 }};
 
-constexpr std::array<std::pair<std::string_view, MaterialRole>, 6> kRoles = {{
+constexpr std::array<std::pair<std::string_view, MaterialRole>, kMaterialRoleCount> kRoles = {{
     {"enamel", MaterialRole::Enamel},
     {"dentin", MaterialRole::Dentin},
     {"pulp", MaterialRole::Pulp},

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array kRoles = {MaterialRole::Enamel, MaterialRole::Dentin, MaterialRole::Pulp, MaterialRole::Decay,
                                MaterialRole::Surroundings};
+static_assert(kRoles.size() + 1 == kMaterialRoleCount, "all roles but None");
 
 /// Codes below are for the materials of data/materials.toml.
 constexpr int kFirstFreeCode = 64;

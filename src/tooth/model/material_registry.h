@@ -54,7 +54,7 @@ private:
     std::vector<MaterialDefinition> materials_;  // by MaterialId
     std::vector<MaterialId> menuOrder_, byRole_;
     std::array<MaterialId, kMaxMaterials> ids_{};
-    std::array<MaterialId, 6> withRole_{};
+    std::array<MaterialId, kMaterialRoleCount> withRole_{};
 };
 
 /// Those of data/materials.toml.

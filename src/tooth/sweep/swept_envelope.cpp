@@ -14,12 +14,7 @@ namespace {
 constexpr double kStraightness = 1e-4;   ///< mm; sagitta of the arc of a rotating point within one step
 constexpr double kDistanceError = 1e-5;  ///< mm; the search for the nearest time stops here
 constexpr int kSearchRounds = 12;        ///< tangent cuts of the unit interval; three are usual
-constexpr double kUnitTolerance = 1e-4;  ///< of the squared length of a quaternion; files round it
 constexpr int kMaxParts = 4;             ///< of a step; a longer step comes near many bricks that it does not reach
-
-[[maybe_unused]] bool isPose(const Pose& pose) {
-    return pose.position.allFinite() && std::abs(pose.rotation.squaredNorm() - 1) < kUnitTolerance;
-}
 
 /// Upper bound of the displacement of a point of the bur (a cylinder about its axis) between two poses.
 double travelBetween(const RevolutionEnvelope& envelope, const Pose& from, const Pose& to) {
@@ -48,7 +43,7 @@ SweepStep::SweepStep(const RevolutionEnvelope& envelope, const Pose& fromInTooth
       clearance_(clearance),
       travel_(travelBetween(envelope, fromInTooth, toInTooth)),
       parts_(parts) {
-    TACTOOTH_ASSERT(isPose(fromInTooth) && isPose(toInTooth));
+    TACTOOTH_ASSERT(isRigid(fromInTooth) && isRigid(toInTooth));
     TACTOOTH_ASSERT(std::isfinite(clearance) && clearance >= 0);
     TACTOOTH_ASSERT(parts >= 1);
     const auto place = [](const Pose& pose) {
@@ -120,7 +115,7 @@ FieldSample SweepStep::sample(const Vec3& point, double atLeast) const {
 
 std::vector<SweepStep> sweepSteps(const RevolutionEnvelope& envelope, const Pose& fromInTooth, const Pose& toInTooth,
                                   double clearance, double longest) {
-    TACTOOTH_ASSERT(isPose(fromInTooth) && isPose(toInTooth));
+    TACTOOTH_ASSERT(isRigid(fromInTooth) && isRigid(toInTooth));
     TACTOOTH_ASSERT(std::isfinite(longest) && longest > 0);
     const double length = std::max(std::abs(envelope.bottom()), std::abs(envelope.top())) + envelope.maxRadius();
     const double largestTurn = std::sqrt(8 * kStraightness / length);

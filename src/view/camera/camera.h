@@ -21,7 +21,7 @@ struct ImageSize {
     bool operator==(const ImageSize&) const = default;
 };
 
-/// An infinite plane: the points x with normal . x = offset; `normal` is unit.
+/// An infinite plane: the points x with normal . x = offset; `normal` is a unit vector.
 struct Plane {
     Vec3 normal = Vec3::UnitZ();
     double offset = 0;
@@ -29,30 +29,30 @@ struct Plane {
     [[nodiscard]] double signedDistance(const Vec3& point) const { return normal.dot(point) - offset; }
 };
 
-/// A perspective camera. It looks along its own -z; +x is to the right and +y is up in the picture.
+/// A perspective camera. Its viewing direction is its own -z; in the picture +x is to the right and +y is up.
 struct Camera {
     Pose cameraInWorld;
-    double fieldOfView = 0.44;    ///< full vertical angle, rad; 25 degrees is what a loupe-wearing dentist's eye sees
-    double nearDistance = 1.0;    ///< mm; nothing nearer is drawn
+    double fieldOfView = 0.44;  ///< full vertical angle, rad; 25 degrees is the field of view of a dentist with loupes
+    double nearDistance = 1.0;  ///< mm; nothing nearer is drawn
     double farDistance = 1000.0;  ///< mm; nothing farther is drawn
-    /// How far the picture's middle stands aside from straight ahead, in half picture heights: an eye of a stereo pair.
+    /// Off-axis shift of the picture's centre, in half picture heights, for one eye of a stereo pair.
     double lensShift = 0;
 };
 
 /// World coordinates to camera coordinates.
 [[nodiscard]] Mat4 viewMatrix(const Camera& camera);
 
-/// Camera coordinates to OpenGL clip coordinates, for a picture of this width / height.
+/// Camera coordinates to OpenGL clip coordinates, for a picture with aspect = width / height.
 [[nodiscard]] Mat4 projectionMatrix(const Camera& camera, double aspect);
 
-/// The reflection of the world in `plane`, as a matrix on points.
+/// The reflection in `plane`, as a matrix on points (world).
 [[nodiscard]] Mat4 reflectionMatrix(const Plane& plane);
 
-/// The half line from the eye through `pixel` (origin at the picture's top left corner, y down, the first pixel's
-/// centre is at 0.5, 0.5).
+/// The ray from the eye through `pixel` (origin at the picture's top left corner, y down, the first pixel's centre is
+/// at 0.5, 0.5).
 [[nodiscard]] Ray rayThrough(const Camera& camera, ImageSize size, const Vec2& pixel);
 
-/// Where `point` (world) stands in the picture; nothing if it is not in front of the eye.
+/// The position of `point` (world) in the picture; nothing if it is not in front of the eye.
 [[nodiscard]] std::optional<Vec2> project(const Camera& camera, ImageSize size, const Vec3& point);
 
 }  // namespace tactooth

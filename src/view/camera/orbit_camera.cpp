@@ -11,15 +11,15 @@ namespace tactooth {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kNearestEye = 1.5;   ///< mm: nearer, a single enamel prism would fill the picture
-constexpr double kFarthestEye = 2e3;  ///< mm: a mouth is 20 pixels high there
-constexpr double kMargin = 1.08;      ///< a fitted object leaves this much room around itself
+constexpr double kNearestEye = 1.5;   ///< mm: closer, a single enamel prism would fill the picture
+constexpr double kFarthestEye = 2e3;  ///< mm: a mouth is 20 pixels high at that distance
+constexpr double kMargin = 1.08;      ///< a fitted object leaves this margin around itself
 
 }  // namespace
 
 Quat OrbitCamera::rotation() const {
-    // A camera at rest looks down -z with +y up: it stands at the zenith. Tilt it down to the horizon (its up is then
-    // +z and it stands at -y), up again by the elevation, then walk around.
+    // The unrotated camera has its viewing direction along -z and +y up: it is at the zenith. Tilt it down to the
+    // horizon (its up is then +z and it is at -y), up again by the elevation, then rotate it by the azimuth.
     const Eigen::AngleAxisd tilt(kRightAngle - direction_.elevation, Vec3::UnitX());
     const Eigen::AngleAxisd walk(direction_.azimuth + kRightAngle, Vec3::UnitZ());
     return Quat(walk * tilt);
@@ -83,8 +83,8 @@ void OrbitCamera::setPivot(const Vec3& point) {
 
 Camera OrbitCamera::camera() const {
     const Quat cameraRotation = rotation();
-    // Near and far follow the distance so that the 24-bit depth buffer resolves a few micrometres at the target; tools
-    // reach far to both sides of the tooth.
+    // Near and far follow the distance so that the 24-bit depth buffer resolves a few micrometres at the target. The
+    // range is wide because tools extend far to both sides of the tooth.
     return {.cameraInWorld = {target_ + cameraRotation * Vec3(0, 0, distance_), cameraRotation},
             .nearDistance = std::max(0.04 * distance_, 0.1),
             .farDistance = 4 * distance_ + 10 * sceneRadius_ + 200};

@@ -7,7 +7,7 @@
 namespace tactooth {
 
 SecondViewRectangle secondViewRectangle(ImageSize picture) {
-    constexpr double kShare = 0.3;     // of the picture's width, but no more than ...
+    constexpr double kShare = 0.3;     // of the picture's width, but at most ...
     constexpr double kHighest = 0.4;   // ... of its height
     constexpr double kMargin = 0.015;  // of the picture's height
     const double width = std::min(kShare * picture.width, kHighest * kSecondViewAspect * picture.height);

@@ -7,15 +7,15 @@
 namespace tactooth {
 
 /// A small picture of the same scene from another side, without mirror and handles, in the upper right corner of the
-/// picture; none in stereo.
+/// picture. There is none in stereo.
 struct SecondView {
     Camera camera;
-    bool redraw = true;  ///< else the last one may stay, as long as its size does: it need not keep pace with the hand
+    bool redraw = true;  ///< else the last picture may stay while its size does: this view may lag behind the hand
 };
 
 inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
 
-/// Where it stands, in pixels from the picture's upper left corner.
+/// The position and size of the second view, in pixels from the picture's upper left corner.
 struct SecondViewRectangle {
     int left = 0, top = 0;
     ImageSize size;

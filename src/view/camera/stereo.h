@@ -16,14 +16,14 @@ struct Stereo {
         Anaglyph,    ///< for red (left) and cyan glasses
     };
     Mode mode = Mode::Off;
-    double focus = 60;      ///< mm in front of the eyes: what lies there appears in the screen
-    double separation = 2;  ///< mm between the eyes; a thirtieth of `focus` is easy to look at
+    double focus = 60;      ///< mm in front of the eyes: points at this distance appear in the plane of the screen
+    double separation = 2;  ///< mm between the eyes; a thirtieth of `focus` is comfortable
 
     bool operator==(const Stereo&) const = default;
 };
 
-/// The left and the right eye around `camera`: side by side, looking in parallel, their pictures shifted so that they
-/// agree at `stereo.focus` (no keystone, no vertical parallax).
+/// The cameras of the left and the right eye on both sides of `camera`. Their viewing directions are parallel; their
+/// pictures are shifted so that they agree at `stereo.focus` (no keystone, no vertical parallax).
 [[nodiscard]] std::array<Camera, 2> stereoCameras(const Camera& camera, const Stereo& stereo);
 
 }  // namespace tactooth

@@ -6,28 +6,28 @@
 
 namespace tactooth {
 
-/// A scene object that is to be drawn, with its buffers.
+/// A scene object to draw, with its buffers.
 struct Drawable {
     const SceneObject* object = nullptr;
     SurfaceBuffers* buffers = nullptr;
     Mat4 objectToWorld = Mat4::Identity();
-    Box3 changed = {};  ///< object frame: where the shape is another than in the picture before; empty = nowhere
+    Box3 changed = {};  ///< object frame: where the shape differs from the frame before; empty: nowhere
 
-    /// Whether light passes: it is blended over all that is opaque.
+    /// Whether it is transparent: it is blended over everything opaque.
     [[nodiscard]] bool isTransparent() const;
-    /// Whether faces that look away from the eye cannot be seen.
+    /// Whether faces that point away from the eye are invisible.
     [[nodiscard]] bool cullsBackFaces(bool inSection) const;
 };
 
 /// `pose` as a matrix on points.
 [[nodiscard]] Mat4 matrixOf(const Pose& pose);
 
-/// Where the object stands, its spin included.
+/// The object's pose as a matrix, including its spin.
 [[nodiscard]] Mat4 objectToWorld(const SceneObject& object);
 
-/// The axis-parallel box around `drawable`, in the frame that `worldToFrame` leads to.
+/// The axis-aligned box of `drawable` in the target frame of `worldToFrame`.
 [[nodiscard]] Box3 boxOf(const Drawable& drawable, const Mat4& worldToFrame);
-/// Likewise around `box`, which `toFrame` leads there; empty if `box` is.
+/// The axis-aligned box of the `box` that `toFrame` transforms; empty if `box` is empty.
 [[nodiscard]] Box3 transformedBox(const Box3& box, const Mat4& toFrame);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@ namespace tactooth {
 
 namespace {
 
-/// LIBGL_ALWAYS_SOFTWARE is Mesa's own word; other drivers do not heed it.
+/// Only Mesa obeys LIBGL_ALWAYS_SOFTWARE; other drivers ignore it.
 bool softwareIsWanted() {
     const char* const value = std::getenv("LIBGL_ALWAYS_SOFTWARE");
     return value != nullptr && *value != '\0' && std::string_view(value) != "0" && std::string_view(value) != "false";
@@ -28,13 +28,13 @@ bool drawsBySoftware(EGLDeviceEXT device) {
     return extensions != nullptr && std::string_view(extensions).find("EGL_MESA_device_software") != std::string::npos;
 }
 
-/// Mesa's surfaceless platform, on a graphics card that Mesa has a driver for or by software.
+/// Mesa's surfaceless platform, on a graphics card with a Mesa driver or in software.
 void addSurfaceless(std::vector<EGLDisplay>& displays) {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) return;
     displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
 }
 
-/// The graphics cards, those with drivers of their own makers as well.
+/// The graphics cards, including those with vendor drivers.
 void addCards(std::vector<EGLDisplay>& displays) {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration")) return;
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return;
@@ -48,7 +48,7 @@ void addCards(std::vector<EGLDisplay>& displays) {
     }
 }
 
-/// Every display that could draw without a screen.
+/// Every EGL display that can draw without a screen.
 std::vector<EGLDisplay> candidates() {
     std::vector<EGLDisplay> displays;
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
@@ -80,7 +80,7 @@ struct EglContext::Handles {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLContext context = EGL_NO_CONTEXT;
 
-    /// A context on `display`, current; null if it has none of use.
+    /// A current context on `display`; null if it has no usable one.
     static std::unique_ptr<Handles> on(EGLDisplay display);
     [[nodiscard]] bool makeCurrent() const {
         return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
@@ -110,7 +110,7 @@ std::unique_ptr<EglContext::Handles> EglContext::Handles::on(EGLDisplay display)
 }
 
 Expected<EglContext> EglContext::create() {
-    std::unique_ptr<Handles> found;  // by software until there is something better
+    std::unique_ptr<Handles> found;  // a software context, kept until a better one is found
     for (const EGLDisplay display : candidates()) {
         auto handles = Handles::on(display);
         if (!handles) continue;
@@ -119,7 +119,7 @@ Expected<EglContext> EglContext::create() {
         if (isCard) break;
     }
     if (!found) found = Handles::on(eglGetDisplay(EGL_DEFAULT_DISPLAY));
-    // Again: letting go of another context leaves none current.
+    // Make it current again: the release of another context leaves no context current.
     if (found && found->makeCurrent()) return EglContext(std::move(found));
     return unexpected(msg::kNoOffscreenOpenGl);
 }

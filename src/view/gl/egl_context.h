@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-/// An OpenGL 4.1 core context with no surface, current on the thread that made it as long as it lives. Of a graphics
-/// card, if one is there and LIBGL_ALWAYS_SOFTWARE does not forbid it.
+/// An OpenGL 4.1 core context without a surface. It is current on the thread that made it, as long as it exists. It
+/// uses a graphics card if there is one and LIBGL_ALWAYS_SOFTWARE does not forbid it.
 class EglContext {
 public:
     [[nodiscard]] static Expected<EglContext> create();
@@ -25,10 +25,10 @@ private:
     std::unique_ptr<Handles> handles_;
 };
 
-/// What draws in the current context, as the driver names itself.
+/// The driver's name for the renderer of the current context.
 [[nodiscard]] std::string rendererName();
 
-/// Whether `rendererName` is one that draws by the processor.
+/// Whether `rendererName` is the name of a software renderer.
 [[nodiscard]] bool isSoftwareRenderer(std::string_view rendererName);
 
 }  // namespace tactooth

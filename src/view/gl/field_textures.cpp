@@ -10,7 +10,7 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kColours = 256;  ///< texels: one for each step that a screen shows
+constexpr int kColours = 256;  ///< texels: one for each level of an 8-bit channel
 
 gl::Texture textureOf(const DistanceGrid& grid) {
     gl::Texture texture = gl::Texture::make();
@@ -64,7 +64,7 @@ Mat4 objectToField(const DistanceGrid& grid) {
     for (int axis = 0; axis < 3; ++axis) {
         const double scale = 1 / (grid.spacing * grid.counts[axis]);
         matrix(axis, axis) = scale;
-        matrix(axis, 3) = 0.5 / grid.counts[axis] - grid.low[axis] * scale;  // samples stand in the texels' middles
+        matrix(axis, 3) = 0.5 / grid.counts[axis] - grid.low[axis] * scale;  // samples are at the centres of the texels
     }
     return matrix;
 }

@@ -8,14 +8,14 @@
 
 namespace tactooth {
 
-/// The distance grids of the last scene and the colours for them, as textures.
+/// The distance grids of the last scene and their colour table, as textures.
 class FieldTextures {
 public:
-    /// Uploads what is new in `drawables` and forgets what is not in them.
+    /// Uploads the new grids of `drawables` and drops grids that they no longer use.
     void update(const std::vector<Drawable>& drawables);
     /// 0 if no drawable of the last update has `grid`.
     [[nodiscard]] GLuint of(const DistanceGrid* grid) const;
-    /// One row of `distanceColour`, linear light.
+    /// One row with the colours of `distanceColour`, linear light.
     [[nodiscard]] GLuint colours() const { return colours_.name(); }
 
 private:

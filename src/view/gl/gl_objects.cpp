@@ -25,7 +25,7 @@ const char* nameOf(GLenum error) {
     }
 }
 
-/// What the matching pixel transfer format of an internal format is: OpenGL 4.1 wants one even if no pixels are given.
+/// The pixel transfer format that matches an internal format. OpenGL 4.1 requires one even without pixels.
 std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
     switch (internalFormat) {
         case GL_DEPTH_COMPONENT24:
@@ -44,7 +44,7 @@ std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
 Expected<void> checkErrors(const Message& doing) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return {};
-    // A lost context answers every question with an error: a bounded number of them is cleared.
+    // A lost context reports an error at every query, so only a bounded number of errors is cleared.
     for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
     }
     return unexpected(msg::kOpenGlError, nameOf(error), doing);

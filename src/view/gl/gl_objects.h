@@ -11,7 +11,7 @@
 
 namespace tactooth::gl {
 
-/// Owns one OpenGL object; moves, never copies. Made and destroyed with its context current.
+/// Owns one OpenGL object; movable, not copyable. Its context must be current when it is made and destroyed.
 template <class Kind>
 class Object {
 public:
@@ -81,13 +81,13 @@ using Renderbuffer = Object<RenderbufferKind>;
 using Framebuffer = Object<FramebufferKind>;
 using Program = Object<ProgramKind>;
 
-/// Fails with a sentence if OpenGL has reported an error since the last call; `doing` completes "while ...".
+/// Fails with a sentence if OpenGL has reported an error since the last call. `doing` completes "while ...".
 [[nodiscard]] Expected<void> checkErrors(const Message& doing);
 
-/// Makes the current texture unit's 2-D texture `texture` with storage of one level, clamped, with this filter.
+/// Binds `texture` as the 2-D texture of the current unit and allocates one level, clamped, with this filter.
 void allocateTexture(const Texture& texture, GLenum internalFormat, int width, int height, GLenum filter);
 
-/// Gives a texture of this kind (GL_TEXTURE_2D ...) to a unit and goes back to the first one.
+/// Binds a texture of this kind (GL_TEXTURE_2D ...) to a unit, then makes the first unit active again.
 void bindTexture(int unit, GLenum kind, GLuint texture);
 
 }  // namespace tactooth::gl

@@ -11,11 +11,11 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kSide = 32;       ///< texels a side
+constexpr int kSide = 32;       ///< texels per side
 constexpr int kCoarseSide = 8;  ///< of the coarser of the two octaves
-constexpr unsigned kSeed = 20;  ///< any number; a fixed one makes pictures repeatable
+constexpr unsigned kSeed = 20;  ///< any number; a fixed seed makes pictures repeatable
 
-/// Random values on a coarse grid that repeats, read between its points by linear interpolation.
+/// Periodic random values on a coarse grid, interpolated linearly between the grid points.
 class ValueNoise {
 public:
     explicit ValueNoise(std::mt19937& random) {

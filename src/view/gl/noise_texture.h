@@ -6,8 +6,8 @@
 
 namespace tactooth {
 
-/// A small repeating block of smooth noise (red, green, blue: slope of the bumps; alpha: colour), the same on every
-/// machine, bound to the current texture unit.
+/// Makes a small periodic block of smooth noise and binds it to the current texture unit. Red, green, blue: slope of
+/// the bumps; alpha: colour. The noise is the same on every machine.
 [[nodiscard]] gl::Texture makeNoiseTexture();
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@ namespace tactooth {
 
 namespace {
 
-// Room for a first small cavity (some fifty patches); the buffers double when they are full.
+// Room for a first small cavity (about fifty patches). The buffers double when they are full.
 constexpr std::uint32_t kFirstVertices = 8192;
 constexpr std::uint32_t kFirstTriangles = 16384;
 
@@ -28,7 +28,7 @@ void PatchPool::update(const Surface& surface, const CornerShading& baseShading)
     for (const auto& [id, slot] : slots_) box_.extend(slot.box);
 }
 
-/// Lets go of the patches that are gone and takes in those that have come.
+/// Removes the patches that are gone and adds the new ones.
 void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading) {
     for (auto& [id, slot] : slots_) slot.wanted = false;
     std::vector<std::shared_ptr<const SurfacePart>> missing;
@@ -53,20 +53,20 @@ void PatchPool::takeNew(const Surface& surface, const CornerShading& baseShading
     for (std::size_t i = 0; i < missing.size(); ++i) slots_.emplace(missing[i]->id(), std::move(*shaded[i]));
 }
 
-/// A wall that ends where a new one begins is shaded anew with it.
+/// Marks walls that end where a new one begins: they are shaded again together with it.
 void PatchPool::markNeighbours() {
     std::vector<const Slot*> fresh;
     for (const auto& [id, slot] : slots_) {
         if (slot.isStale) fresh.push_back(&slot);
     }
     for (auto& [id, slot] : slots_) {
-        const Box3& wall = slot.patch.wall;  // clang 14 lets no lambda take a binding
+        const Box3& wall = slot.patch.wall;  // clang 14: a lambda cannot capture a structured binding
         const auto meets = [&](const Slot* other) { return other->patch.wall.intersects(wall); };
         slot.isStale = slot.isStale || std::any_of(fresh.begin(), fresh.end(), meets);
     }
 }
 
-/// Shades on all processors, then sends one after the other.
+/// Shades on all processors, then uploads the patches one after the other.
 void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseShading) {
     std::vector<Slot*> stale;
     for (auto& [id, slot] : slots_) {

@@ -11,18 +11,18 @@
 
 namespace tactooth {
 
-/// The patches of one tooth on the graphics card, all in one pair of buffers so that hundreds of them are one drawing
-/// call. Only patches that are new since the last snapshot are uploaded, and those whose walls go on in them: the two
-/// are shaded as one.
+/// The patches of one tooth on the graphics card. All of them share one pair of buffers, so that one draw call draws
+/// hundreds of patches. An update uploads the patches that are new since the last snapshot, and the patches whose walls
+/// continue in them, because both are shaded together.
 class PatchPool {
 public:
     PatchPool();
 
-    /// Brings the pool in step with `surface`; `baseShading` are the corner normals of its base.
+    /// Updates the pool to `surface`. `baseShading`: the corner normals of its base.
     void update(const Surface& surface, const CornerShading& baseShading);
     void draw(const ClusterCuller& culler);
     [[nodiscard]] const Box3& box() const { return box_; }
-    /// Where the last update changed what is seen, shading apart.
+    /// The box in which the last update changed the visible geometry. Changes of shading do not count.
     [[nodiscard]] const Box3& changed() const { return changed_; }
     /// Triangles uploaded by the last update.
     [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
@@ -39,7 +39,7 @@ private:
         std::vector<TriangleCluster> clusters;
         Box3 box;
         bool wanted = true;
-        bool isStale = true;  ///< to be shaded and uploaded
+        bool isStale = true;  ///< needs to be shaded and uploaded
     };
     void takeNew(const Surface& surface, const CornerShading& baseShading);
     void markNeighbours();

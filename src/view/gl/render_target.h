@@ -7,7 +7,7 @@
 
 namespace tactooth {
 
-/// The rectangle of a picture from `low` (bottom left, OpenGL's pixel rows) up to, not including, `high`.
+/// The pixels of a picture from `low` (bottom left, OpenGL's pixel rows) up to, but not including, `high`.
 struct PixelRectangle {
     Eigen::Vector2i low = Eigen::Vector2i::Zero();
     Eigen::Vector2i high = Eigen::Vector2i::Zero();
@@ -23,8 +23,8 @@ struct PixelRectangle {
 /// Shrinks the clip volume of `worldToClip` to `rectangle` of the picture.
 [[nodiscard]] Mat4 cropped(const Mat4& worldToClip, const PixelRectangle& rectangle, ImageSize size);
 
-/// Colour, depth and stencil to draw into, colour and depth readable as textures afterwards. With `samples` > 0 drawing
-/// goes to multisampled buffers, and `resolve` brings the means over into the textures.
+/// A framebuffer with colour, depth and stencil. Colour and depth can be read as textures afterwards. With `samples` >
+/// 0 it draws to multisampled buffers, and `resolve` writes their means to the textures.
 class RenderTarget {
 public:
     RenderTarget() = default;
@@ -37,7 +37,7 @@ public:
 
     [[nodiscard]] GLuint colourTexture() const { return colour_.name(); }
     [[nodiscard]] GLuint depthTexture() const { return depth_.name(); }
-    /// The framebuffer that holds the (resolved) textures.
+    /// The framebuffer with the (resolved) textures.
     [[nodiscard]] GLuint framebuffer() const { return framebuffer_.name(); }
 
 private:

@@ -24,7 +24,7 @@ Unexpected refusal(const std::string& name, const MessageText& what, const std::
     return unexpected(msg::kShaderRefused, what, name, firstLine(log));
 }
 
-/// Compiles one stage and attaches it; the shader object goes with the program.
+/// Compiles one stage and attaches it. The shader object is freed with the program.
 Expected<void> attach(GLuint program, GLenum stage, const std::string& name, const std::string& source) {
     const GLuint shader = glCreateShader(stage);
     const char* text = source.c_str();

@@ -11,18 +11,18 @@
 
 namespace tactooth {
 
-/// A linked pair of shaders. Setting a value that the shaders do not use does nothing.
+/// A linked pair of shaders. Setting a uniform that the shaders do not use has no effect.
 class ShaderProgram {
 public:
     ShaderProgram() = default;
-    /// Each stage is the join of its sources; `defines` come first ("#define X 1\n"). `name` appears in errors. An
-    /// empty fragment stage writes depth alone.
+    /// Each stage is the concatenation of its sources, after `defines` ("#define X 1\n"). `name` appears in errors. An
+    /// empty fragment stage writes only depth.
     [[nodiscard]] static Expected<ShaderProgram> create(const std::string& name, const std::string& defines,
                                                         std::initializer_list<std::string_view> vertex,
                                                         std::initializer_list<std::string_view> fragment);
 
     void use() const { glUseProgram(program_.name()); }
-    /// These act on the program in use.
+    /// These set uniforms of the program in use.
     void set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }
     void set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }
     void set(const char* uniform, const Eigen::Vector4f& value) const {
@@ -41,7 +41,7 @@ private:
     gl::Program program_;
 };
 
-/// Where the shaders' `Frame` block is bound.
+/// The binding point of the shaders' `Frame` block.
 inline constexpr GLuint kFrameBinding = 0;
 
 }  // namespace tactooth

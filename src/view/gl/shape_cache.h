@@ -8,13 +8,13 @@
 
 namespace tactooth {
 
-/// Keeps the buffers of the shapes of the last scene, so that the next one uploads only what is new.
+/// Keeps the buffers of the shapes of the last scene, so that the next scene uploads only new shapes.
 class ShapeCache {
 public:
     struct Result {
-        std::vector<Drawable> drawables;   ///< the visible objects of the scene but the ghosts, in its order
-        std::vector<Drawable> ghosts;      ///< likewise
-        std::vector<Drawable> capped;      ///< those that a section shows filled; empty without a section
+        std::vector<Drawable> drawables;   ///< the visible objects of the scene except the ghosts, in scene order
+        std::vector<Drawable> ghosts;      ///< the visible ghosts, in scene order
+        std::vector<Drawable> capped;      ///< the objects that a section shows filled; empty without a section
         bool staticShapesRemoved = false;  ///< a shape that does not move was removed
         std::size_t uploadedTriangles = 0;
     };

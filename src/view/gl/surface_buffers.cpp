@@ -24,13 +24,13 @@ std::span<const SurfaceTag> tagsOf(const SceneShape& shape) {
     return std::get<SurfacePointer>(shape)->base->tags();
 }
 
-/// What a place of the index buffer is to hold.
+/// A change of one entry of the index buffer.
 struct Change {
     std::uint32_t place;
     Triangle triangle;
 };
 
-/// The numbers of the triangles whose bit differs between two masks of the same length.
+/// The numbers of the triangles whose bits differ between two masks of the same length.
 std::vector<std::uint32_t> changedTriangles(const TriangleMask& a, const TriangleMask& b) {
     std::vector<std::uint32_t> changed;
     for (std::size_t word = 0; word < a.size(); ++word) {

@@ -8,24 +8,24 @@
 
 namespace tactooth {
 
-/// One scene shape on the graphics card, kept in step with the snapshots of a tooth: the base is uploaded once, a
-/// triangle that was hidden or came back costs twelve bytes, and only new patches are sent.
+/// One scene shape on the graphics card, kept up to date with the snapshots of a tooth. The base is uploaded once. A
+/// triangle that is hidden or shown again costs twelve bytes. Only new patches are uploaded.
 class SurfaceBuffers {
 public:
-    /// Uploads what all snapshots of `shape` share; `update` brings the rest. `shape` has triangles.
+    /// Uploads the data that all snapshots of `shape` share; `update` uploads the rest. `shape` has triangles.
     explicit SurfaceBuffers(const SceneShape& shape);
 
-    /// Whether `shape` is what these buffers hold, or another snapshot of it.
+    /// Whether these buffers hold `shape` or another snapshot of it.
     [[nodiscard]] bool holds(const SceneShape& shape) const;
-    /// Brings the buffers in step with `shape`, which they hold. Says whether anything changed.
+    /// Updates the buffers to `shape`, which they must hold. Returns whether anything changed.
     bool update(const SceneShape& shape);
 
     void draw(const ClusterCuller& culler);
     /// Object frame.
     [[nodiscard]] Box3 box() const { return box_.merged(patches_.box()); }
-    /// Where the last update that changed anything did so, shading apart. Object frame.
+    /// The box of the last update that changed anything; changes of shading do not count. Object frame.
     [[nodiscard]] const Box3& changed() const { return changed_; }
-    /// Triangles sent to the graphics card by the last update.
+    /// Triangles uploaded to the graphics card by the last update.
     [[nodiscard]] std::size_t lastUpload() const { return lastUpload_; }
 
 private:
@@ -39,12 +39,12 @@ private:
     void hide(const TriangleMask& mask);
     void markChangedNodes();
 
-    SceneShape shown_;  ///< held, so that its address names nothing else
+    SceneShape shown_;  ///< kept alive, so that no other shape can get its address
     bool updated_ = false;
     CornerShading shading_;                    ///< of the base
     LodTree lodTree_;                          ///< of the base, with none of its triangles hidden
-    std::vector<std::uint32_t> hiddenInNode_;  ///< triangles, of nodes that are pieces of the true surface
-    std::vector<bool> mustRefine_;             ///< of each node: whether a triangle below it is hidden
+    std::vector<std::uint32_t> hiddenInNode_;  ///< hidden triangles of each node that is a piece of the true surface
+    std::vector<bool> mustRefine_;             ///< for each node: whether a triangle below it is hidden
     std::vector<std::uint32_t> drawIndexOfTriangle_;
     Box3 box_;
     Box3 changed_;
@@ -55,7 +55,7 @@ private:
     std::size_t lastUpload_ = 0;
 };
 
-/// Whether `shape` has something to draw.
+/// Whether `shape` has triangles to draw.
 [[nodiscard]] bool hasTriangles(const SceneShape& shape);
 
 }  // namespace tactooth

@@ -8,7 +8,7 @@ namespace tactooth {
 
 namespace {
 
-/// Binding indices through this target leaves the vertex array's own element binding alone.
+/// Binding indices to this target does not change the vertex array's element binding.
 constexpr GLenum kAnyTarget = GL_COPY_WRITE_BUFFER;
 
 void allocate(const gl::Buffer& buffer, std::size_t bytes) {

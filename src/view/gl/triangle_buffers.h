@@ -10,12 +10,12 @@
 
 namespace tactooth {
 
-/// Vertices and triangles on the graphics card, in two growing buffers and the vertex array that reads them.
+/// Vertices and triangles on the graphics card, in two growing buffers, and the vertex array that reads them.
 class TriangleBuffers {
 public:
     TriangleBuffers(std::uint32_t vertexCapacity, std::uint32_t triangleCapacity);
 
-    /// What was there before stays.
+    /// Keeps the existing contents.
     void growVertices(std::uint32_t capacity);
     void growTriangles(std::uint32_t capacity);
     void writeVertices(std::uint32_t first, std::span<const ShadingVertex> vertices) const;

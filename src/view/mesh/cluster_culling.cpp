@@ -9,8 +9,9 @@ namespace tactooth {
 ClusterCuller::ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces,
                              double lodTolerance)
     : eye_(eye.cast<float>()), skipBackFaces_(skipBackFaces), lodTolerance_(static_cast<float>(lodTolerance)) {
-    // A point is inside where -w <= x, y, z <= w in clip coordinates: each bound is a row combination of the matrix.
-    // G. Gribb, K. Hartmann, Fast extraction of viewing frustum planes from the world-view-projection matrix, 2001.
+    // A point is inside where -w <= x, y, z <= w in clip coordinates. Each bound is a linear combination of matrix
+    // rows. G. Gribb, K. Hartmann, Fast extraction of viewing frustum planes from the world-view-projection matrix,
+    // 2001.
     for (int axis = 0; axis < 3; ++axis) {
         for (int side = 0; side < 2; ++side) {
             const double sign = side == 0 ? 1.0 : -1.0;
@@ -34,9 +35,9 @@ float ClusterCuller::allowedError(const Vec3f& centre, float radius) const {
 
 bool ClusterCuller::isBackFacing(const TriangleCluster& cluster) const {
     if (cluster.coneSine > 1) return false;
-    // Every facet normal is within asin(coneSine) of the axis, and the direction from any point of the ball to the eye
-    // is within asin(radius / distance) of the one from its centre. All facets look away if the angle between axis and
-    // the direction *from* the eye is less than 90 degrees minus both.
+    // Every facet normal is within asin(coneSine) of the axis. The direction from any point of the ball to the eye is
+    // within asin(radius / distance) of the direction from its centre. All facets are back faces if the angle between
+    // the axis and the direction *from* the eye is less than 90 degrees minus both angles.
     const Vec3f fromEye = eye_.w() == 0 ? Vec3f(-eye_.head<3>()) : Vec3f(cluster.centre - eye_.head<3>());
     const float distance = fromEye.norm();
     const float spread = eye_.w() == 0 ? 0.0F : cluster.radius / distance;

@@ -11,19 +11,19 @@
 
 namespace tactooth {
 
-/// What one pass sees, in the frame of the object being drawn: the six sides of its view volume and the eye.
+/// The visible region of one pass, in the frame of the drawn object: the six sides of its view volume and the eye.
 class ClusterCuller {
 public:
-    /// `objectToClip` maps points of the object to OpenGL clip coordinates; `eye` is in the object's frame, with w = 0
-    /// for a parallel view (then the direction to the eye). Runs that look away are skipped only if `skipBackFaces`.
-    /// What is drawn may lie off the true surface by `lodTolerance` mm for each mm of distance from the eye (in a
-    /// parallel view: by `lodTolerance` mm); 0 is the true surface.
+    /// `objectToClip` maps points of the object to OpenGL clip coordinates. `eye` is in the object's frame, with w = 0
+    /// for a parallel view (then it is the direction to the eye). Clusters of back faces are skipped only if
+    /// `skipBackFaces`. The drawn surface may deviate from the true one by `lodTolerance` mm for each mm of distance
+    /// from the eye (in a parallel view: by `lodTolerance` mm). 0 gives the true surface.
     ClusterCuller(const Mat4& objectToClip, const Eigen::Vector4d& eye, bool skipBackFaces, double lodTolerance = 0);
 
-    /// Whether any triangle of `cluster` could show. Never wrong when it says no.
+    /// Whether any triangle of `cluster` may be visible. If it returns false, none is visible.
     [[nodiscard]] bool mayBeVisible(const TriangleCluster& cluster) const;
 
-    /// How far off the true surface anything in this ball may be drawn, mm.
+    /// The largest allowed deviation from the true surface inside this ball, mm.
     [[nodiscard]] float allowedError(const Vec3f& centre, float radius) const;
 
 private:
@@ -35,14 +35,14 @@ private:
     float lodTolerance_;
 };
 
-/// A run of triangles in drawing order.
+/// A range of triangles in drawing order.
 struct TriangleRange {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     bool operator==(const TriangleRange&) const = default;
 };
 
-/// Adds to `ranges` the clusters that may show, neighbours joined.
+/// Adds the clusters that may be visible to `ranges`; adjacent ranges are merged.
 void visibleRanges(const ClusterCuller& culler, std::span<const TriangleCluster> clusters,
                    std::vector<TriangleRange>& ranges);
 

@@ -34,13 +34,13 @@ struct CornersOfVertex {
     }
 };
 
-/// Twice the area of a facet 20 um wide, mm^2: what is finer is a splinter that cutting has left, and its direction
-/// tells nothing about the wall that it lies in.
+/// Twice the area of a facet 20 um wide, mm^2. A smaller facet is a sliver left by cutting. Its direction says nothing
+/// about the surrounding wall.
 constexpr float kTrustedArea = 4e-4F;
 
 struct Facets {
-    std::vector<Vec3f> normals;  ///< one a triangle; zero if it has no area
-    std::vector<float> weights;  ///< one a corner: its angle, rad, or less
+    std::vector<Vec3f> normals;  ///< one per triangle; zero if it has no area
+    std::vector<float> weights;  ///< one per corner: its angle, rad, or less
 
     explicit Facets(const TriangleMesh& mesh) : normals(mesh.triangles.size()), weights(3 * mesh.triangles.size()) {
         for (std::size_t t = 0; t < normals.size(); ++t) {
@@ -84,7 +84,7 @@ public:
     }
 
 private:
-    /// Gives `group` to `seed` and to every corner that smooth edges join to it.
+    /// Assigns `group` to `seed` and to every corner connected to it by smooth edges.
     void flood(std::span<const std::uint32_t> corners, std::uint32_t seed, std::uint8_t group) {
         front_.assign(1, seed);
         groups_[seed] = group;
@@ -131,7 +131,7 @@ private:
     const TriangleMesh& mesh_;
     const Facets& facets_;
     std::span<const SurfaceTag> tags_;
-    std::vector<std::uint8_t> groups_;  ///< numbers the groups of each vertex from 0, one entry a corner
+    std::vector<std::uint8_t> groups_;  ///< group numbers within each vertex, from 0, one entry per corner
     CornerShading shading_;
     TagWeights shares_;
     std::vector<std::uint32_t> front_;

@@ -10,29 +10,30 @@
 
 namespace tactooth {
 
-/// Two triangles that meet at a sharper angle than this, rad, are shaded with an edge between them: 40 degrees keeps
-/// the blades of a bur and the rim of a cavity sharp and the facets of a scanned tooth smooth.
+/// Triangles that meet at a larger angle than this, rad, are shaded with a sharp edge. 40 degrees keeps the blades of a
+/// bur and the rim of a cavity sharp and the facets of a scanned tooth smooth.
 inline constexpr double kCreaseAngle = 0.70;
 
-/// Which looks meet at a corner: those of two surface tags. Where more than two meet, the two largest.
+/// The two appearances that are mixed at a corner, as surface tags. If more than two meet, these are the two with the
+/// largest weights.
 struct AppearanceMix {
     SurfaceTag first = 0;
     SurfaceTag second = 0;
-    std::uint8_t share = 0;  ///< of `second`, in 255ths
+    std::uint8_t share = 0;  ///< weight of `second`, in 255ths
 
     bool operator==(const AppearanceMix&) const = default;
 };
 
-/// What the corners of a mesh hand to the shaders, corner c of triangle t in entry 3 t + c.
+/// The shading data of the corners of a mesh. Corner c of triangle t is entry 3 t + c.
 struct CornerShading {
     std::vector<Vec3f> normals;  ///< unit
     std::vector<AppearanceMix> appearances;
 };
 
-/// Smooth shading. Around a vertex, triangles joined by edges flatter than the crease angle share one normal and one
-/// mix of looks: the means of theirs, weighted by their angle at the vertex (splinters by less). Materials so pass into
-/// each other over one triangle instead of along its jagged edges, but never around the rim of a cavity. `tags` holds
-/// one tag a triangle, or nothing.
+/// Smooth shading. Around a vertex, triangles connected by edges flatter than the crease angle share one normal and one
+/// mix of appearances: the weighted means of their own. The weight is the angle at the vertex; slivers weigh less. So
+/// materials blend over one triangle instead of along jagged edges, but never across the rim of a cavity. `tags` holds
+/// one tag per triangle, or is empty.
 ///
 /// Weights: G. Thuermer, C. A. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3(1), 1998.
 [[nodiscard]] CornerShading cornerShading(const TriangleMesh& mesh, std::span<const SurfaceTag> tags = {});

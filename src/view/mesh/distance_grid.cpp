@@ -13,7 +13,7 @@ namespace tactooth {
 
 namespace {
 
-/// From -1 to 1 in equal steps, sRGB.
+/// Evenly spaced from -1 to 1, sRGB.
 const std::array<Vec3f, 7> kStops = {{{0.50F, 0.23F, 0.03F},
                                       {0.88F, 0.51F, 0.08F},
                                       {0.99F, 0.80F, 0.58F},
@@ -30,7 +30,7 @@ DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int lon
     grid.spacing = box.sizes().maxCoeff() / (longest - 1);
     grid.counts = (box.sizes().array() / grid.spacing).ceil().cast<int>() + 1;
     const int nx = grid.counts.x(), ny = grid.counts.y(),
-              nz = grid.counts.z();  // clang 14 lets no lambda take bindings
+              nz = grid.counts.z();  // clang 14: a lambda cannot capture structured bindings
     grid.values.resize(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz));
     const auto rows = static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz);
     parallelFor(rows, [&](std::size_t row) {

@@ -9,7 +9,8 @@
 
 namespace tactooth {
 
-/// Signed distances to a surface on a regular grid, mm, negative inside; x runs fastest. The first sample is at `low`.
+/// Signed distances to a surface on a regular grid, mm, negative inside. x varies fastest. The first sample is at
+/// `low`.
 struct DistanceGrid {
     Vec3 low = Vec3::Zero();
     double spacing = 1;  ///< mm
@@ -17,21 +18,21 @@ struct DistanceGrid {
     std::vector<float> values;
 };
 
-/// Samples the distance to the closed surface `target` all over `box`, `longest` samples along its longest side. The
-/// same on any number of threads.
+/// Samples the distance to the closed surface `target` everywhere in `box`, with `longest` samples along its longest
+/// side. The result is the same for any number of threads.
 [[nodiscard]] DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest = 96);
 
-/// Colours a surface by its distance to another one: `distanceColour` from -range to range.
+/// Colours a surface by its distance to another one, with `distanceColour` from -range to range.
 struct DistanceColourMap {
-    std::shared_ptr<const DistanceGrid> grid;  ///< frame of the object that is coloured
+    std::shared_ptr<const DistanceGrid> grid;  ///< frame of the coloured object
     double range = 1;                          ///< mm
 
     bool operator==(const DistanceColourMap&) const = default;
 };
 
-/// The colour (sRGB) for `share` = distance / range in -1..1: orange where the surface lies inside the target (too much
-/// was taken), white where it agrees, blue where it lies outside (still to be taken). Differs in lightness from the
-/// middle to both ends and in blue against yellow between them, which all common kinds of colour blindness see.
+/// The colour (sRGB) for `share` = distance / range in -1..1. Orange: the surface is inside the target (cut too deep).
+/// White: both agree. Blue: the surface is outside (still to cut). Lightness differs between the middle and both ends;
+/// blue against yellow separates the ends. All common kinds of colour blindness see both.
 [[nodiscard]] Vec3f distanceColour(double share);
 
 }  // namespace tactooth

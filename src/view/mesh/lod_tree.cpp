@@ -9,25 +9,25 @@
 
 #include "geometry/util/parallel_for.h"
 
-// Two neighbouring pieces are joined, the border of the two is kept, half of the triangles go: the binary case of
-// P. Cignoni et al., Batched multi triangulation, IEEE Visualization 2005. Edges go in the order of the error quadrics
-// of M. Garland, P. Heckbert, Surface simplification using quadric error metrics, SIGGRAPH 1997, as meshoptimizer has
-// them.
+// Each step joins two adjacent pieces, keeps the border of the pair and removes half of the triangles. This is the
+// binary case of P. Cignoni et al., Batched multi triangulation, IEEE Visualization 2005. Edges are removed in the
+// order of the error quadrics of M. Garland, P. Heckbert, Surface simplification using quadric error metrics, SIGGRAPH
+// 1997, as meshoptimizer implements them.
 
 namespace tactooth {
 
 namespace {
 
-constexpr double kWorthwhile = 0.75;  ///< more than this share of the triangles left saves too little to keep it
-constexpr std::size_t kFewestTriangles = 64;  ///< half a cluster: fewer are drawn no sooner
+constexpr double kWorthwhile = 0.75;  ///< a larger share of the triangles saves too little to keep the coarser piece
+constexpr std::size_t kFewestTriangles = 64;  ///< half a cluster: fewer triangles are drawn no faster
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 constexpr float kNotDrawn = std::numeric_limits<float>::infinity();
 
-/// What one node shows.
+/// The triangles of one node.
 struct Piece {
     std::vector<Triangle> triangles;
-    float error = 0;      ///< of what `triangles` show
-    bool isDrawn = true;  ///< else it only goes on to the piece above it
+    float error = 0;      ///< of `triangles`
+    bool isDrawn = true;  ///< if false, it is only an input of the piece above it
 };
 
 bool hasOneAppearance(const ShadingMesh& mesh, const Triangle& triangle) {
@@ -35,9 +35,9 @@ bool hasOneAppearance(const ShadingMesh& mesh, const Triangle& triangle) {
     return appearances(0) == appearances(1) && appearances(1) == appearances(2);
 }
 
-/// Triangles with vertices numbered among themselves, as the work of simplifying grows with the numbers.
+/// Triangles with local vertex numbers, because the work of simplification grows with the numbers.
 struct LocalMesh {
-    std::vector<std::uint32_t> vertices;  ///< of the whole mesh
+    std::vector<std::uint32_t> vertices;  ///< numbers in the whole mesh
     std::vector<Vec3f> positions;
     std::vector<std::uint32_t> indices;
 
@@ -66,7 +66,7 @@ private:
     }
 };
 
-/// `piece` with half of its triangles, if that many can go.
+/// Removes half of the triangles of `piece`, if that many can be removed.
 Piece halved(const ShadingMesh& mesh, Piece piece) {
     const auto oneAppearance = std::stable_partition(piece.triangles.begin(), piece.triangles.end(),
                                                      [&](const Triangle& t) { return !hasOneAppearance(mesh, t); });
@@ -127,7 +127,7 @@ LodNode parentNode(LodTree& tree, const ShadingMesh& mesh, const Piece& piece) {
     return node;
 }
 
-/// The true surface in pieces, as nodes of `tree` and to go on with.
+/// The true surface in pieces: adds them to `tree` as nodes and returns them as the first layer.
 std::vector<Piece> trueLayer(LodTree& tree, const ShadingMesh& mesh) {
     std::vector<Piece> layer;
     constexpr std::uint32_t kClusters = kTrianglesPerLeaf / kTrianglesPerCluster;
@@ -145,7 +145,7 @@ std::vector<Piece> trueLayer(LodTree& tree, const ShadingMesh& mesh) {
     return layer;
 }
 
-/// The layer above `layer`, whose nodes are the last of `tree`.
+/// The layer above `layer`, whose nodes are the last ones of `tree`.
 std::vector<Piece> nextLayer(LodTree& tree, const ShadingMesh& mesh, const std::vector<Piece>& layer) {
     std::vector<Piece> next((layer.size() + 1) / 2);
     parallelFor(next.size(), [&](std::size_t i) { next[i] = halved(mesh, joined(childrenOf(layer, i))); });

@@ -12,11 +12,11 @@ namespace tactooth {
 
 namespace {
 
-/// A point this near to the base lies on it, mm: coordinates of a mouth in single precision are exact to 0.01 um, and
-/// no cut follows the surface to 0.2 um.
+/// A point this close to the base is on it, mm. Coordinates of a mouth in single precision are exact to 0.01 um, and no
+/// cut follows the surface to 0.2 um.
 constexpr double kOnBase = 2e-4;
 
-/// The base triangle of which triangle `t` of the patch is a piece, if it is one.
+/// The base triangle that contains triangle `t` of the patch, if there is one.
 std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32_t t, const SurfacePart& base) {
     const Vec3 centre = (patch.corner(t, 0) + patch.corner(t, 1) + patch.corner(t, 2)) / 3;
     const auto nearest = closestPoint(base, centre, kOnBase);
@@ -28,13 +28,13 @@ std::optional<std::uint32_t> baseTriangle(const TriangleMesh& patch, std::uint32
     return nearest->triangle;
 }
 
-/// A corner of a patch: its normal and its looks.
+/// A corner of a patch: its normal and its appearances.
 struct Corner {
     Vec3f normal;
     AppearanceMix mix;
 };
 
-/// The shading of base triangle `t` at `point`, which lies on it.
+/// The shading of base triangle `t`, interpolated at `point` on it.
 Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std::uint32_t t, const Vec3& point) {
     const Vec3 area = base.areaVector(t);
     Vec3f sum = Vec3f::Zero();
@@ -52,8 +52,9 @@ Corner interpolated(const TriangleMesh& base, const CornerShading& shading, std:
     return {sum.stableNormalized(), shares.mix()};
 }
 
-/// The looks of the base where a wall's vertex stands on it. A base triangle's tag stands for all of it, while a wall
-/// knows its material to a few micrometres: without this, a scratch would show as a stripe of another colour.
+/// The appearances of the base at a wall vertex that is on the base. The tag of a base triangle holds for all of it,
+/// but a wall knows its material to a few micrometres. Without this, a scratch would appear as a stripe of another
+/// colour.
 std::optional<AppearanceMix> rimAppearanceAt(const SurfacePart& base, const CornerShading& shading,
                                              const Vec3& vertex) {
     const auto nearest = closestPoint(base, vertex, kOnBase);
@@ -63,8 +64,8 @@ std::optional<AppearanceMix> rimAppearanceAt(const SurfacePart& base, const Corn
 
 ShadedPatch::Position placeOf(const Vec3f& v) { return {v.x(), v.y(), v.z()}; }
 
-/// A patch's wall, and what of its neighbours' walls touches it, as one mesh. Neighbours meet in vertices of equal
-/// bits.
+/// The wall of a patch and the adjacent wall triangles of its neighbours, as one mesh. Shared vertices have bitwise
+/// equal coordinates.
 class JoinedWall {
 public:
     explicit JoinedWall(const ShadedPatch& patch) : places_(patch.positions) {
@@ -87,7 +88,7 @@ public:
     [[nodiscard]] CornerShading shading() const { return cornerShading(mesh_, tags_); }
 
 private:
-    /// Which of the patch's own places each of `others` is, if any. Both ascend.
+    /// For each of `others`, its index among the patch's own positions, or kNotOfWall. Both lists ascend.
     [[nodiscard]] std::vector<std::uint32_t> sharedPlaces(const std::vector<ShadedPatch::Position>& others) const {
         std::vector<std::uint32_t> shared(others.size(), ShadedPatch::kNotOfWall);
         std::size_t own = 0;
@@ -98,7 +99,8 @@ private:
         return shared;
     }
 
-    /// Adds those triangles of the wall of `patch` of which a vertex `counts`, with the vertices that `joined` tells.
+    /// Adds the wall triangles of `patch` that have a vertex for which `counts` is true. `joined` maps their vertices
+    /// to vertices of the joined mesh.
     template <class Counts, class Joined>
     void addTriangles(const ShadedPatch& patch, const Counts& counts, const Joined& joined) {
         const TriangleMesh& mesh = patch.part->mesh();
@@ -110,7 +112,7 @@ private:
         }
     }
 
-    /// The vertex of a neighbour that the patch itself does not have.
+    /// The joined vertex for a neighbour's vertex that the patch itself does not have.
     std::uint32_t fartherVertex(const ShadedPatch::Position& place) {
         const auto [known, isNew] = farther_.try_emplace(place, static_cast<std::uint32_t>(mesh_.vertices.size()));
         if (isNew) mesh_.vertices.emplace_back(place.data());
@@ -123,7 +125,7 @@ private:
     std::map<ShadedPatch::Position, std::uint32_t> farther_;
 };
 
-/// The vertices of the triangles of `patch` that are its wall, one for each of their corners.
+/// The vertices of the wall triangles of `patch`, one for each corner.
 std::vector<std::uint32_t> cornersOfWall(const ShadedPatch& patch) {
     const std::vector<Triangle>& triangles = patch.part->mesh().triangles;
     std::vector<std::uint32_t> corners;
@@ -170,7 +172,7 @@ CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch
     const TriangleMesh& mesh = patch.part->mesh();
     CornerShading shading{std::vector<Vec3f>(3 * mesh.triangles.size()),
                           std::vector<AppearanceMix>(3 * mesh.triangles.size())};
-    std::size_t ofWall = 0;  // its triangles stand first among the joined ones, in their order
+    std::size_t ofWall = 0;  // the wall's triangles come first in the joined mesh, in their order
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::uint32_t c = 0; c < 3; ++c) {
             Corner corner;

@@ -12,8 +12,8 @@
 
 namespace tactooth {
 
-/// A patch of a tooth and what is found out about it once: which of its triangles are pieces of triangles of the base,
-/// left around a cut. The others are its wall. May be made on any thread.
+/// A patch of a tooth with data that is computed once: which of its triangles are pieces of base triangles, left around
+/// a cut. The other triangles are its wall. May be made on any thread.
 struct ShadedPatch {
     /// `baseShading`: of the corners of `base`.
     ShadedPatch(std::shared_ptr<const SurfacePart> patch, const SurfacePart& base, const CornerShading& baseShading);
@@ -22,17 +22,17 @@ struct ShadedPatch {
     static constexpr std::uint32_t kNotOfWall = UINT32_MAX;
 
     std::shared_ptr<const SurfacePart> part;
-    std::vector<std::optional<std::uint32_t>> baseTriangles;  ///< one a triangle: of the base
+    std::vector<std::optional<std::uint32_t>> baseTriangles;  ///< one per triangle: its base triangle
     Box3 wall;                                                ///< of the wall's vertices
-    std::vector<Position> positions;                          ///< of the wall's vertices, ascending, each once
-    std::vector<std::uint32_t> positionOfVertex;              ///< one a vertex: in `positions`, or kNotOfWall
-    std::vector<std::optional<AppearanceMix>>
-        rimAppearances;  ///< one a place: the looks of the base, where it lies there
+    std::vector<Position> positions;                          ///< of the wall's vertices, ascending, without duplicates
+    std::vector<std::uint32_t> positionOfVertex;              ///< one per vertex: index in `positions`, or kNotOfWall
+    std::vector<std::optional<AppearanceMix>> rimAppearances;  ///< the appearances of the base, for positions on it
 };
 
-/// Shading of a patch. Where it carries on the surface of `base`, it takes over the shading of `base` (`baseShading`),
-/// so that no seam shows, nor does one where its wall begins: there the wall has the looks of `base`. It is shaded as
-/// one with the walls of `neighbours`, which share vertices with it. May be called on any thread.
+/// Shading of a patch. Where it continues the surface of `base`, it has the shading of `base` (`baseShading`), so that
+/// no seam is visible. Where its wall begins, the wall has the appearances of `base`, so that no seam is visible there
+/// either. The wall is shaded together with the walls of `neighbours`, which share vertices with it. May be called on
+/// any thread.
 [[nodiscard]] CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
                                          const SurfacePart& base, const CornerShading& baseShading);
 

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::uint32_t kUnset = 0xFFFFFFFF;
 
-constexpr std::size_t kSmallestHalf = 32;  ///< triangles; finer order saves nothing
+constexpr std::size_t kSmallestHalf = 32;  ///< triangles; a finer order gains nothing
 
-/// Orders triangles so that each run of 2^k of them, from a multiple of 2^k on, fills a box of its own: halves along
-/// the longest side, and each half so again.
+/// Orders triangles so that each run of 2^k of them, starting at a multiple of 2^k, fills a compact box. It halves the
+/// triangles along the longest side of their box, then each half again.
 class HalvedBoxes {
 public:
     explicit HalvedBoxes(const TriangleMesh& mesh) : order_(mesh.triangles.size()) {
@@ -54,7 +54,7 @@ private:
     std::vector<Vec3f> centres_;
 };
 
-/// Hands out one shading vertex for each position, normal and mix of looks that is used, in order of first use.
+/// Makes one shading vertex for each used combination of position, normal and appearance mix, in order of first use.
 class VertexSplitter {
 public:
     VertexSplitter(const TriangleMesh& mesh, const CornerShading& shading, std::vector<ShadingVertex>& out)
@@ -83,8 +83,8 @@ private:
     const TriangleMesh& mesh_;
     const CornerShading& shading_;
     std::vector<ShadingVertex>& out_;
-    std::vector<std::uint32_t> first_;  ///< of each mesh vertex, the first shading vertex made from it
-    std::vector<std::uint32_t> next_;   ///< of each shading vertex, the next of the same mesh vertex
+    std::vector<std::uint32_t> first_;  ///< for each mesh vertex, the first shading vertex made from it
+    std::vector<std::uint32_t> next_;   ///< for each shading vertex, the next one of the same mesh vertex
 };
 
 TriangleCluster clusterOf(std::span<const ShadingVertex> vertices, std::span<const Triangle> triangles,

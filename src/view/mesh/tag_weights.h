@@ -10,7 +10,7 @@
 
 namespace tactooth {
 
-/// How much of each tag there is at a point.
+/// The weight of each tag at a point.
 class TagWeights {
 public:
     void clear() { weights_.clear(); }

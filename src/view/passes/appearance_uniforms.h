@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// Hands `appearances` (at most kMaxAppearances) to the program in use: (linear colour, roughness), (metalness,
+/// Sets `appearances` (at most kMaxAppearances) in the program in use: (linear colour, roughness), (metalness,
 /// translucency, wetness, grain).
 void setAppearances(const ShaderProgram& program, const std::vector<Appearance>& appearances);
-/// The same for what `setAppearances` leaves out.
+/// Sets the opacities, which `setAppearances` leaves out.
 void setOpacities(const ShaderProgram& program, const std::vector<Appearance>& appearances);
 
 }  // namespace tactooth

@@ -9,14 +9,14 @@
 
 namespace tactooth {
 
-/// From where one pass looks.
+/// The viewpoint of one pass.
 struct PassView {
     Mat4 worldToView = Mat4::Identity();
     Mat4 viewToClip = Mat4::Identity();
     Vec3 eye = Vec3::Zero();  ///< world, mm
-    bool mirrored = false;    ///< worldToView contains a reflection, which turns triangles around
+    bool mirrored = false;    ///< worldToView contains a reflection, which reverses the orientation of triangles
     Eigen::Vector4d clipPlane = Eigen::Vector4d(0, 0, 0, 1);  ///< world; only points on its positive side are drawn
-    Eigen::Vector4d section = Eigen::Vector4d(0, 0, 0, 1);    ///< likewise, for sectioned objects
+    Eigen::Vector4d section = Eigen::Vector4d(0, 0, 0, 1);    ///< the same for sectioned objects only
 
     [[nodiscard]] Mat4 worldToClip() const { return viewToClip * worldToView; }
 };
@@ -42,18 +42,18 @@ struct FrameBlock {
 };
 static_assert(offsetof(FrameBlock, shadowTexel) == 3 * 64 + 12 * 16);
 
-/// What the shaders need to look a point up in the shadow map.
+/// The data that the shaders need to sample the shadow map.
 struct ShadowLookup {
     Mat4 worldToShadow = Mat4::Identity();
     double texel = 1;  ///< size of a texel in texture coordinates
     double pitch = 1;  ///< mm per texel
-    double error = 0;  ///< mm that what throws the shadow may lie off its place
+    double error = 0;  ///< mm by which a shadow caster may be displaced
 };
 
-/// mm that a surface may be drawn off its place for each mm of distance from the eye, if that is to be `pixels`.
+/// The LOD tolerance (mm of displacement for each mm of distance from the eye) that corresponds to `pixels`.
 [[nodiscard]] double lodToleranceAt(const PassView& view, ImageSize size, double pixels);
 
-/// `lodTolerance`: as by lodToleranceAt.
+/// `lodTolerance`: from lodToleranceAt.
 [[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
                                     const ShadowLookup& shadow, ImageSize size, double lodTolerance);
 

@@ -8,13 +8,13 @@
 namespace tactooth {
 namespace {
 
-// Beside the units of SolidPass, so that its textures stay bound.
+// Not used by SolidPass, so that its textures stay bound.
 constexpr int kShellUnit = 5;
 constexpr int kColourUnit = 6;
 constexpr int kDepthUnit = 7;
 
-// Of their looks' opacity: what one looks through to the far side has to leave that to be seen.
-constexpr GLenum kFarLayer = GL_BACK, kNearLayer = GL_FRONT;  // the faces that are left out
+// Factors on the appearance's opacity. The far layer must stay visible through the near one.
+constexpr GLenum kFarLayer = GL_BACK, kNearLayer = GL_FRONT;  // the faces that are culled
 constexpr float kFarCover = 1.0F, kNearCover = 0.55F;
 
 }  // namespace
@@ -26,7 +26,7 @@ PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& 
         const Box3 box = ghost.buffers->box();
         for (int i = 0; i < 8; ++i) {
             const Eigen::Vector4d corner = toClip * box.corner(static_cast<Box3::CornerType>(i)).homogeneous();
-            if (corner.w() <= 0) return PixelRectangle::whole(size);  // beside the eye or behind it
+            if (corner.w() <= 0) return PixelRectangle::whole(size);  // at the eye's plane or behind it
             covered.extend(Vec2(corner.head<2>() / corner.w()));
         }
     }
@@ -79,8 +79,8 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
     gl::bindTexture(kShellUnit, GL_TEXTURE_2D, 0);
 }
 
-/// The nearest faces of the layer alone, so that their order does not matter. The far layer of the first ghost
-/// has nothing behind it to be mixed with; of the others first the depth is drawn, then the colour.
+/// Draws only the nearest faces of the layer, so that their order does not matter. Behind the far layer of the first
+/// ghost there is nothing to blend with. For all other layers the depth is drawn first, then the colour.
 void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, GLenum culled, float cover) const {
     setAppearances(body_, drawable.object->appearances);
     setOpacities(body_, drawable.object->appearances);
@@ -100,7 +100,8 @@ void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, G
     glDepthFunc(GL_LESS);
 }
 
-/// Where the tooth is what is seen, whatever lies behind its surface; elsewhere, what stands in front of the rest.
+/// Where the tooth is visible, draws the ghosts regardless of depth. Elsewhere, draws only ghost parts that are in
+/// front of the scene.
 void GhostPass::compose(const RenderTarget& drawn) const {
     gl::bindTexture(kColourUnit, GL_TEXTURE_2D, drawn.colourTexture());
     gl::bindTexture(kDepthUnit, GL_TEXTURE_2D, drawn.depthTexture());

@@ -6,21 +6,23 @@
 
 namespace tactooth {
 
-/// The pixels that ghosts can cover; empty if there are none, or none in the picture.
+/// The pixels that ghosts can cover; empty if there are no ghosts, or none in the picture.
 [[nodiscard]] PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& view, ImageSize size);
 
-/// Draws the ghosts of a scene: bodies that are seen through what is sectioned, but not through the instruments in
-/// front of it.
+/// Draws the ghosts of a scene. A ghost is visible through sectioned objects, but not through instruments in front of
+/// it.
 ///
-/// Two layers of each are shown, as of a body of glass: the nearest of the faces that look at the eye, and over them
-/// the nearest of those that look away from it, which are the sides of the hollow that the ghost is the wall of.
+/// Two layers of each ghost are drawn, as if it were of glass. The far layer is the nearest of the faces that point
+/// toward the eye. Over it lies the nearest of the faces that point away: these are the sides of the cavity whose wall
+/// is the ghost.
 class GhostPass {
 public:
     [[nodiscard]] static Expected<GhostPass> create();
 
-    /// The ghosts of `inputs` alone, into `into`. Needs the shell.
+    /// Draws only the ghosts of `inputs`, into `into`. Needs the shell.
     void draw(const SolidInputs& inputs, const RenderTarget& into) const;
-    /// Lays what was drawn over the opaque part of the scene (SolidPass::drawOpaque), in the framebuffer that is bound.
+    /// Composes the result of `draw` over the opaque part of the scene (SolidPass::drawOpaque), in the bound
+    /// framebuffer.
     void compose(const RenderTarget& drawn) const;
 
 private:

@@ -15,7 +15,7 @@ namespace {
 constexpr int kSectors = 128;             ///< of the drawn disc: its rim is then round to 4 um
 constexpr double kGlassClearance = 0.01;  ///< mm in front of the plane: the mirror's own glass is not reflected
 
-/// A vector along the disc and one square to it, both as long as the radius; right x up points along the normal.
+/// Two perpendicular vectors in the plane of the disc, both as long as the radius; right x up points along the normal.
 std::pair<Vec3, Vec3> discAxes(const SceneMirror& mirror) {
     const Vec3 normal = mirror.planeInWorld().normal;
     const Vec3 right = normal.unitOrthogonal();
@@ -29,7 +29,7 @@ PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, Im
     const auto [right, up] = discAxes(mirror);
     const Vec3 centre = mirror.mirrorInWorld * mirror.centre;
     Eigen::AlignedBox2d box;
-    // The corners of the square around a 16-gon's circle hold the whole disc.
+    // The 16-gon with these corners encloses the whole disc.
     const double outside = 1 / std::cos(std::numbers::pi / 16);
     for (int i = 0; i < 16; ++i) {
         const double angle = 2 * std::numbers::pi * i / 16;
@@ -82,7 +82,7 @@ void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const 
     program_.set("covered", Eigen::Vector4f(corners.cast<float>()));
     glBindTexture(GL_TEXTURE_2D, reflection.colourTexture());
     glEnable(GL_CULL_FACE);
-    // The disc lies in the face of the mirror's own mesh and must win over it.
+    // The disc is in the plane of a face of the mirror's mesh and must win the depth test against it.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-2.0F, -8.0F);
     glBindVertexArray(noVertices_.name());

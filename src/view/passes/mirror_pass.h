@@ -7,13 +7,13 @@
 
 namespace tactooth {
 
-/// The pixels that `mirror` can cover; empty if it is seen from behind or not at all.
+/// The pixels that `mirror` can cover; empty if it is seen from behind or is not visible.
 [[nodiscard]] PixelRectangle coveredPixels(const SceneMirror& mirror, const Camera& camera, ImageSize size);
 
-/// The view by way of the mirror: the world reflected in its plane, and nothing from behind the glass.
+/// The view through the mirror: the world reflected in its plane, without anything behind the glass.
 [[nodiscard]] PassView reflectedView(const PassView& direct, const Plane& mirror);
 
-/// Draws the mirror's disc with the reflected picture on it (drawn in `covered`), into the bound framebuffer.
+/// Draws the mirror's disc with the reflected picture (drawn in `covered`) into the bound framebuffer.
 class MirrorPass {
 public:
     [[nodiscard]] static Expected<MirrorPass> create();

@@ -11,13 +11,13 @@ namespace tactooth {
 
 namespace {
 
-constexpr float kReach = 1.6F;  ///< mm: half the width of a molar's central fossa
+constexpr float kReach = 1.6F;  ///< mm: half the width of the central fossa of a molar
 
 void scissor(const PixelRectangle& region) {
     glScissor(region.low.x(), region.low.y(), region.extent().x(), region.extent().y());
 }
 
-/// The first and the last pixel of `region`, as the shaders clamp to them.
+/// The first and the last pixel of `region`; the shaders clamp to them.
 Eigen::Vector4f corners(const PixelRectangle& region) {
     Eigen::Vector4i corners;
     corners << region.low, region.high.array() - 1;

@@ -7,13 +7,13 @@
 
 namespace tactooth {
 
-/// Darkens fissures, cavities and where things touch: the share of surrounding light that neighbours hide, from the
-/// depth picture, at half resolution.
+/// Darkens fissures, cavities and contacts between objects: the share of the ambient light that neighbours occlude,
+/// from the depth buffer, at half resolution.
 class OcclusionPass {
 public:
     [[nodiscard]] static Expected<OcclusionPass> create();
-    /// Applies to `region` of the resolved textures of `target`, drawn with `camera`; the rest is neither read nor
-    /// written.
+    /// Applies ambient occlusion to `region` of the resolved textures of `target`, drawn with `camera`. Pixels outside
+    /// are neither read nor written.
     [[nodiscard]] Expected<void> apply(const RenderTarget& target, const PixelRectangle& region, const Camera& camera);
 
 private:
@@ -24,7 +24,7 @@ private:
     ImageSize halfSize_;
     gl::Texture ambientVisibility_;
     gl::Framebuffer ambientVisibilityFramebuffer_;
-    gl::Framebuffer colourFramebuffer_;  ///< the target's colour alone, so that its depth can be read
+    gl::Framebuffer colourFramebuffer_;  ///< the target's colour only, so that its depth can be read
     gl::VertexArray noVertices_;
 };
 

@@ -8,7 +8,7 @@ namespace tactooth {
 
 namespace {
 
-static_assert(sizeof(Particle) == 8 * sizeof(float));  // as the shader reads it
+static_assert(sizeof(Particle) == 8 * sizeof(float));  // the layout that the shader reads
 
 void describe(GLuint place, std::size_t offset) {
     glEnableVertexAttribArray(place);

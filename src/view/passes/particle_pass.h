@@ -8,11 +8,11 @@
 
 namespace tactooth {
 
-/// Draws drops and chips over the scene, hidden by what stands in front of them.
+/// Draws drops and chips over the scene, with a depth test against it.
 class ParticlePass {
 public:
     [[nodiscard]] static Expected<ParticlePass> create();
-    /// Into the bound framebuffer; the frame block of the pass before stays bound.
+    /// Draws into the bound framebuffer; the frame block of the previous pass stays bound.
     void draw(const std::vector<Particle>& particles, const PassView& view, ImageSize size) const;
 
 private:

@@ -14,14 +14,14 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kResolution = 1024;      ///< texels a side: 25 um a texel on a molar
-constexpr double kTexelsForPixel = 2;  ///< a shadow's edge may be off twice as much as the picture's: nobody compares
-constexpr double kMargin = 1.02;       ///< room for the standing-off of the lookup
+constexpr int kResolution = 1024;      ///< texels per side: 25 um a texel on a molar
+constexpr double kTexelsForPixel = 2;  ///< shadow edges may deviate twice as much as the picture: it is not noticed
+constexpr double kMargin = 1.02;       ///< room for the offset of the lookup from the surface
 
-/// The depth reaches beyond what receives shadows by a multiple of this, mm: a tool that moves then leaves the picture
-/// of what stands still as it is. 24 bits of a hundred millimetres are 6 nm.
+/// The depth range extends beyond the shadow receivers by a multiple of this, mm. A moving tool then leaves the map of
+/// the static objects unchanged. 24 bits over a hundred millimetres are 6 nm.
 constexpr double kDepthStep = 32;
-constexpr int kBorderTexels = 2;  ///< around what has changed: a texel for rounding, one for its neighbour
+constexpr int kBorderTexels = 2;  ///< around a change: one texel for rounding, one for its neighbour
 constexpr ImageSize kMapSize{kResolution, kResolution};
 
 gl::Framebuffer framebufferFor(const gl::Texture& depth) {
@@ -41,14 +41,14 @@ gl::Texture depthTexture() {
     return texture;
 }
 
-/// World to a frame whose +z points to the light.
+/// World to a frame with +z toward the light.
 Mat4 lightFrame(const Vec3& toLight) {
     Mat4 matrix = Mat4::Identity();
     matrix.topLeftCorner<3, 3>() = shortestRotation(toLight, Vec3::UnitZ()).toRotationMatrix();
     return matrix;
 }
 
-/// `all` with its depth grown in steps from that of `receivers`.
+/// `all`, with its depth extended in steps from the depth of `receivers`.
 Box3 inSteps(const Box3& receivers, Box3 all) {
     const double above = all.max().z() - receivers.max().z();
     const double below = receivers.min().z() - all.min().z();
@@ -57,7 +57,7 @@ Box3 inSteps(const Box3& receivers, Box3 all) {
     return all;
 }
 
-/// The parallel projection that looks down -z onto the square around the middle of `receivers`, as deep as `all`.
+/// The parallel projection along -z onto the square around the centre of `receivers`, with the depth range of `all`.
 Mat4 lightProjection(const Box3& receivers, const Box3& all, double halfWidth) {
     const double depth = std::max(all.sizes().z(), 1e-3) * kMargin;
     Mat4 matrix = Mat4::Identity();
@@ -167,9 +167,9 @@ void ShadowMap::drawStatic(const std::vector<Drawable>& drawables, const PixelRe
 
 void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools, const PixelRectangle& part) const {
     const Mat4 worldToPart = cropped(worldToClip_, part, kMapSize);
-    // The back of what a section has opened throws its shadow, too.
+    // The back faces that a section exposes also throw shadows.
     const bool inSection = !section_.head<3>().isZero();
-    // Facets steep to the light span a depth range within one texel: push them back by it.
+    // Facets that are steep to the light cover a depth range within one texel: push them back by that range.
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
     for (const Drawable& drawable : drawables) {

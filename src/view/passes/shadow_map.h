@@ -9,18 +9,18 @@
 
 namespace tactooth {
 
-/// The depth picture seen from the operating light. What stands still is drawn only when it or the light changes, and
-/// where it changes; a copy of it receives the tools of each picture.
+/// The depth buffer as seen from the operating light. Static objects are drawn again only where they change, or when
+/// the light changes. The tools of each frame are drawn into a copy.
 class ShadowMap {
 public:
     [[nodiscard]] static Expected<ShadowMap> create();
 
-    /// `section`: what lies on the negative side of this plane throws no shadow, if it is of a sectioned object.
-    /// `lodTolerance`: as RenderSettings::lodTolerance, of the map's texels and twice that.
-    /// `staticShapesRemoved`: a shape that does not move was in the picture before and is not among `drawables`.
+    /// `section`: the parts of sectioned objects on the negative side of this plane throw no shadow. `lodTolerance`: as
+    /// RenderSettings::lodTolerance, but in texels of the map and twice that. `staticShapesRemoved`: a static shape of
+    /// the frame before is not among `drawables`.
     void update(const std::vector<Drawable>& drawables, bool staticShapesRemoved, const Vec3& toLight,
                 const Eigen::Vector4d& section, double lodTolerance);
-    /// To be called for a picture without `update`: the next one draws all anew.
+    /// Call it for a frame without `update`: the next update draws everything again.
     void invalidate() { staticWorldToClip_.setZero(); }
     [[nodiscard]] GLuint texture() const { return combinedMap_.name(); }
     [[nodiscard]] const ShadowLookup& lookup() const { return lookup_; }

@@ -19,9 +19,9 @@ constexpr int kShadowUnit = 1;
 constexpr int kShellUnit = 2;
 constexpr int kFieldUnit = 3;
 constexpr int kFieldColoursUnit = 4;
-constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< as background.vert.glsl counts its cells
+constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< the number of cells in background.vert.glsl
 
-// Taps of the shadow lookup by Shadows. Twelve on a turned spiral leave no visible grain at 1080p.
+// Samples of the shadow lookup, by Shadows. Twelve on a rotated spiral leave no visible noise at 1080p.
 constexpr std::array<int, 3> kShadowTaps = {0, 1, 12};
 
 std::string definesFor(int shadowTaps, bool rich) {
@@ -49,8 +49,8 @@ bool isRich(const Drawable& drawable) {
 
 bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>().isZero(); }
 
-/// How much coarser than true `drawable` may be, in mm for each mm of distance. Bodies and the layers in them share
-/// parts of their surfaces: where both are seen they stay true, or the one would show through the other.
+/// The LOD tolerance of `drawable`, in mm for each mm of distance. A body and the layers in it share parts of their
+/// surfaces. Where both are visible they stay exact, or one would show through the other.
 double lodToleranceFor(const SolidInputs& inputs, const Drawable& drawable) {
     const bool inLayers = drawable.object->sectioned && (hasSection(inputs) || showsLayers(inputs.drawables));
     if (inLayers || drawable.object->inner) return 0;
@@ -131,7 +131,7 @@ void SolidPass::drawOpaque(const SolidInputs& inputs) const {
     glDisable(GL_CLIP_DISTANCE1);
 }
 
-/// From here on what is drawn writes the reference of the stencil's function into kStencilSeenThrough.
+/// From here on, drawing writes the reference value of the stencil function into kStencilSeenThrough.
 void SolidPass::beginStencil() {
     glStencilMask(kStencilSeenThrough);
     glClear(GL_STENCIL_BUFFER_BIT);
@@ -165,7 +165,7 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) 
     const bool hidesBack = drawable.cullsBackFaces(hasSection(inputs));
     hidesBack ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     drawable.object->sectioned ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
-    // Where a layer reaches the body's surface, the body is what is seen.
+    // Where a layer reaches the surface of the body, the body is visible.
     if (drawable.object->inner) glEnable(GL_POLYGON_OFFSET_FILL), glPolygonOffset(1.0F, 4.0F);
     drawable.buffers->draw(cullerFor(inputs, drawable, hidesBack, lodToleranceFor(inputs, drawable)));
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -182,7 +182,7 @@ void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs&
     program.set("objectToField", objectToField(*distances->grid));
 }
 
-/// Its nearest faces alone, so that their order does not matter: first their depth, then their colour.
+/// Draws only its nearest faces, so that their order does not matter: first their depth, then their colour.
 void SolidPass::drawBlended(const SolidInputs& inputs, const Drawable& drawable) const {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     drawObject(inputs, drawable);
@@ -206,8 +206,8 @@ void SolidPass::drawShell(const SolidInputs& inputs, const RenderTarget& into) c
     stencilInside(inputs, *body, 0);
 }
 
-/// With `bit` 0 draws depth; else turns `bit` of the stencil over with each face of the drawable, so that it is set
-/// where the section's plane runs inside it.
+/// With `bit` 0 draws depth. Otherwise each face of the drawable toggles `bit` of the stencil, so that it is set where
+/// the section plane is inside the drawable.
 void SolidPass::stencilInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const {
     depth_.use();
     depth_.set("objectToClip", Mat4(inputs.view.worldToClip() * drawable.objectToWorld));
@@ -234,10 +234,10 @@ void SolidPass::stencilInside(const SolidInputs& inputs, const Drawable& drawabl
     glStencilMask(~0U);
 }
 
-/// What the plane runs through from outside in: the body, then its layers over it where the body still is.
+/// Draws the section caps from the outside in: first the body, then its layers over it, where the body still exists.
 void SolidPass::drawSectionCaps(const SolidInputs& inputs) const {
     constexpr GLuint kBody = 1, kLayer = 2;
-    // The same square for all, so that all have the same depth.
+    // One square for all caps, so that all have the same depth.
     const Box3 around = inputs.capped.empty() ? Box3() : boxOf(inputs.capped.front(), Mat4::Identity());
     for (const Drawable& drawable : inputs.capped) {
         const GLuint bit = drawable.object->inner ? kLayer : kBody;
@@ -247,7 +247,7 @@ void SolidPass::drawSectionCaps(const SolidInputs& inputs) const {
         glStencilMask(kStencilSeenThrough);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
         glStencilFunc(GL_EQUAL, static_cast<GLint>(wanted) | kStencilSeenThrough, wanted);
-        glDepthFunc(GL_LEQUAL);  // all faces lie in one plane: the last one counts
+        glDepthFunc(GL_LEQUAL);  // all caps are in one plane: the last one wins
         drawCap(inputs, around, *drawable.object->capAppearance);
         glDepthFunc(GL_LESS);
         endStencil();

@@ -12,47 +12,46 @@
 
 namespace tactooth {
 
-/// What one drawing of the scene takes.
+/// The inputs for one drawing of the scene.
 struct SolidInputs {
     const std::vector<Drawable>& drawables;
     const std::vector<Drawable>& capped;  ///< ShapeCache::Result::filled
     const std::vector<Drawable>& ghosts;
     const PassView& view;
     FrameBlock frame;
-    Mat4 cullMatrix;      ///< sees at most what the pass shows; runs of triangles outside it are skipped
+    Mat4 cullMatrix;      ///< covers at most the view of the pass; clusters outside it are skipped
     double lodTolerance;  ///< mm for each mm of distance from the eye
     Shadows shadows;
     const ShadowMap& shadowMap;
     const FieldTextures& fields;
-    const RenderTarget* shell = nullptr;  ///< the body's depth in this view, for inner objects and ghosts
+    const RenderTarget* shell = nullptr;  ///< depth of the body in this view, for inner objects and ghosts
 };
 
-/// The bit of the stencil that drawOpaque sets, if there are ghosts, where a sectioned object is what is seen.
+/// The stencil bit that drawOpaque sets, if there are ghosts, where a sectioned object is visible.
 inline constexpr GLint kStencilSeenThrough = 4;
 
 /// Whether any of them is an inner object.
 [[nodiscard]] bool showsLayers(const std::vector<Drawable>& drawables);
 
-/// Which runs of a drawable's triangles these inputs can show, and how coarse they may be.
+/// Makes the culler that selects the visible clusters of a drawable for these inputs, and their level of detail.
 [[nodiscard]] ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces,
                                       double lodTolerance);
 
-/// Draws the background, the lit objects, the faces of a section and what is transparent into whatever framebuffer is
-/// bound.
+/// Draws the background, the lit objects, the section caps and the transparent objects into the bound framebuffer.
 class SolidPass {
 public:
     [[nodiscard]] static Expected<SolidPass> create();
 
-    /// The background and all that is opaque.
+    /// Draws the background and all opaque objects.
     void drawOpaque(const SolidInputs& inputs) const;
-    /// What is transparent, over the opaque part.
+    /// Draws the transparent objects over the opaque part.
     void drawTransparent(const SolidInputs& inputs) const;
-    /// Depth alone of the first sectioned object, into `into`.
+    /// Draws only the depth of the first sectioned object, into `into`.
     void drawShell(const SolidInputs& inputs, const RenderTarget& into) const;
 
 private:
     struct Variant {
-        ShaderProgram plain;  ///< opaque, in the looks' colours
+        ShaderProgram plain;  ///< opaque, in the colours of the appearances
         ShaderProgram rich;   ///< transparent, inner, coloured by distance
         ShaderProgram section;
     };

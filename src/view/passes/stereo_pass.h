@@ -8,11 +8,11 @@
 
 namespace tactooth {
 
-/// Puts the pictures of two eyes together.
+/// Combines the pictures of two eyes.
 class StereoPass {
 public:
     [[nodiscard]] static Expected<StereoPass> create();
-    /// Over the whole of framebuffer `target`, which has `size`.
+    /// Draws over all of framebuffer `target`, which has `size`.
     void draw(const RenderTarget& left, const RenderTarget& right, Stereo::Mode mode, GLuint target,
               ImageSize size) const;
 

@@ -22,8 +22,8 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kRun = 8;         // pictures in a row: enough that the wait at their end counts little
-constexpr int kUnmeasured = 2;  // the first pictures upload the shapes and compile what the driver had put off
+constexpr int kRun = 8;         // frames in a row: enough that the wait at their end has little weight
+constexpr int kUnmeasured = 2;  // the first frames upload the shapes and compile what the driver had deferred
 
 constexpr std::string_view kOneColour =
     "layout(location = 0) out vec4 fragment;\nvoid main() { fragment = vec4(0.8, 0.78, 0.7, 1.0); }\n";
@@ -48,15 +48,15 @@ double quantile(std::vector<double> values, double share) {
     return values[place];
 }
 
-/// What is kept of one reel while the others have their turns.
+/// The stored state of one candidate while the other candidates have their turns.
 struct Turn {
     Renderer renderer;
-    ShapeCache shapes;  // of bare pictures
+    ShapeCache shapes;  // for frames without `settings`
     std::vector<double> wall = {}, processor = {};
-    double runs = 0;  // ms, of all of them
+    double runs = 0;  // total time of all runs, ms
 };
 
-/// Tells when all that was asked of OpenGL before it is done.
+/// Signals when all earlier OpenGL commands are complete.
 class Fence {
 public:
     Fence() = default;
@@ -82,7 +82,7 @@ private:
 }  // namespace
 
 struct FrameTimer::Parts {
-    EglContext context;  // first: all others need it to the end
+    EglContext context;  // first member: all others need it until they are destroyed
     ShaderProgram oneColour;
     RenderTarget target;
 

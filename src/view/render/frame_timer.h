@@ -14,20 +14,20 @@
 
 namespace tactooth {
 
-/// What pictures cost with the making of their scenes, ms: their mean and the slowest of a hundred. Where the processor
-/// draws, its time counts what the computer has to spend, whoever else uses it.
+/// The cost of frames, ms, including the making of their scenes: the mean and the slowest of a hundred. If the
+/// processor draws, its time is the cost to the computer, whatever other programs use it.
 struct FrameTimes {
-    double wall = 0;  ///< from the making of the scene until the last pixel, nothing else under way
+    double wall = 0;  ///< from the making of the scene to the last pixel, with nothing else in progress
     double wallP99 = 0;
     double processor = 0;  ///< of all threads of this program together
-    double rate = 0;       ///< pictures a second where each is begun while the one before may still be drawn
+    double rate = 0;       ///< frames a second, if each one starts while the one before may still be drawn
 };
 
-/// Measures pictures that are drawn without a screen. Used on the thread that made it, which may hold no other OpenGL
-/// context meanwhile.
+/// Measures frames that are drawn without a screen. Use it on the thread that made it; that thread must not hold
+/// another OpenGL context meanwhile.
 class FrameTimer {
 public:
-    /// The scene for picture number i.
+    /// Returns the scene of frame number i.
     using SceneSequence = std::function<Scene(int i)>;
 
     [[nodiscard]] static Expected<FrameTimer> create(ImageSize size);
@@ -35,21 +35,21 @@ public:
     FrameTimer& operator=(FrameTimer&&) noexcept;
     ~FrameTimer();
 
-    /// One way to draw pictures.
+    /// One way to draw the frames.
     struct Candidate {
         SceneSequence sequence;
-        /// As the window draws them. None: the same triangles in one colour, without light, mirror and culling, the
-        /// least that drawing them can cost.
+        /// As the window draws them. If empty: the same triangles in one colour, without light, mirror and culling.
+        /// That is the lowest possible cost of drawing them.
         std::optional<RenderSettings> settings;
     };
 
-    /// `frames` pictures of each reel; two more come before them unmeasured. The candidates take turns picture by
-    /// picture, so that whatever else the computer does meets all of them alike; each has a renderer of its own. Then
-    /// the same pictures again in short runs for the rate: one drawn at a time would have a graphics card wait for the
-    /// processor and this for the card.
+    /// Measures `frames` frames of each candidate, after two unmeasured ones. The candidates take turns frame by frame,
+    /// so that other work of the computer affects all of them alike; each has its own renderer. Then the same frames
+    /// are drawn again in short runs for the rate. With single frames, the graphics card and the processor would wait
+    /// for each other.
     [[nodiscard]] Expected<std::vector<FrameTimes>> measureInterleaved(const std::vector<Candidate>& candidates,
                                                                        int frames);
-    /// What draws, as the driver names itself.
+    /// The driver's name for the renderer.
     [[nodiscard]] std::string device() const;
 
 private:

@@ -16,9 +16,9 @@ namespace tactooth {
 
 namespace {
 
-constexpr int kVisibleDifference = 16;  ///< of 255: what the eye notices side by side
+constexpr int kVisibleDifference = 16;  ///< of 255: the smallest difference that is visible side by side
 
-/// libpng's simplified interface, freed whatever happens.
+/// The simplified interface of libpng, freed in every case.
 struct PngImage {
     png_image header{};
     PngImage() { header.version = PNG_IMAGE_VERSION; }

@@ -26,7 +26,7 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Writes `image` as PNG. The file appears whole or not at all.
+/// Writes `image` as PNG. The file appears complete or not at all.
 [[nodiscard]] Expected<void> writePng(const Image& image, const std::filesystem::path& file);
 
 /// Reads a PNG of any colour type.
@@ -35,7 +35,7 @@ struct Image {
 /// How two pictures of the same size differ.
 struct ImageDifference {
     double mean = 0;        ///< mean absolute difference of red, green and blue, 0..255
-    double worstShare = 0;  ///< share of pixels of which a channel differs by more than 16
+    double worstShare = 0;  ///< share of the pixels with a channel that differs by more than 16
 };
 [[nodiscard]] ImageDifference compare(const Image& a, const Image& b);
 

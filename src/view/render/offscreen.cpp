@@ -12,7 +12,7 @@ namespace tactooth {
 
 namespace {
 
-/// OpenGL's rows run from bottom to top, an Image's from top to bottom.
+/// OpenGL's rows go from bottom to top, those of an Image from top to bottom.
 void flipRows(Image& image) {
     const auto row = [&](int y) { return image.pixels.begin() + std::ptrdiff_t{y} * image.size.width; };
     for (int y = 0; y < image.size.height / 2; ++y) {
@@ -23,7 +23,7 @@ void flipRows(Image& image) {
 }  // namespace
 
 struct OffscreenRenderer::Parts {
-    EglContext context;  // first: it must be there while the others go
+    EglContext context;  // first member: it must exist while the others are destroyed
     Renderer renderer;
     gl::Texture colour;
     gl::Framebuffer framebuffer;

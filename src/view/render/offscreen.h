@@ -7,8 +7,8 @@
 
 namespace tactooth {
 
-/// An OpenGL context without window, screen or desktop, for pictures in files. Used on the thread that made it, which
-/// may hold no other OpenGL context meanwhile.
+/// An OpenGL context without window, screen or desktop, for pictures in files. Use it on the thread that made it; that
+/// thread must not hold another OpenGL context meanwhile.
 class OffscreenRenderer {
 public:
     [[nodiscard]] static Expected<OffscreenRenderer> create();
@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] Expected<Image> render(const Scene& scene, ImageSize size, const RenderSettings& settings = kFine);
 
-    /// What draws, as the driver names itself ("llvmpipe (LLVM 15.0.6, 256 bits)").
+    /// The driver's name for the renderer ("llvmpipe (LLVM 15.0.6, 256 bits)").
     [[nodiscard]] std::string device() const;
     [[nodiscard]] std::size_t lastUpload() const;
 

@@ -18,7 +18,7 @@ namespace tactooth {
 
 namespace {
 
-/// A picture that is made again only when its size or its samples change.
+/// A render target that is made again only when its size or its number of samples changes.
 class ReusableTarget {
 public:
     Expected<const RenderTarget*> fit(ImageSize size, int samples) {
@@ -37,18 +37,18 @@ private:
     int asked_ = 0;
 };
 
-/// What one view is drawn into.
+/// The render targets of one view.
 struct ViewTargets {
-    std::array<ReusableTarget, 2> pictures;  ///< one an eye
+    std::array<ReusableTarget, 2> pictures;  ///< one for each eye
     ReusableTarget reflection;
     ReusableTarget shell;
     ReusableTarget ghost;
 };
 
-/// The second view as it was drawn last.
+/// The second view as it was last drawn.
 struct SecondViewCache {
-    ImageSize size;                         ///< in the picture
-    const RenderTarget* picture = nullptr;  ///< among the targets of the second view
+    ImageSize size;                         ///< of the second view in the picture
+    const RenderTarget* picture = nullptr;  ///< owned by the targets of the second view
 };
 
 void setKnownState() {
@@ -96,7 +96,7 @@ PassView directView(const Scene& scene, const Camera& camera, ImageSize size) {
     return view;
 }
 
-/// As long as it lives, drawing changes a part of the picture alone; also an error ends it.
+/// Restricts drawing to a part of the picture during its lifetime, also when an error ends it.
 class Limit {
 public:
     explicit Limit(const PixelRectangle& part) {
@@ -147,7 +147,7 @@ struct Renderer::Parts {
     SecondViewCache lastSecond;
     std::size_t lastUpload = 0;
 
-    /// What stays the same for all views of one picture.
+    /// Everything that stays the same for all views of one picture.
     struct Job {
         const Scene& scene;
         const ShapeCache::Result& shapes;
@@ -156,22 +156,22 @@ struct Renderer::Parts {
         ImageSize size;
     };
     void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
-    /// The second view into the corner of framebuffer `target`.
+    /// Draws the second view into the corner of framebuffer `target`.
     Expected<void> drawSecond(const Job& large, GLuint target, ImageSize size);
-    /// The scene through `camera` into `into`.
+    /// Draws the scene through `camera` into `into`.
     Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
-    /// Draws what the mirror shows; nothing if it shows nothing.
+    /// Draws the reflection in the mirror; null if the mirror reflects nothing.
     Expected<const RenderTarget*> drawReflection(const Job& job, const Camera& camera);
     Expected<void> drawScene(const Job& job, const Camera& camera, const RenderTarget& into,
                              const RenderTarget* mirrored);
     [[nodiscard]] SolidInputs inputsFor(const Job& job, const PassView& view, const Background& background,
                                         const Mat4& cullMatrix) const;
-    /// The depth of the body around inner objects and ghosts.
+    /// Draws the depth of the body around inner objects and ghosts.
     Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
-    /// The ghosts by themselves in `seen`, and the depth of the body around them; nothing where there are none.
+    /// Draws only the ghosts, in `seen`, and the depth of the body around them; null if there are none.
     Expected<const RenderTarget*> drawGhosts(const Job& job, SolidInputs& inputs, const PixelRectangle& seen);
-    /// All but the mirror's glass into the part `shown` of `into`, which is left bound for more; `inputs` but for the
-    /// shell.
+    /// Draws everything except the mirror's glass into the part `shown` of `into`, which stays bound for more. `inputs`
+    /// are complete except for the shell.
     Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
                               const PixelRectangle& shown);
 };

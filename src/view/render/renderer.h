@@ -10,8 +10,8 @@
 
 namespace tactooth {
 
-/// Draws scenes with OpenGL 4.1 core in the context that is current; made, used and destroyed with that context
-/// current, on its thread. Between pictures it keeps what is on the graphics card.
+/// Draws scenes with OpenGL 4.1 core in the current context. It must be made, used and destroyed on the thread of that
+/// context, while the context is current. It keeps its data on the graphics card between frames.
 class Renderer {
 public:
     [[nodiscard]] static Expected<Renderer> create();
@@ -19,12 +19,12 @@ public:
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
-    /// Draws `scene` over the whole of framebuffer `target` (OpenGL name; one sample a pixel, 8 bits a channel, at
-    /// least `size`). The bindings of the context are then those of a new context, but for `target`, which stays bound.
+    /// Draws `scene` over all of framebuffer `target` (OpenGL name; one sample per pixel, 8 bits per channel, at least
+    /// `size`). Afterwards the bindings of the context are those of a new context, except that `target` stays bound.
     [[nodiscard]] Expected<void> render(const Scene& scene, unsigned target, ImageSize size,
                                         const RenderSettings& settings = kQuick);
 
-    /// Triangles sent to the graphics card for the last picture.
+    /// Triangles uploaded to the graphics card for the last frame.
     [[nodiscard]] std::size_t lastUpload() const;
 
 private:

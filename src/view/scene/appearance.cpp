@@ -12,8 +12,8 @@ Vec3f linearColour(const Vec3f& srgb) {
 
 namespace appearances {
 
-// Enamel follows shade A1-A2 of the common tooth shade guides, dentin the two shades below (A3-A3.5); the others were
-// chosen by eye against clinical photographs.
+// Enamel has shade A1-A2 of the common tooth shade guides, dentin the two shades below (A3-A3.5). The others were
+// chosen by eye from clinical photographs.
 Appearance enamel() {
     return {
         .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.12F};
@@ -38,8 +38,8 @@ Appearance carbide() {
     return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F};
 }
 Appearance diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
-// Blue differs from all tissues, which run from white over yellow to red, for eyes of all common kinds of colour
-// blindness (M. Okabe, K. Ito, Color universal design, 2008: their sky blue and blue).
+// Blue differs from all tissues, which range from white over yellow to red, for all common kinds of colour blindness
+// (M. Okabe, K. Ito, Color universal design, 2008: their sky blue and blue).
 Appearance toCut() { return {.colour = {0.34F, 0.71F, 0.91F}, .opacity = 0.55F}; }
 Appearance outline() { return {.colour = {0.0F, 0.27F, 0.60F}, .opacity = 1}; }
 

@@ -6,21 +6,21 @@
 
 namespace tactooth {
 
-/// What a material looks like.
+/// The appearance of a material.
 struct Appearance {
-    Vec3f colour = Vec3f(0.8F, 0.8F, 0.8F);  ///< sRGB, 0..1, as a colour picker shows it
-    float roughness = 0.5F;                  ///< 0 = polished, 1 = mat
+    Vec3f colour = Vec3f(0.8F, 0.8F, 0.8F);  ///< sRGB, 0..1, as in a colour picker
+    float roughness = 0.5F;                  ///< 0 = polished, 1 = matt
     float metalness = 0;                     ///< 1 = metal: reflects in its own colour
-    float translucency = 0;                  ///< 0..1: how far light creeps around edges inside the material
-    float wetness = 0;                       ///< 0..1: cover of saliva or water, which gives sharp highlights
-    float grain = 0;                         ///< 0..1: fine unevenness of surface and colour
-    float opacity = 1;                       ///< 0..1: below 1 shows what is behind, most where seen square on
+    float translucency = 0;                  ///< 0..1: how far light scatters around edges inside the material
+    float wetness = 0;                       ///< 0..1: film of saliva or water, which gives sharp highlights
+    float grain = 0;                         ///< 0..1: fine variation of surface and colour
+    float opacity = 1;                       ///< 0..1: below 1 the background shows through, most at perpendicular view
 };
 
 /// sRGB to linear light, channel by channel.
 [[nodiscard]] Vec3f linearColour(const Vec3f& srgb);
 
-/// The materials of this simulator, in one place so that every picture agrees.
+/// The materials of this simulator, in one place so that all pictures agree.
 namespace appearances {
 
 [[nodiscard]] Appearance enamel();
@@ -32,8 +32,8 @@ namespace appearances {
 [[nodiscard]] Appearance steel();    ///< turbine, mirror frame, shank
 [[nodiscard]] Appearance carbide();  ///< tungsten carbide bur head
 [[nodiscard]] Appearance diamond();  ///< diamond-coated bur head
-[[nodiscard]] Appearance toCut();    ///< wall of a cavity that is to be, as a ghost: blue as what is still to cut
-[[nodiscard]] Appearance outline();  ///< rim of it
+[[nodiscard]] Appearance toCut();    ///< wall of a cavity to be cut, as a ghost: blue means still to cut
+[[nodiscard]] Appearance outline();  ///< rim of the cavity to be cut
 
 }  // namespace appearances
 

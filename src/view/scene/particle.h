@@ -6,12 +6,12 @@
 
 namespace tactooth {
 
-/// A drop or a chip in the air: a soft ball that faces the eye.
+/// A drop or a chip in the air: a soft ball drawn facing the eye.
 struct Particle {
     Vec3f position = Vec3f::Zero();  ///< world, mm
     float radius = 0.1F;             ///< mm
     Vec3f colour = Vec3f::Ones();    ///< sRGB
-    float opacity = 1;               ///< of its middle, 0..1
+    float opacity = 1;               ///< at its centre, 0..1
 
     bool operator==(const Particle&) const = default;
 };

@@ -7,24 +7,24 @@ namespace tactooth {
 /// How the shadow of the operating light is drawn.
 enum class Shadows {
     None,
-    Hard,  ///< one lookup a pixel
+    Hard,  ///< one sample per pixel
     Soft,  ///< the penumbra of a real operating light
 };
 
-/// What a picture may cost.
+/// The permitted cost of a picture.
 struct RenderSettings {
-    int samples = 0;  ///< per pixel against jagged edges, 0 or 2..8; less if the driver has less
+    int samples = 0;  ///< per pixel, against jagged edges, 0 or 2..8; fewer if the driver supports fewer
     Shadows shadows = Shadows::Hard;
     bool ambientOcclusion = false;  ///< darkened fissures and contacts
-    double resolution = 1;          ///< share of the pixels along each side that are drawn; the rest is filled in, 0..1
+    double resolution = 1;          ///< share of the pixels drawn along each side, 0..1; the rest is interpolated
 
-    /// Pixels by which a surface may be drawn off its place, so that what is far or small takes fewer triangles; 0
-    /// draws every triangle.
+    /// Pixels by which a drawn surface may deviate, so that distant or small objects need fewer triangles. 0 draws
+    /// every triangle.
     double lodTolerance = 0;
 
     bool operator==(const RenderSettings&) const = default;
 };
-/// While things move, on a computer without a graphics card, and with one.
+/// While things move: on a computer without a graphics card, and with one.
 inline constexpr RenderSettings kQuick{.lodTolerance = 0.5};
 inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .lodTolerance = 0.5};
 /// At rest.

@@ -10,6 +10,7 @@
 
 #include "collision/bvh/surface.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "tooth/model/material.h"
 #include "view/camera/camera.h"
 #include "view/camera/second_view.h"
 #include "view/camera/stereo.h"
@@ -19,67 +20,69 @@
 
 namespace tactooth {
 
-/// A shape to draw: a plain surface, or a tooth that is being cut. The renderer keeps what it uploads for a shape as
+/// A shape to draw: a plain surface, or a tooth that is being cut. The renderer keeps the uploaded data of a shape as
 /// long as later scenes hold the same pointer (or, for a tooth, later snapshots of the same surface).
 using SceneShape = std::variant<std::shared_ptr<const TriangleMesh>, std::shared_ptr<const Surface>>;
 
-/// One thing in the picture.
+/// One object of the scene.
 struct SceneObject {
     SceneShape shape;
     Pose objectInWorld;
-    double spin = 0;  ///< rad, about the object's own z axis, before objectInWorld: a turning bur
+    double spin = 0;  ///< rad, about the object's own z axis, before objectInWorld: a rotating bur
     std::vector<Appearance> appearances = {
-        Appearance{}};  ///< one a surface tag; tags beyond the last use the last. At most kMaxAppearances
+        Appearance{}};  ///< one per surface tag; higher tags use the last one. At most kMaxAppearances
     bool visible = true;
-    bool closed = true;      ///< the surface has no holes, so that what looks away need not be drawn
-    bool moves = false;      ///< a tool: its shadow is drawn anew in each picture, that of the others only on change
-    bool handle = false;     ///< of an instrument: left out of the second view, where it would hide the tooth
-    bool sectioned = false;  ///< the scene's section takes its part of it away
+    bool closed = true;      ///< the surface has no holes, so back faces need not be drawn
+    bool moves = false;      ///< a tool: its shadow is drawn in each frame, that of other objects only on change
+    bool handle = false;     ///< part of an instrument: left out of the second view, where it would hide the tooth
+    bool sectioned = false;  ///< the scene's section removes a part of it
     std::optional<Appearance>
-        capAppearance;  ///< what a section through it shows; without one it is hollow. Needs `closed`
-    /// What fills a body from inside, a layer of a tooth: seen only where that body (the first sectioned object) still
-    /// is, so that nothing of it stands in a cavity. One that is not visible still shows in the section.
+        capAppearance;  ///< of its section cap; without it the section shows a hollow body. Needs `closed`
+    /// A layer of a tooth, inside a body. It is visible only where that body (the first sectioned object) still exists,
+    /// so that no part of it is visible in a cavity. An inner object that is not visible still appears in the section.
     bool inner = false;
-    /// The wall of a hollow that is to be: seen through sectioned objects as tinted glass, whatever is before it of
-    /// them. Throws no shadow.
+    /// The wall of a cavity to be cut. It is visible through sectioned objects as tinted glass, whatever part of them
+    /// is in front of it. Throws no shadow.
     bool ghost = false;
-    std::optional<DistanceColourMap> distances;  ///< replaces the colours of the looks
+    std::optional<DistanceColourMap> distances;  ///< replaces the colours of the appearances
 };
-inline constexpr std::size_t kMaxAppearances = 8;
+/// One for each material of a tooth.
+inline constexpr std::size_t kMaxAppearances = kMaxMaterials;
 
-/// A round flat mirror that shows the scene in front of it.
+/// A round flat mirror that reflects the scene in front of it.
 struct SceneMirror {
     Pose mirrorInWorld;
     Vec3 centre = Vec3::Zero();   ///< mirror frame, mm
-    Vec3 normal = Vec3::UnitZ();  ///< mirror frame, unit; the side that reflects
+    Vec3 normal = Vec3::UnitZ();  ///< mirror frame, unit; points to the reflecting side
     double radius = 11;           ///< mm; 11 is the usual mirror size 4 (22 mm)
-    float reflectance = 0.93F;    ///< 0..1, of rhodium front coating
-    float fog = 0;                ///< 0..1: breath on the glass
-    float drops = 0;              ///< 0..1: share of the glass where drops of spray stand
+    float reflectance = 0.93F;    ///< 0..1, of a rhodium front coating
+    float fog = 0;                ///< 0..1: condensed breath on the glass
+    float drops = 0;              ///< 0..1: share of the glass that drops of spray cover
 
     [[nodiscard]] Plane planeInWorld() const;
 };
 
-/// A look inside: what lies on the positive side of `plane` (world) is taken away from the sectioned objects.
+/// A section of the scene: removes the parts of sectioned objects on the positive side of `plane` (world).
 struct Section {
     Plane plane;
 };
 
-/// Light of the dental unit. Directions point from the scene to the light, world frame, unit. Colours are linear.
+/// Light of the dental unit. Directions point from the scene to the light, world frame, unit vectors. Colours are
+/// linear.
 struct Lighting {
     Vec3 toKey = Vec3(0.35, 0.45, 0.82).normalized();  ///< the operating light; it throws the shadows
     Vec3f keyColour = Vec3f(1.14F, 1.10F, 1.035F);     ///< about 5000 K
-    Vec3 toFill = Vec3(-0.5, 0.4, 0.3).normalized();   ///< a weak light without shadow that opens dark sides
+    Vec3 toFill = Vec3(-0.5, 0.4, 0.3).normalized();   ///< a weak light without shadow that brightens dark sides
     Vec3f fillColour = Vec3f(0.10F, 0.115F, 0.14F);
     Vec3f skyColour = Vec3f(0.27F, 0.28F, 0.30F);       ///< from above
     Vec3f groundColour = Vec3f(0.085F, 0.075F, 0.07F);  ///< from below
 };
 
-/// The operating light stands over the dentist's shoulder: to the upper left of the eye, as that light is swung to
-/// follow the view; the fill light comes from the lower right.
+/// The operating light is over the dentist's shoulder, to the upper left of the eye, as a dentist adjusts that light to
+/// the view. The fill light comes from the lower right.
 [[nodiscard]] Lighting operatingLight(const Camera& camera);
 
-/// What is seen where there is nothing.
+/// The background behind all objects.
 struct Background {
     enum class Kind {
         Gradient,     ///< `bottom` to `top` over the picture
@@ -91,12 +94,12 @@ struct Background {
     Vec3f bottom = Vec3f(0.62F, 0.655F, 0.69F);  ///< sRGB
 };
 
-/// All that a picture shows. Plain data, filled by the caller and only read by the renderer.
+/// Everything that a picture shows. Plain data that the caller fills and the renderer only reads.
 struct Scene {
-    std::vector<SceneObject> objects;  ///< of those that are transparent, outer ones before what is inside them
+    std::vector<SceneObject> objects;  ///< transparent ones: outer objects before the objects inside them
     std::optional<SceneMirror> mirror;
     std::optional<Section> section;
-    std::vector<Particle> particles;  ///< water, chips; drawn over what is behind them, never in the mirror's plane
+    std::vector<Particle> particles;  ///< water, chips; drawn over objects behind them, never in the mirror's plane
     Stereo stereo;
     Camera camera;
     std::optional<SecondView> second;

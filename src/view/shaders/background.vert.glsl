@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The picture as a grid of cells, two triangles each: the colours are worked out at their corners only.
+// Draws the background as a grid of cells, two triangles each. The colours are computed only at the grid corners.
 out vec4 gridColour;
 out float gl_ClipDistance[2];
 
 const ivec2 kCells = ivec2(40, 25);
 
 void main() {
-    gl_ClipDistance[0] = gl_ClipDistance[1] = 1.0;  // it has no place in the scene
+    gl_ClipDistance[0] = gl_ClipDistance[1] = 1.0;  // the background has no position in the scene
     int cell = gl_VertexID / 6;
     int corner = gl_VertexID % 6;
     ivec2 offset = ivec2(corner == 1 || corner == 2 || corner == 4 ? 1 : 0, corner == 2 || corner >= 4 ? 1 : 0);
@@ -20,7 +20,7 @@ void main() {
         vec3 direction = normalize(far.xyz / far.w - eye.xyz);
         gridColour = vec4(toSrgb(compress(0.6 * (environment(direction, 0.5) + bib(direction, 0.5)))), 1.0);
     } else {
-        // Brightest a little below the middle, where the object stands; darker into the corners.
+        // Brightest a little below the centre, where the object is; darker toward the corners.
         vec2 fromMiddle = (place - vec2(0.5, 0.42)) * vec2(min(pictureSize.x * pictureSize.w, 1.6), 1.0);
         float dark = smoothstep(0.05, 1.05, length(fromMiddle));
         vec3 colour = mix(mix(backgroundBottom.rgb, backgroundTop.rgb, smoothstep(0.0, 1.0, place.y)),

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Linear light to what a screen shows.
+// Converts linear light to display values.
 
-// Colours below the knee stay as they are (a shade guide must look like itself); above it they approach white smoothly,
-// keeping their hue and losing saturation only near the end.
+// Colours below the knee are unchanged, so that a shade guide keeps its colours. Above the knee they approach white
+// smoothly. They keep their hue and lose saturation only near the end.
 vec3 compress(vec3 light) {
     const float knee = 0.70;
     float peak = max(light.r, max(light.g, light.b));
@@ -13,8 +13,8 @@ vec3 compress(vec3 light) {
     return mix(light * (compressed / peak), vec3(compressed), whitening);
 }
 
-// The sRGB curve out of square roots, which cost a fifth of a power: least squares fit, within 2.3 of 255 everywhere
-// (near black) and within 1 above 2 % grey.
+// The sRGB curve from square roots, at a fifth of the cost of a power. A least squares fit, within 2.3 of 255
+// everywhere (near black) and within 1 above 2 % grey.
 vec3 toSrgb(vec3 linear) {
     vec3 root = sqrt(linear);
     return 1.42136 * root - 0.13483 * sqrt(root) - 0.29532 * linear;

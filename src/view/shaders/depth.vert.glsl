@@ -3,7 +3,7 @@
 layout(location = 0) in vec3 position;
 
 uniform mat4 objectToClip;
-uniform vec4 clipInObject;     // what lies on the negative side of these planes is left out
+uniform vec4 clipInObject;     // points on the negative side of these planes are clipped
 uniform vec4 sectionInObject;
 
 out float gl_ClipDistance[2];

@@ -15,7 +15,7 @@ vec3 environment(vec3 direction, float blur) {
     return room + skyColour.rgb * (2.4 * window + 1.6 * lights);
 }
 
-// The patient's bib (along y) in the operating light, below the mouth: instruments and mirrors show it, while lips and
+// The patient's bib (along y) in the operating light, below the mouth. Instruments and mirrors reflect it; lips and
 // cheeks hide it from the teeth.
 vec3 bib(vec3 direction, float blur) {
     float soft = 0.06 + 0.5 * blur;

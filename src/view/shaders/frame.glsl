@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// What all shaders of one pass share. Directions and positions are in the world frame, colours are linear.
+// The data that all shaders of one pass share. Directions and positions are in the world frame, colours are linear.
 layout(std140) uniform Frame {
     mat4 worldToClip;
     mat4 clipToWorld;
     mat4 worldToShadow;  // to texture coordinates and depth of the shadow map
     vec4 eye;
-    vec4 clipPlane;      // what lies on its negative side is not drawn (mirror pass)
+    vec4 clipPlane;      // points on its negative side are not drawn (mirror pass)
     vec4 section;        // the same for sectioned objects
     vec4 toKey;
     vec4 keyColour;
@@ -18,6 +18,6 @@ layout(std140) uniform Frame {
     vec4 backgroundBottom;  // sRGB; a: 0 gradient, 1 environment, 2 transparent
     vec4 pictureSize;       // pixels: width, height, 1 / width, 1 / height
     vec4 shadowTexel;       // x: size of a shadow map texel in texture coordinates; y: mm per texel;
-                            // z: mm that a surface may lie off its place, for each mm of distance from the eye;
-                            // w: mm that what throws the shadow may lie off its place
+                        // z: mm by which a surface may deviate, for each mm of distance from the eye;
+                        // w: mm by which a shadow caster may deviate
 };

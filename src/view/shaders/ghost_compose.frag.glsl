@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-uniform sampler2D ghostColour;  // times its opacity
+uniform sampler2D ghostColour;  // premultiplied by its opacity
 uniform sampler2D ghostDepth;
 
 layout(location = 0) out vec4 fragment;

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 in vec2 place;
 
-uniform sampler2D reflection;  // the reflected picture, pixel by pixel in place
-uniform float reflectance;     // already as a factor on display values
+uniform sampler2D reflection;  // the reflected picture, in the same pixel positions
+uniform float reflectance;     // as a factor on display values
 uniform float fog;             // 0..1
 uniform float drops;           // 0..1
-uniform vec4 covered;          // first and last pixel of the reflection that was drawn
+uniform vec4 covered;          // first and last drawn pixel of the reflection
 
 layout(location = 0) out vec4 fragment;
 
-const float kCells = 8.0;  // drops over the disc's radius: a little more than a millimetre each
+const float kCells = 8.0;  // drops per radius of the disc: each is a little more than a millimetre
 const int kTaps = 12;
 
 vec2 hash(vec2 cell) {
@@ -19,7 +19,7 @@ vec2 hash(vec2 cell) {
 
 vec3 seen(vec2 pixel) { return texelFetch(reflection, ivec2(clamp(pixel, covered.xy, covered.zw)), 0).rgb; }
 
-// What a fogged glass shows: the picture scattered over a disc, under the grey of the fog itself.
+// The picture on fogged glass: scattered over a disc, under the grey of the fog itself.
 vec3 fogged(vec2 pixel) {
     if (fog <= 0.0) return seen(pixel);
     float reach = fog * 0.035 * (covered.w - covered.y);
@@ -41,7 +41,7 @@ void main() {
     float height = 1.0 - dot(fromMiddle, fromMiddle) / (radius * radius);
     vec3 colour;
     if (drops > fract(random.x + 3.0 * random.y) && height > 0.0) {
-        // A drop is a strong lens: it shows its surroundings small and upside down, with a spot of light.
+        // A drop is a strong lens: it shows its surroundings small and upside down, with a bright spot.
         vec2 toPixels = (covered.zw - covered.xy) / (2.0 * kCells);
         colour = seen(pixel - 3.0 * fromMiddle * toPixels) * mix(0.75, 1.05, height);
         vec2 spot = fromMiddle / radius - vec2(-0.35, 0.4);

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// How much of the surgery each point sees past its neighbours, from the depth picture alone: rays to points scattered
-// over a ball, weighted as by M. McGuire et al., Scalable ambient obscurance, HPG 2012 (its falloff; own sampling).
+// Ambient visibility: the share of the surroundings that each point sees past its neighbours. It uses only the depth
+// buffer: rays to points scattered over a ball, weighted as by M. McGuire et al., Scalable ambient obscurance, HPG 2012
+// (its falloff; own sampling).
 uniform sampler2D depthPicture;
 uniform mat4 clipToView;
 uniform float pixelsPerRadian;  // picture height / (2 tan(field of view / 2))
 uniform float reach;            // mm
-uniform vec4 region;            // first and last pixel that was drawn
+uniform vec4 region;            // first and last drawn pixel
 
 layout(location = 0) out float ambientVisibility;
 
@@ -20,8 +21,8 @@ vec3 viewPoint(ivec2 pixel) {
     return view.xyz / view.w;
 }
 
-// The nearer neighbour on each side tells the surface's slope best: the other may lie behind an edge. At the rim of the
-// region there is one neighbour only: the other is the point itself.
+// The nearer neighbour on each side gives the better estimate of the surface's slope: the other may be behind an edge.
+// At the border of the region there is only one neighbour; the other is the point itself.
 vec3 slope(vec3 here, vec3 before, vec3 after) {
     vec3 a = here - before;
     vec3 b = after - here;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Brings the half-size ambient visibility up to the picture, over pixels of the same depth only, and darkens with it.
+// Upsamples the half-size ambient visibility to the picture, over pixels of the same depth only, and darkens with it.
 uniform sampler2D depthPicture;
 uniform sampler2D ambientVisibilityMap;
 uniform vec4 depthRange;  // near, far
-uniform vec4 region;      // first and last pixel that was drawn
+uniform vec4 region;      // first and last drawn pixel
 
 layout(location = 0) out vec4 factor;
 
@@ -28,7 +28,7 @@ void main() {
             weights += weight;
         }
     }
-    // Light that bounced off a tooth is warm: what is hidden turns brown rather than grey.
+    // Light reflected by a tooth is warm: occluded parts become brown rather than grey.
     float open = sum / weights;
     factor = vec4(pow(vec3(open), vec3(0.85, 1.0, 1.12)), 1.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-layout(location = 0) in vec4 ball;    // world centre, radius, mm
+layout(location = 0) in vec4 ball;    // world centre, radius; mm
 layout(location = 1) in vec4 paint;   // sRGB, opacity
 
 uniform float pixelsPerRadian;  // picture height / (2 tan(field of view / 2))

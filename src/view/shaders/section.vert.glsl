@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The cut face: a square on the section's plane, shaded as a surface of one appearance.
+// The section cap: a square on the section plane, shaded as a surface with one appearance.
 uniform vec4 centre;  // world, mm
-uniform vec4 right;   // world, along the plane, half as long as the square
+uniform vec4 right;   // world, in the plane, half as long as the square's side
 uniform vec4 up;
 uniform vec4 appearances[2];
 

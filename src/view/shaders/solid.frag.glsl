@@ -10,29 +10,29 @@ uniform sampler3D noiseTexture;
 #if RICH
 in float appearanceOpacity;
 uniform sampler2D shellDepth;      // of the body around an inner object
-uniform int inner;                 // 1: only what lies behind the shell is seen
+uniform int inner;                 // 1: only points behind the shell are visible
 uniform sampler3D distanceField;   // object frame, mm
 uniform mat4 objectToField;        // to texture coordinates
 uniform sampler2D distanceColours; // linear, from -range to range
-uniform float distanceRange;       // mm; 0: the appearances' own colours
+uniform float distanceRange;       // mm; 0: the colours of the appearances
 #endif
 uniform sampler2DShadow shadowMap;
 
 layout(location = 0) out vec4 fragment;
 
 const float kPi = 3.14159265;
-const float kNoiseTile = 1.9;  // mm: the grain pattern repeats unnoticed beyond a cusp
+const float kNoiseTile = 1.9;  // mm: the noise repeats only at a distance of more than a cusp, which is not noticed
 
 // A row of the linear part of worldToShadow.
 vec3 shadowRow(int i) { return vec3(worldToShadow[0][i], worldToShadow[1][i], worldToShadow[2][i]); }
 
-// Share of the operating light that arrives.
+// The share of the operating light that reaches the point.
 float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 0
     return 1.0;
 #else
-    // Stand off the surface by a texel and a half, or the facets shade themselves, and by three times the usual error
-    // where the surface is drawn coarser here than in the shadow map, or there than here.
+    // Offset the lookup from the surface by one and a half texels, or facets would shade themselves. Add three times
+    // the usual error for a surface that is coarser here than in the shadow map, or there than here.
     float slope = 1.0 - clamp(dot(normal, toKey.xyz), 0.0, 1.0);
     float coarse = 3.0 * max(shadowTexel.z * distance(eye.xyz, worldPosition), shadowTexel.w);
     vec3 place = worldPosition + normal * (shadowTexel.y * (1.0 + 2.0 * slope) + coarse);
@@ -41,8 +41,8 @@ float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 1
     return texture(shadowMap, spot);
 #else
-    // A spiral of taps over the penumbra of the operating light (about 0.2 mm on a tooth), turned from pixel to pixel.
-    // Each tap compares with the plane of the surface at its own place, or slopes would shade themselves.
+    // Samples on a spiral over the penumbra of the operating light (about 0.2 mm on a tooth), rotated from pixel to
+    // pixel. Each sample compares with the plane of the surface at its own place, or slopes would shade themselves.
     vec3 scale2 = vec3(dot(shadowRow(0), shadowRow(0)), dot(shadowRow(1), shadowRow(1)), dot(shadowRow(2), shadowRow(2)));
     vec3 plane = mat3(worldToShadow) * normal / scale2;
     vec2 slope2 = -plane.xy / min(plane.z, -0.15 * length(plane));
@@ -75,7 +75,7 @@ float grazing(float cosine) {
     return x2 * x2 * x;
 }
 
-// Reflected share of a rough surface's whole environment. B. Karis, Physically based shading on mobile, 2014.
+// The share of the whole environment that a rough surface reflects. B. Karis, Physically based shading on mobile, 2014.
 vec2 environmentShare(float nv, float roughness) {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
@@ -108,14 +108,15 @@ void main() {
     float nl = dot(normal, toKey.xyz);
     float shadow = keyVisibility(smoothNormal);
 
-    // Thin rims of a translucent crown let the dark of the mouth through: greyer and cooler where seen edge on.
+    // Thin rims of a translucent crown let the darkness of the mouth through: greyer and cooler at grazing view.
     float edgeOn = 1.0 - nv;
     vec3 body = colour * mix(vec3(1.0), vec3(0.74, 0.80, 0.88), translucency * edgeOn * edgeOn);
 
-    // Light that enters creeps sideways before it leaves, red farthest: it bends around the terminator and into shadows.
+    // Light that enters scatters sideways before it leaves, red farthest. It bends around the terminator and into
+    // shadows.
     vec3 wrap = translucency * vec3(0.40, 0.30, 0.24);
     vec3 creep = max(nl + wrap, 0.0) / ((1.0 + wrap) * (1.0 + wrap));
-    // Past the terminator the surface shades itself; what creeps there has entered on the lit side.
+    // Beyond the terminator the surface shades itself; light that scatters there entered on the lit side.
     float direct = mix(1.0, shadow, smoothstep(0.0, 0.35, nl));
     vec3 arriving = mix(vec3(direct), vec3(sqrt(direct), direct, direct), 0.35 * translucency);
     vec3 diffuse = keyColour.rgb * creep * arriving;
@@ -123,7 +124,7 @@ void main() {
     diffuse += mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
     vec3 light = body * diffuse * (1.0 - metalness);
 
-    // The operating light on the surface: 4.5 % for tissue, the colour itself for metal.
+    // Reflectance of the operating light: 4.5 % for tissue, the colour itself for metal.
     vec3 f0 = mix(vec3(0.045), colour, metalness);
     vec3 halfway = normalize(toKey.xyz + toEye);
     float nh = clamp(dot(normal, halfway), 0.0, 1.0);
@@ -132,7 +133,7 @@ void main() {
     light += keyColour.rgb * (f0 + (1.0 - f0) * fresnel) *
              (lit * shadow * kPi * microfacets(nh, lit, nv, max(roughness, 0.25)));
 
-    // A film of saliva on top: 2 % reflection, smooth, over the broad shape only.
+    // A film of saliva on top: 2 % reflection, smooth, following only the broad shape.
     vec3 filmNormal = normalize(smoothNormal + grain * 0.10 * bumps.xyz);
     float filmNv = clamp(dot(filmNormal, toEye), 0.02, 1.0);
     float filmNh = clamp(dot(filmNormal, halfway), 0.0, 1.0);
@@ -142,7 +143,7 @@ void main() {
     light += keyColour.rgb * (wetness * shadow * filmNl * (0.02 + 0.98 * fresnel) * kPi *
                               microfacets(filmNh, filmNl, filmNv, 0.27));
 
-    // The room in metal, or sharp in the film with a soft share from the surface below it.
+    // Metal reflects the room. The film reflects it sharply, and the surface below adds a soft share.
     vec3 reflected = reflect(-toEye, mix(filmNormal, normal, metalness));
     float blur = mix(0.08, roughness, metalness);
     vec3 room = environment(reflected, blur) + metalness * bib(reflected, blur);
@@ -152,7 +153,7 @@ void main() {
     light += mix(film * room + softRoom * roomShare, 1.9 * room * roomShare, metalness);
 
 #if RICH
-    // Glass-like: a rim seen edge on hides more than a face seen square on.
+    // Like glass: a rim at grazing view hides more than a face at perpendicular view.
     float opacity = mix(appearanceOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(appearanceOpacity, 0.999));
 #else
     const float opacity = 1.0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
-layout(location = 2) in uint appearanceMix;  // first appearance, second appearance, share of the second in 255ths; a byte each
+layout(location = 2) in uint appearanceMix;  // first, second, share of the second in 255ths; one byte each
 
 uniform mat4 objectToWorld;
 uniform vec4 appearances[2 * MAX_APPEARANCES];  // (linear colour, roughness), (metalness, translucency, wetness, grain)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Two eyes' pictures in one. Side by side: each on its half. Anaglyph for red-cyan glasses by the least-squares
-// matrices of E. Dubois, A projection method to generate anaglyph stereo images, ICASSP 2001.
+// Combines the pictures of two eyes. Side by side: each on its half. Anaglyph for red-cyan glasses with the
+// least-squares matrices of E. Dubois, A projection method to generate anaglyph stereo images, ICASSP 2001.
 uniform sampler2D leftPicture;
 uniform sampler2D rightPicture;
 uniform int anaglyph;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// One triangle that covers the picture, at the far end of depth; no clip plane takes anything of it.
+// One triangle that covers the picture, at the far end of the depth range. No clip plane clips it.
 out float gl_ClipDistance[2];
 
 void main() {

@@ -35,7 +35,7 @@ void expectNearest(const Qp3Result& result, const std::vector<HalfSpace>& halfSp
 
 }  // namespace
 
-TEST(Qp3Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
+TEST(Qp3, FulfilsTheOptimalityConditionsOnRandomProblems) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> offset(-1.0, 0.0);  // the origin is always feasible
     std::array<int, 4> seen{};
@@ -51,12 +51,12 @@ TEST(Qp3Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
     for (const int count : seen) EXPECT_GT(count, 300);  // free, plane, edge and corner all occur
 }
 
-TEST(Qp3Result, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
+TEST(Qp3, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
     const std::vector<HalfSpace> halfSpaces = {{Vec3::UnitX(), 1}, {-Vec3::UnitX(), 0}};
     EXPECT_FALSE(solveQp3(halfSpaces, Vec3::Zero(), 1e-12).feasible);
 }
 
-TEST(Qp3Result, KnowsThatAnInvertedPrismIsEmpty) {
+TEST(Qp3, KnowsThatAnInvertedPrismIsEmpty) {
     std::vector<HalfSpace> halfSpaces;
     for (int i = 0; i < 3; ++i) {
         const double angle = 2 * 3.141592653589793 * i / 3;
@@ -65,7 +65,7 @@ TEST(Qp3Result, KnowsThatAnInvertedPrismIsEmpty) {
     EXPECT_FALSE(solveQp3(halfSpaces, Vec3(1, 2, 3), 1e-12).feasible);
 }
 
-TEST(Qp3Result, TakesTheTighterOfTwoParallelPlanes) {
+TEST(Qp3, TakesTheTighterOfTwoParallelPlanes) {
     const std::vector<HalfSpace> halfSpaces = {{Vec3::UnitZ(), 1}, {Vec3::UnitZ(), 2}, {Vec3::UnitZ(), 1.5}};
     const Qp3Result result = solveQp3(halfSpaces, Vec3(4, 5, -6), 1e-12);
     EXPECT_EQ(result.point, Vec3(4, 5, 2));
@@ -74,13 +74,13 @@ TEST(Qp3Result, TakesTheTighterOfTwoParallelPlanes) {
     EXPECT_DOUBLE_EQ(result.multiplier[0], 8);
 }
 
-TEST(Qp3Result, WithoutHalfSpacesIsTheTarget) {
+TEST(Qp3, WithoutHalfSpacesIsTheTarget) {
     const Qp3Result result = solveQp3({}, Vec3(1, 2, 3), 1e-12);
     EXPECT_TRUE(result.feasible);
     EXPECT_EQ(result.point, Vec3(1, 2, 3));
 }
 
-TEST(Qp3Result, AssertsThatNormalsAreUnitAndTheTargetIsFinite) {
+TEST(Qp3, AssertsThatNormalsAreUnitAndTheTargetIsFinite) {
     const std::vector<HalfSpace> tooLong = {{2 * Vec3::UnitX(), 1}};
     EXPECT_ASSERT((void)solveQp3(tooLong, Vec3::Zero(), 1e-12));
     EXPECT_ASSERT((void)solveQp3({}, Vec3::Zero(), -1));

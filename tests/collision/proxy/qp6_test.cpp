@@ -33,7 +33,7 @@ void expectNearest(const Qp6Result& result, const std::vector<HalfSpace6>& halfS
 
 }  // namespace
 
-TEST(Qp6Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
+TEST(Qp6, FulfilsTheOptimalityConditionsOnRandomProblems) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> offset(-1.0, 0.0);  // the origin is always feasible
     std::uniform_real_distribution<double> length(0.2, 5.0);
@@ -51,7 +51,7 @@ TEST(Qp6Result, FulfilsTheOptimalityConditionsOnRandomProblems) {
     EXPECT_GT(seen[6], 20);
 }
 
-TEST(Qp6Result, HandlesRepeatedAndDependentPlanes) {
+TEST(Qp6, HandlesRepeatedAndDependentPlanes) {
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
         std::vector<HalfSpace6> halfSpaces;
@@ -66,19 +66,19 @@ TEST(Qp6Result, HandlesRepeatedAndDependentPlanes) {
     }
 }
 
-TEST(Qp6Result, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
+TEST(Qp6, KnowsThatOpposedHalfSpacesHaveNoCommonPoint) {
     const Vec6 x = Vec6::Unit(4);
     EXPECT_FALSE(solveQp6(std::vector<HalfSpace6>{{x, 1}, {-x, 0}}, Vec6::Zero(), 1e-12).feasible);
 }
 
-TEST(Qp6Result, WithoutHalfSpacesIsTheTarget) {
+TEST(Qp6, WithoutHalfSpacesIsTheTarget) {
     const Vec6 target = Vec6::LinSpaced(1, 6);
     const Qp6Result result = solveQp6({}, target, 1e-12);
     EXPECT_TRUE(result.feasible);
     EXPECT_EQ(result.point, target);
 }
 
-TEST(Qp6Result, AssertsThatTheTargetIsFiniteAndTheToleranceNotNegative) {
+TEST(Qp6, AssertsThatTheTargetIsFiniteAndTheToleranceNotNegative) {
     EXPECT_ASSERT((void)solveQp6({}, Vec6::Zero(), -1));
     EXPECT_ASSERT((void)solveQp6({}, Vec6::Ones() / 0.0, 1e-12));
 }

@@ -40,7 +40,8 @@ TEST(DevicePresets, OfDriverAndModelTheSmallerForceCounts) {
     EXPECT_LT(limitsOf(touch, 2, 0.5).power, limitsOf(touch).power);
 }
 
-/// A bare arm, thrown back by the stiffest wall from where its force is the peak one: integrated, against the formula.
+/// A bare arm that the stiffest wall throws back, from the point where its force is the peak force: numerical
+/// integration against the formula.
 TEST(DevicePresets, ThePowerIsTwiceThatOfAWallThatThrowsTheBareArmBack) {
     for (const DevicePreset& preset : devicePresets()) {
         double depth = preset.peakForce / preset.stiffness;

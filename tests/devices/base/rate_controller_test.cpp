@@ -20,7 +20,7 @@ Pose after(RateController& hand, const RateCommand& wanted, double seconds) {
     return pose;
 }
 
-/// Pushes down with `speed` on a floor of `stiffness` N/mm for `seconds`; the force at the end, N.
+/// Pushes down with `speed` on a floor of `stiffness` N/mm for `seconds`; returns the force at the end, N.
 double pressOnFloor(RateController& hand, double speed, double stiffness, double seconds) {
     double force = 0;
     for (int i = 0; i < static_cast<int>(std::lround(seconds / kTick)); ++i) {

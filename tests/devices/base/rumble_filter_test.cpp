@@ -14,14 +14,14 @@ constexpr double kTick = 0.001;  // s
 
 TEST(RumbleFilter, ASteadyForceShakesNothing) {
     RumbleFilter sense;
-    for (int i = 0; i < 2000; ++i) sense.add(Vec3(0, 0, 2), kTick);  // the onset shakes for a while
+    for (int i = 0; i < 2000; ++i) sense.add(Vec3(0, 0, 2), kTick);  // the onset counts as vibration for a while
     EXPECT_NEAR(sense.steady(), 2, 1e-6);
     EXPECT_NEAR(sense.vibration(), 0, 1e-6);
 }
 
 TEST(RumbleFilter, ACuttingBursShakingIsFoundOnTopOfTheForce) {
     RumbleFilter sense;
-    constexpr double kAmplitude = 0.08, kHz = 208;  // a turbine's at 2 N
+    constexpr double kAmplitude = 0.08, kHz = 208;  // the vibration of a turbine at 2 N
     for (int i = 0; i < 500; ++i) {
         sense.add(Vec3(kAmplitude * std::sin(2 * std::numbers::pi * kHz * i * kTick), 0, 2), kTick);
     }

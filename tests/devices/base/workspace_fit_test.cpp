@@ -42,7 +42,7 @@ TEST(WorkspaceFit, ABoxIsMeasuredAlongTheAxesOfTheHand) {
     EXPECT_LT((sizeInDeviceFrame(size, aboutUp(std::numbers::pi / 4)) - Vec3(diagonal, diagonal, 30)).norm(), 1e-12);
 }
 
-/// What the fineness promises: every corner of the box is reached from within the room.
+/// The motion scaling must let the tool reach every corner of the box from within the workspace.
 TEST(WorkspaceFit, EveryPresetReachesTheCornersOfADentalArch) {
     const Vec3 arch(60, 45, 25);
     for (const double angle : {0.0, 0.3, 1.25, 2.8, 5.0}) {

@@ -21,10 +21,10 @@ using test::soon;
 using test::StandinHaply;
 using ::testing::HasSubstr;
 
-constexpr double kLoss = 0.005;       // s after which a lost device makes no force
+constexpr double kLoss = 0.005;       // s after which a lost device renders no force
 constexpr double kMillimetre = 1e-3;  // m
 
-/// Lifts off and leans on the plane until it is felt.
+/// Lifts off and presses on the plane until a force acts.
 bool lean(StandinHaply& service) {
     return soon([&service] {
         service.wantPosition(0, 0, 5 * kMillimetre);
@@ -67,8 +67,8 @@ TEST(HaplyDevice, TouchesAPlaneAndStops) {
         HaplyDevice device("", service.address());
         ASSERT_TRUE(device.open());
         const PlaneServo servo(device);
-        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm. A machine that stalls makes the device
-        // let go, and only who lifts off feels it again.
+        // Hand (0.5 N/mm) and wall (0.4 N/mm) act in series over 4 mm. If the machine stalls, the device releases its
+        // force, which returns only after the tool has lifted off.
         const auto isFelt = [&] { return std::abs(service.force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
         EXPECT_TRUE(soon([&] { return lean(service) && soon(isFelt, 2s); }));
         service.setGrip({1, 0, 0, 0}, 5);
@@ -118,7 +118,8 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
     EXPECT_EQ(openError("", service.address()), "") << "and after that it starts";
 }
 
-/// A machine that stalls is a trouble of its own, and may be said before.
+/// Checks whether the device reports this fault. A stall of the machine is a fault of its own and may be reported
+/// first.
 bool says(const HapticDevice& device, const std::string& part) {
     const Message* const faultMessage = device.faultMessage();
     return faultMessage != nullptr && faultMessage->in(Language::English).find(part) != std::string::npos;
@@ -128,7 +129,7 @@ struct Fault {
     HaplyFault fault;
     const char* name;
     const char* sentence;
-    bool isLoss;  ///< no new reading comes, or it is refused
+    bool isLoss;  ///< no new reading arrives, or it is rejected
 };
 
 class HaplyFaults : public ::testing::TestWithParam<Fault> {};
@@ -150,10 +151,11 @@ TEST_P(HaplyFaults, MidPressGiveNoForceAndASentenceAndTheDeviceComesBack) {
     RecordProperty("last_message_with_force", std::to_string(service.lastForceSinceFault()));
     RecordProperty("oldest_pose_ms", std::to_string(1e3 * servo.oldestWithForce()));
     if (fault.isLoss) {
-        // A force that was made for the last good answer, and those that the servo made while its next one was awaited.
+        // One force for the last good answer, and the forces that the servo thread wrote while the device waited for
+        // the next answer.
         EXPECT_LE(service.lastForceSinceFault(), 6);
     } else {
-        // One force was under way when the bad answer came, and one may have been made before it was read.
+        // One force was being sent when the bad answer arrived, and one may have been written before it was read.
         EXPECT_LE(service.lastForceSinceFault(), 3);
     }
     service.setFault(HaplyFault::None);

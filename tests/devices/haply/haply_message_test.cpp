@@ -65,7 +65,7 @@ TEST(HaplyMessage, MetresBecomeMillimetresAndAxesStay) {
 }
 
 TEST(HaplyMessage, TheGripTurnsTheHandAndPressesItsButtons) {
-    const double half = std::numbers::pi / 4;  // a quarter turn about the upright axis: right becomes away
+    const double half = std::numbers::pi / 4;  // a quarter rotation about the vertical axis: right becomes away
     const std::string quarter = R"({"device_id":"61576","state":{"orientation":{"w":)" +
                                 std::to_string(std::cos(half)) + R"(,"x":0,"y":0,"z":)" +
                                 std::to_string(std::sin(half)) + R"(},"buttons":{"a":true,"b":false,"c":true}}})";

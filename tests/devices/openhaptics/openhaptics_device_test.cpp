@@ -33,7 +33,7 @@ const test::HdStandinControl& standin() {
     return *control;
 }
 
-constexpr long kBadReading = 1;  // the tick after a fault was set
+constexpr long kBadReading = 1;  // the first tick after a fault was set
 
 class OpenHaptics : public ::testing::Test {
 protected:
@@ -51,7 +51,7 @@ protected:
         const auto opened = device.open();
         return opened ? "" : opened.error().message();
     }
-    /// Lifts off and leans on the plane, as often as it takes until it is felt; down is -y in HDAPI's frame.
+    /// Lifts off and presses on the plane, repeatedly until a force acts; down is -y in HDAPI's frame.
     static bool lean() {
         return soon([] {
             standin().wantPosition(0, 5, 0);
@@ -63,7 +63,7 @@ protected:
     }
 
 private:
-    PenFolder noPens_{{}};  // whatever is set up on this machine
+    PenFolder noPens_{{}};  // hides the pens that are configured on this machine
 };
 
 TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
@@ -86,8 +86,8 @@ TEST_F(OpenHaptics, TouchesAPlaneAndStops) {
         OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
         ASSERT_TRUE(device.open());
         const Servo servo(device);
-        // Hand (0.5 N/mm) and wall (0.4 N/mm) one behind the other over 4 mm. A machine that stalls makes the device
-        // let go, and only who lifts off feels it again.
+        // Hand (0.5 N/mm) and wall (0.4 N/mm) act in series over 4 mm. If the machine stalls, the device releases its
+        // force, which returns only after the tool has lifted off.
         const auto isFelt = [] { return std::abs(force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
         EXPECT_TRUE(soon([&] { return lean() && soon(isFelt, 2s); }));
         standin().setButtons(3);
@@ -116,7 +116,7 @@ TEST_F(OpenHaptics, ANameThatIsNotSetUpIsToldFromAPenThatDoesNotAnswer) {
     const PenFolder pens({"Left", "Right"});
     const auto isUnknown = HasSubstr("choose one that is set up (Left, Right)");
     EXPECT_THAT(openError("left"), isUnknown);
-    set(HdFault::LinkFault);  // which some drivers report of a name that they do not know
+    set(HdFault::LinkFault);  // some drivers report this for an unknown name
     EXPECT_THAT(openError("Third"), isUnknown);
     EXPECT_THAT(openError(), isUnknown) << "there is no default one";
     EXPECT_THAT(openError("Left"), HasSubstr("the device 'Left': The device does not answer"));
@@ -160,7 +160,7 @@ TEST_F(OpenHaptics, TwoPensAreTwoDevicesAndOneCannotBeStartedTwice) {
     EXPECT_TRUE(soon([&] { return other.ticks() > 50; }));
 }
 
-/// A fault that takes the pen away mid-press.
+/// A fault that makes the pen unavailable while it presses.
 struct Loss {
     HdFault fault;
     const char* name;
@@ -357,18 +357,18 @@ TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
     standin().setFaultyPen(1);
     set(HdFault::LinkFault);
     EXPECT_TRUE(soonSays(left, "does not answer"));
-    bool hapticSurface = true;
-    for (int i = 0; i < 250; ++i) {  // in 2.5 s a lost pen would be tried twice
+    bool felt = true;
+    for (int i = 0; i < 250; ++i) {  // in 2.5 s a lost pen would be retried twice
         std::this_thread::sleep_for(10ms);
-        hapticSurface &= force() > 0;
+        felt &= force() > 0;
     }
-    if (hapticSurface) {  // else the machine has stalled, and there was nothing to disturb
+    if (felt) {  // otherwise the machine has stalled, and there was no force to interrupt
         EXPECT_EQ(standin().schedulerStarts(), before);
     }
     EXPECT_TRUE(lean());
     EXPECT_EQ(right.faultMessage(), nullptr);
     set(HdFault::None);
-    standin().wantPosition(0, 5, 0);  // a hand that presses nothing may be left alone for the time of a start
+    standin().wantPosition(0, 5, 0);  // a device that renders no force may be interrupted for the time of a start
     EXPECT_TRUE(soon([&] { return left.faultMessage() == nullptr; }));
 }
 

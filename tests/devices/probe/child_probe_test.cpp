@@ -104,8 +104,8 @@ TEST(ChildProbe, WhatTheChildHasLeftBehindIsEndedAndNotWaitedFor) {
 
 struct Ending {
     const char* how;
-    const char* words;  ///< that are said; none: the library is as good as any
-    double seconds;     ///< of patience
+    const char* words;  ///< expected in the message; none: the library works
+    double seconds;     ///< time limit, s
 };
 
 class LibraryEndings : public ::testing::TestWithParam<Ending> {};

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 
 constexpr double kTick = 0.001;  // s
 
-/// Plays a thousand ticks a second on the device until `done`; false after ten seconds.
+/// Runs the device at a thousand ticks a second until `done`; false after ten seconds.
 template <class Done>
 bool playUntil(HapticDevice& device, const Done& done, const std::function<void(const DeviceSample&)>& tick = {}) {
     for (int i = 0; i < 10'000; ++i) {
@@ -34,7 +34,7 @@ bool playUntil(HapticDevice& device, const Done& done, const std::function<void(
     return false;
 }
 
-/// Lets the whole force through from the first tick on.
+/// A limiter that passes the full force from the first tick on.
 SafetyLimiter limiterWithoutRamp() {
     ForceLimits limits;
     limits.rampTime = 0;
@@ -91,7 +91,7 @@ TEST(GamepadDevice, TheTriggerIsThePedalAndButtonsComeThrough) {
     GamepadDevice device("");
     ASSERT_TRUE(device.open());
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
-    pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 0);  // the axis' middle: half way down
+    pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 0);  // middle of the axis: half pressed
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.pedal > 0.3 && s.pedal < 0.7; }));
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
     EXPECT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.pedal == 1; }));
@@ -182,7 +182,7 @@ TEST(GamepadDevice, ThatRestsTakesNothingForAWish) {
     ASSERT_TRUE(playUntil(device, [](const DeviceSample& s) { return s.buttons == 1 && s.hand.position.x() > 1; }));
     device.suspendInput(true);
     Vec3 place = device.read(kTick).hand.position;
-    for (int i = 0; i < 1000; ++i) place = device.read(kTick).hand.position;  // a hand does not stop dead
+    for (int i = 0; i < 1000; ++i) place = device.read(kTick).hand.position;  // the rate controller needs time to stop
     for (int i = 0; i < 100; ++i) {
         const DeviceSample sample = device.read(kTick);
         ASSERT_EQ(sample.buttons, 0U);

@@ -14,7 +14,7 @@ constexpr double kTick = 0.001;
 
 DeviceKeyframe moment(double time, double x) { return {time, {{Vec3(x, 0, 0), Quat::Identity()}, 0, 0, true}}; }
 
-/// Mechanics whose closed forms are known: no friction, no steps, no damping.
+/// Mechanics with a known closed-form solution: no friction, no encoder steps, no damping.
 DevicePreset ideal() {
     DevicePreset preset = *findDevicePreset("touch-x");
     preset.friction = preset.damping = preset.encoderStep = 0;
@@ -29,7 +29,7 @@ SafeWrench push(double newton) {
     return limiter.limit({Vec3(newton, 0, 0), Vec3::Zero()}, kTick, true, 0);
 }
 
-/// Where a hand comes to rest under a constant force.
+/// Rest position under a constant force.
 double restUnder(const DevicePreset& device, const HandImpedance& grip, double newton) {
     SimulatedDevice hand(device, grip, {moment(0, 0)});
     for (int i = 0; i < 5000; ++i) {

@@ -13,7 +13,7 @@
 #include "standin/standin_spacenavd.h"
 #include "support/test_data.h"
 
-// libspnav 1.0 keeps its list of events where no driver answers. Read by the leak sanitizer.
+// libspnav 1.0 does not free its event list if no driver answers. The leak sanitizer reads this function.
 extern "C" const char* __lsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier): the sanitizer's name
 extern "C" const char* __lsan_default_suppressions() { return "leak:spnav_open\n"; }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A library that takes its program down while it is loaded.
+// A library that crashes its program while it is being loaded.
 #include <csignal>
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A library that, while it is loaded, does what TACTOOTH_TEST_ENDING says to the program that loads it.
+// A library that, while it is being loaded, does to its program what TACTOOTH_TEST_ENDING names: in most cases it ends
+// it.
 #include <unistd.h>
 
 #include <csignal>

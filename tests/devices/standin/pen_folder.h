@@ -12,7 +12,7 @@
 
 namespace tactooth::test {
 
-/// What the vendor's setup program leaves of pens with these names, as long as the object lives.
+/// The files that the vendor's setup program writes for pens with these names; they exist as long as the object.
 class PenFolder {
 public:
     explicit PenFolder(const std::vector<std::string>& pens) {

@@ -15,7 +15,7 @@
 
 namespace tactooth::test {
 
-/// Whether something becomes true within a time that only a broken program takes.
+/// Whether a condition becomes true within a time limit that only a broken program exceeds.
 template <class Condition>
 bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::seconds(20)) {
     const auto end = std::chrono::steady_clock::now() + limit;
@@ -26,7 +26,8 @@ bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::
     return true;
 }
 
-/// Whether a device soon says this. A busy machine may stall it for a moment, of which it speaks first.
+/// Whether a device soon reports this text. A busy machine may stall the device for a moment, and the device reports
+/// that first.
 inline bool soonSays(const HapticDevice& device, const std::string& text) {
     return soon([&] {
         const Message* const faultMessage = device.faultMessage();
@@ -37,7 +38,7 @@ inline bool soonSays(const HapticDevice& device, const std::string& text) {
 inline constexpr double kWall = -2;            // mm, height of a plane in the device's frame
 inline constexpr double kWallStiffness = 0.4;  // N/mm
 
-/// A servo that lets a device touch the plane.
+/// A servo loop that renders a plane to a device.
 class PlaneServo {
 public:
     explicit PlaneServo(HapticDevice& device)
@@ -53,9 +54,9 @@ public:
     [[nodiscard]] std::uint32_t buttons() const { return buttons_; }
     [[nodiscard]] std::uint64_t faults() const { return faults_; }
     [[nodiscard]] long ticks() const { return static_cast<long>(loop_.timing().ticks.load()); }
-    /// s: the oldest reading at which a force was still made.
+    /// s: age of the oldest reading for which a force was still rendered.
     [[nodiscard]] double oldestWithForce() const { return oldestWithForce_; }
-    /// N, since the start.
+    /// Largest force since the start, N.
     [[nodiscard]] double strongest() const { return strongest_; }
     void hang(std::chrono::milliseconds time) { pause_ = static_cast<int>(time.count()); }
 

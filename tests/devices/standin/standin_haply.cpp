@@ -22,8 +22,8 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kTick = 0.001;                                // s that a message stands for
-constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its arm
+constexpr double kTick = 0.001;                                // s of simulated time for each message
+constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with the arm
 constexpr auto kSlowness = std::chrono::milliseconds(20);
 constexpr auto kFloodPause = std::chrono::microseconds(50);
 
@@ -33,10 +33,10 @@ std::string numbers(const char* pattern, double a, double b, double c, double d 
     return text;
 }
 
-/// An answer must not wait for the machine's other work: then it would be the fault that is looked for.
+/// Raises the thread's priority: an answer that waits for other work of the machine would itself be a fault under test.
 void takePriority() {
     sched_param priority{};
-    priority.sched_priority = 70;  // where the system allows it
+    priority.sched_priority = 70;  // if the system permits it
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
 }
 
@@ -85,12 +85,12 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     WebSocketServer web(socket);
     bool foreign = false;
     {
-        const std::lock_guard lock(validator_);
+        const std::lock_guard lock(mutex_);
         foreign = foreign_;
     }
     if (!(foreign ? web.refuseHandshake() : web.handshakeWith())) return;
     {
-        const std::lock_guard lock(validator_);
+        const std::lock_guard lock(mutex_);
         ++connections_;
     }
     bool open = web.send(state(true));
@@ -107,20 +107,20 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
         if (isLate()) std::this_thread::sleep_for(kSlowness);
         for (int i = answersToAMessage(); i > 0 && open; --i) open = web.send(state(false));
     }
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     --connections_;
-    for (Hand& hand : hands_) hand.force = {};  // a device without commands makes no force
+    for (Hand& hand : hands_) hand.force = {};  // a device without commands renders no force
 }
 
 bool StandinHaply::isLate() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return fault_ == HaplyFault::Slow || (fault_ == HaplyFault::Hiccup && sinceFault_ == 1);
 }
 
-/// Takes the force of a message and lets the hand that feels it move.
+/// Takes the force from a message and moves the hand of that device by one step.
 void StandinHaply::take(const std::string& message) {
     const auto json = nlohmann::json::parse(message);
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     for (const auto& device : json.at("inverse3")) {
         Hand& hand = hands_[device.at("device_id") == kFirst ? 0 : 1];
         const auto& values = device.at("commands").at("set_cursor_force").at("values");
@@ -151,12 +151,13 @@ int StandinHaply::answersToAMessage() const {
     }
 }
 
-/// How far the hand seems to stand to the right of where it is, mm.
+/// Offset of the reported position to the right of the true one, mm.
 double StandinHaply::aside() const {
-    // A jump comes back with every other message: one alone, on a machine that stalls just then, may be a quick hand.
+    // The jump alternates with every message: if the machine stalls at that moment, a single jump could be a quick
+    // motion of the hand.
     const bool isOdd = sinceFault_ % 2 == 1;
     switch (fault_) {
-        case HaplyFault::Units:  // a hand in the middle would still look near
+        case HaplyFault::Units:  // otherwise a position in the middle would still look plausible
             return 3;
         case HaplyFault::Jump:
             return isOdd ? 50 : 0;
@@ -188,7 +189,7 @@ std::string StandinHaply::placeOf(const Hand& hand) const {
 }
 
 std::string StandinHaply::state(bool isFirst) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     if (isFirst && !firstMessage_.empty()) return firstMessage_;
     if (fault_ == HaplyFault::Malformed) return R"({"inverse3":[{"device_id":"049D","state":{"cursor_)";
     if (fault_ == HaplyFault::Version) return R"({"devices":[{"type":"inverse3","id":7,"pos":[0.1,0.2,0.3]}]})";
@@ -211,69 +212,69 @@ std::string StandinHaply::state(bool isFirst) {
 }
 
 HaplyFault StandinHaply::fault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return fault_;
 }
 
 void StandinHaply::setFault(HaplyFault fault) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     fault_ = fault;
     sinceFault_ = lastForce_ = 0;
 }
 
 void StandinHaply::wantPosition(double x, double y, double z) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     wanted_ = {1000 * x, 1000 * y, 1000 * z};
 }
 
 void StandinHaply::setGrip(std::array<double, 4> orientation, unsigned buttons) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     grip_ = orientation;
     buttons_ = buttons;
 }
 
 void StandinHaply::setGripThere(bool there) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     gripThere_ = there;
 }
 
 void StandinHaply::setFirstMessage(std::string text) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     firstMessage_ = std::move(text);
 }
 
 void StandinHaply::setForeign(bool foreign) {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     foreign_ = foreign;
 }
 
 double StandinHaply::force() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
 }
 
 double StandinHaply::lastTold() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return lastTold_;
 }
 
 long StandinHaply::messagesSinceFault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return sinceFault_;
 }
 
 long StandinHaply::lastForceSinceFault() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return lastForce_;
 }
 
 long StandinHaply::messages() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return messages_;
 }
 
 int StandinHaply::connections() const {
-    const std::lock_guard lock(validator_);
+    const std::lock_guard lock(mutex_);
     return connections_;
 }
 

@@ -11,34 +11,34 @@
 
 namespace tactooth::test {
 
-/// What goes wrong in the stand-in service.
+/// Faults of the stand-in service.
 enum class HaplyFault {
     None,
-    Drop,        ///< the connection is closed; new ones are taken
+    Drop,        ///< the connection is closed; new ones are accepted
     Slow,        ///< every answer comes 20 ms late
-    Hiccup,      ///< the next one does
+    Hiccup,      ///< only the next answer comes 20 ms late
     Mute,        ///< no answer at all
-    Malformed,   ///< text that is no JSON
+    Malformed,   ///< text that is not JSON
     Version,     ///< messages of another version
-    Units,       ///< places in millimetres
-    NotANumber,  ///< a place that is no number
-    Jump,        ///< of 50 mm, to and fro
-    Gone,        ///< the device is not in the list
-    NoPower,     ///< its status says so
+    Units,       ///< positions in millimetres
+    NotANumber,  ///< a position that is not a number
+    Jump,        ///< the position jumps by 50 mm, to and fro
+    Gone,        ///< the device is missing from the list
+    NoPower,     ///< the status reports no power
     NotCalibrated,
     NotReady,
     Double,           ///< two answers to each message
-    Twenty,           ///< twenty
-    Flood,            ///< 20,000 answers a second that nobody has asked for
-    InvalidRotation,  ///< the grip tells four numbers that are no turn
-    NegatedTurn,      ///< the same turn, with all four signs changed at every other message: no fault
-    FlippingTurn,     ///< a quarter turn to and fro
-    Jitter,           ///< of 4.9 mm, to and fro
-    Drift,            ///< of 3 m/s
+    Twenty,           ///< twenty answers to each message
+    Flood,            ///< 20,000 unrequested answers a second
+    InvalidRotation,  ///< the grip reports four numbers that are not a rotation
+    NegatedTurn,      ///< the same rotation, with all four signs changed in every other message: not a fault
+    FlippingTurn,     ///< a quarter rotation, to and fro
+    Jitter,           ///< the position jumps by 4.9 mm, to and fro
+    Drift,            ///< the position drifts at 3 m/s
 };
 
-/// The Haply Inverse Service without a device, on a free port of this machine: a WebSocket server of its own, and for
-/// each Inverse3 a hand on a spring that moves by a millisecond with each message.
+/// The Haply Inverse Service without a device, on a free port of this machine: its own WebSocket server, and for each
+/// Inverse3 a hand on a spring that advances by a millisecond with each message.
 class StandinHaply {
 public:
     StandinHaply();
@@ -52,24 +52,25 @@ public:
     [[nodiscard]] std::string address() const { return "localhost:" + std::to_string(port_); }
 
     void setFault(HaplyFault fault);
-    /// Where the hands want to be, m.
+    /// Target position of the hands, m.
     void wantPosition(double x, double y, double z);
-    /// Of the first device's grip: w, x, y, z and a bit a button.
+    /// Sets the first device's grip: w, x, y, z and one bit for each button.
     void setGrip(std::array<double, 4> orientation, unsigned buttons);
     /// Whether the service lists the grip.
     void setGripThere(bool there);
-    /// Text of the first message instead of the usual one; empty: the usual one.
+    /// Replaces the text of the first message; empty: the usual text.
     void setFirstMessage(std::string text);
-    /// Instead of WebSocket it answers as a web server does.
+    /// Makes the service answer as a web server instead of a WebSocket server.
     void setForeign(bool foreign);
 
-    /// The length of the force that the first device was told last, N; zero without a connection.
+    /// Magnitude of the last force that the first device received, N; zero without a connection.
     [[nodiscard]] double force() const;
-    /// The same, whether or not there is a connection still.
+    /// The same, even if the connection is closed.
     [[nodiscard]] double lastTold() const;
-    /// How many messages to the first device have come since the fault was set.
+    /// Number of messages to the first device since the fault was set.
     [[nodiscard]] long messagesSinceFault() const;
-    /// Which of these was the last one with a force; 0: none. The answer before the first one was still a good one.
+    /// Number of the last of these messages with a force; 0: none. The answer before the first message was still
+    /// correct.
     [[nodiscard]] long lastForceSinceFault() const;
     [[nodiscard]] long messages() const;
     [[nodiscard]] int connections() const;
@@ -92,7 +93,7 @@ private:
 
     int listener_ = -1;
     int port_ = 0;
-    mutable std::mutex validator_;  // of everything below
+    mutable std::mutex mutex_;  // protects all members below
     HaplyFault fault_ = HaplyFault::None;
     std::array<Hand, 2> hands_{{{kFirst}, {kSecond}}};
     std::array<double, 3> wanted_{};  // mm

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// A library with the binary interface of HDAPI and no device: a hand on a spring, a scheduler of its own, and faults
-// that a test switches on.
+// A library with the binary interface of HDAPI and no device: a hand on a spring, its own scheduler, and faults that a
+// test switches on.
 #include "standin_hd.h"
 
 #include <pthread.h>
@@ -33,22 +33,22 @@ struct ErrorRecord {
 
 constexpr std::uint32_t kMaxPens = 2;
 constexpr double kTick = 0.001;
-constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with its pen
+constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with the pen
 
 struct Pen {
     bool started = false;
-    bool makesForce = false;  // hdEnable
+    bool makesForce = false;  // set by hdEnable
     std::array<double, 3> position{}, speed{}, force{};
 };
 
-std::mutex guard;  // of everything below
+std::mutex guard;  // protects all variables below
 std::array<Pen, kMaxPens> pens;
 std::deque<std::uint32_t> errors;
 std::array<double, 3> wanted{};
 int buttons = 0;
 HdFault fault = HdFault::None;
 Clock::time_point faultSince;
-int faultyPen = -1;  // all
+int faultyPen = -1;  // -1: all
 bool calibrated = true;
 long ticksSinceFault = 0, lastForceTick = 0;
 double strongest = 0, strongestFaulty = 0;
@@ -86,7 +86,7 @@ HdFault faultNow() {
 
 void run(const std::stop_token& stop) {
     sched_param priority{};
-    priority.sched_priority = 70;  // as a vendor's driver, where the system allows it
+    priority.sched_priority = 70;  // like a vendor's driver, if the system permits it
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
     auto due = Clock::now();
     while (!stop.stop_requested()) {
@@ -94,7 +94,7 @@ void run(const std::stop_token& stop) {
         std::this_thread::sleep_until(due);
         if (Clock::now() - due > std::chrono::milliseconds(20)) due = Clock::now();
         if (faultNow() == HdFault::Unplugged) {
-            const std::lock_guard lock(guard);  // a pen without current has no force
+            const std::lock_guard lock(guard);  // a pen without power has no force
             for (Pen& pen : pens) pen.force = {};
             continue;
         }

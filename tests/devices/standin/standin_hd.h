@@ -6,47 +6,47 @@
 
 namespace tactooth::test {
 
-/// What goes wrong in the stand-in library.
+/// Faults of the stand-in library.
 enum class HdFault : int {
     None,
     InitError,      ///< the device reports a fault when it is started
-    InUse,          ///< another program holds it
-    GarbageHandle,  ///< a handle that is none, and no error
-    LinkFault,      ///< an error of the link at every frame, until it is mended
-    Unplugged,      ///< no callback comes any more
-    WarmMotors,     ///< one error a frame
+    InUse,          ///< another program uses it
+    GarbageHandle,  ///< an invalid handle, and no error
+    LinkFault,      ///< a link error at every frame, until the fault is cleared
+    Unplugged,      ///< no callbacks any more
+    WarmMotors,     ///< one error in each frame
     TooMuchForce,   ///< one error
     NeedsInkwell,   ///< the pen has to be docked
-    Stall,          ///< one pause of the callbacks of 5 ms
+    Stall,          ///< one pause of the callbacks, 5 ms long
     NanPose,
-    Jump,          ///< of 50 mm
-    DeviceFault,   ///< an error at every frame, while the motors go on
+    Jump,          ///< the position jumps by 50 mm
+    DeviceFault,   ///< an error at every frame, while the motors keep running
     CrashAtStart,  ///< the library crashes when a device is started
-    BentAxes,      ///< three axes that are no turn
-    FlippingTurn,  ///< a quarter turn, to and fro
-    Jitter,        ///< of 4.9 mm, to and fro
-    Drift,         ///< of 3 m/s
-    NanHeat,       ///< temperatures that are no number
+    BentAxes,      ///< three axes that are not a rotation
+    FlippingTurn,  ///< a quarter rotation, to and fro
+    Jitter,        ///< the position jumps by 4.9 mm, to and fro
+    Drift,         ///< the position drifts at 3 m/s
+    NanHeat,       ///< temperatures that are not a number
     Flood,         ///< 20,000 callbacks a second
-    ErrorFlood,    ///< as many errors of the link at each frame as nobody takes
-    Boast,         ///< a device that says that it makes 50 N, and 40 for ever
-    Weak,          ///< a device that says that it makes 1 N, and 0.4 for ever
+    ErrorFlood,    ///< 1,000 link errors at each frame, more than a caller takes
+    Boast,         ///< a device that reports a peak force of 50 N and a continuous force of 40 N
+    Weak,          ///< a device that reports a peak force of 1 N and a continuous force of 0.4 N
 };
 
-/// The stand-in's own door, beside HDAPI's functions: found by dlsym as "standinControl".
+/// The stand-in's control interface, in addition to HDAPI's functions: dlsym finds it as "standinControl".
 struct HdStandinControl {
     void (*reset)();
     void (*setFault)(int fault);
-    void (*setFaultyPen)(int pen);                       ///< whose link a fault takes; -1: all
-    void (*wantPosition)(double x, double y, double z);  ///< where its hand wants to be, mm, HDAPI's frame
+    void (*setFaultyPen)(int pen);                       ///< the pen whose link a fault affects; -1: all
+    void (*wantPosition)(double x, double y, double z);  ///< target position of its hand, mm, in HDAPI's frame
     void (*setButtons)(int buttons);                     ///< of the first pen
     void (*lastForce)(double* xyz);                      ///< N, HDAPI's frame, of the first pen
-    double (*forceOf)(int pen);                          ///< N; 0 the first, 1 the one called Left
+    double (*forceOf)(int pen);                          ///< N; pen 0 is the first, 1 the one named Left
     double (*strongestForce)();                          ///< N, since the reset
-    double (*strongestWhileFaulty)();                    ///< N, later than 5 ms after a fault was set
+    double (*strongestWhileFaulty)();                    ///< N, more than 5 ms after a fault was set
     long (*ticks)();
-    /// Of the first pen: in which tick after a fault was set it was last given a force that its motors made; the first
-    /// such tick is the one whose reading is bad. 0: in none.
+    /// The last tick after a fault was set in which the first pen received a force that its motors rendered. Tick 1 is
+    /// the one with the bad reading. 0: in none.
     long (*lastForceSinceFault)();
     int (*startedPens)();
     int (*schedulerStarts)();

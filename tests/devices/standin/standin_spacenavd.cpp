@@ -16,7 +16,7 @@ namespace tactooth::test {
 namespace {
 
 constexpr int kPollMs = 10;
-constexpr int kPatience = 1000;  // polls that an event waits for a client
+constexpr int kPatience = 1000;  // number of polls for which an event waits for a client
 constexpr std::int32_t kMotion = 0, kPress = 1, kRelease = 2;
 
 bool readable(int file) {
@@ -46,7 +46,7 @@ StandinSpacenavd::~StandinSpacenavd() {
     std::filesystem::remove(socket_);
 }
 
-/// Takes one client after the other, and answers nothing, as drivers of the first protocol do.
+/// Serves one client after the other and sends no replies, like drivers of the first protocol.
 void StandinSpacenavd::serve(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         if (client_ < 0) {

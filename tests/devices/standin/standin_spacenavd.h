@@ -10,7 +10,7 @@
 
 namespace tactooth::test {
 
-/// A driver that speaks spacenavd's protocol on a socket of its own and has no SpaceMouse.
+/// A driver that uses spacenavd's protocol on its own socket and has no SpaceMouse.
 class StandinSpacenavd {
 public:
     explicit StandinSpacenavd(const std::filesystem::path& socket);
@@ -18,7 +18,7 @@ public:
     StandinSpacenavd(const StandinSpacenavd&) = delete;
     StandinSpacenavd& operator=(const StandinSpacenavd&) = delete;
 
-    /// Right, up, away and the turns about them. False if nobody listens.
+    /// Displacement right, up and away, and the rotations about these axes. False if no client listens.
     bool move(const std::array<int, 6>& axes);
     bool button(int number, bool down);
     [[nodiscard]] bool hasClient() const { return client_.load() >= 0; }

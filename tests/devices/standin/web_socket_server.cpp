@@ -54,7 +54,7 @@ std::string letters(const std::array<unsigned char, 20>& bytes) {
             static_cast<std::uint32_t>(bytes[i]) << 16 | static_cast<std::uint32_t>(bytes[i + 1]) << 8 | third;
         for (int shift = 18; shift >= 0; shift -= 6) text.push_back(kLetters[group >> shift & 63]);
     }
-    text.back() = '=';  // 20 bytes are one short of a multiple of three
+    text.back() = '=';  // 20 bytes are one fewer than a multiple of three
     return text;
 }
 

@@ -6,17 +6,17 @@
 
 namespace tactooth::test {
 
-/// The server's side of one WebSocket (RFC 6455), for text messages in single frames, over an open socket that stays
-/// the caller's. Blocking.
+/// The server side of one WebSocket connection (RFC 6455), for text messages in single frames, over an open socket that
+/// the caller owns. Blocking.
 class WebSocketServer {
 public:
     explicit WebSocketServer(int socket) : socket_(socket) {}
 
     [[nodiscard]] bool handshakeWith();
-    /// Answers as a web server that knows no WebSocket; false, for then there is none.
+    /// Answers as a web server without WebSocket support; returns false, because there is no connection then.
     [[nodiscard]] bool refuseHandshake();
     [[nodiscard]] bool send(const std::string& text);
-    /// The next text; false if the other side has closed.
+    /// Receives the next text; false if the other side has closed the connection.
     [[nodiscard]] bool receive(std::string& text);
 
 private:
@@ -26,7 +26,7 @@ private:
     int socket_;
 };
 
-/// What a server answers to a client's key.
+/// The server's answer to a client's key.
 [[nodiscard]] std::string webSocketAnswer(const std::string& key);
 
 }  // namespace tactooth::test

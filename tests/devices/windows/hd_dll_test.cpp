@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The part of Tactooth that speaks to a pen, as a program for Windows: hd_dll_test STANDIN.dll LACKING.dll. It loads
-// the stand-in for the vendor's HD.dll, leans on a plane, lets go and loses the pen. Exit code 0 if all went well.
+// The part of Tactooth that uses a pen, as a program for Windows: hd_dll_test STANDIN.dll LACKING.dll. It loads the
+// stand-in for the vendor's HD.dll, presses on a plane, releases the pen and loses it. Exit code 0 on success.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -30,12 +30,12 @@ void expect(bool holds, const std::string& what) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// A servo in this thread, at the pace of the pen, over a plane 2 mm below the hand's start.
+/// A servo loop in this thread, at the pen's rate, over a plane 2 mm below the start position.
 class PlaneServo {
 public:
     explicit PlaneServo(HapticDevice& device) : device_(device), pipeline_(patient(device.info().limits)) {}
 
-    /// Ticks until that is so; false if it takes longer than only a broken program does.
+    /// Runs ticks until the condition is true; false after a time limit that only a broken program exceeds.
     bool runUntil(const std::function<bool()>& isSo, double seconds = 20) {
         for (const double end = monotonicSeconds() + seconds; monotonicSeconds() < end;) {
             tick();
@@ -43,7 +43,7 @@ public:
         }
         return false;
     }
-    /// A machine that stalls makes the device let go, and only who lifts off feels it again.
+    /// If the machine stalls, the device releases its force, which returns only after the tool has lifted off.
     bool lean(const HdStandinControl& pen) {
         const auto isFelt = [&] { return pen.forceOf(0) > 0.3; };
         for (int i = 0; i < 20; ++i) {
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// Under Wine no thread has real-time priority: a busy machine would rarely let half a second pass without a stall.
+    /// Under Wine no thread has real-time priority: on a busy machine half a second would rarely pass without a stall.
     static ForceLimits patient(ForceLimits limits) {
         limits.rampTime = 0.02;
         limits.tickTimeout = 0.1;
@@ -83,7 +83,7 @@ private:
     double last_ = monotonicSeconds();
 };
 
-/// What it says when it is opened; empty if that went well.
+/// Error text of opening the device; empty on success.
 std::string openError(const std::string& library) {
     OpenHapticsDevice device("", library);
     const auto opened = device.open();

@@ -63,7 +63,7 @@ private:
     DeviceInfo info_;
 };
 
-/// Two hands over a block of enamel, tick by tick, without a clock.
+/// Two devices over a block of enamel, tick by tick, without a clock.
 class Rig {
 public:
     explicit Rig(bool hasSecond = true, const std::optional<DeviceRegistration>& registration = {})
@@ -86,7 +86,7 @@ public:
         run(1);
         device.sample.buttons &= ~button;
     }
-    /// Goes down on the block and presses until the force is at its full size.
+    /// Moves the device down onto the block and presses until the force has its full size.
     void press(StillDevice& device) {
         device.sample.hand.position.z() = 0.5;
         run(20);
@@ -97,7 +97,7 @@ public:
         run(1000);
     }
 
-    /// Goes up, or down, at 0.5 m/s.
+    /// Moves the device up, or down, at 0.5 m/s.
     void lift(StillDevice& device, double millimetres) {
         constexpr int kTicks = 6;
         for (int i = 0; i < kTicks; ++i) {
@@ -281,7 +281,7 @@ TEST(DeviceSet, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {
     EXPECT_TRUE(rig.hands.mirror().position.allFinite());
 }
 
-/// A control that is switched while the hand presses.
+/// A setting that is switched while the device presses.
 struct Switch {
     const char* name;
     bool isFelt;  ///< whether it changes the force

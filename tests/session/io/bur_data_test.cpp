@@ -3,9 +3,12 @@
 // CMake makes the catalogue of burs from data/burs.toml; here the program's reader of TOML reads the same file.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
 #include <set>
 
 #include "instruments/bur_catalogue.h"
+#include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
 #include "session/io/toml_reader.h"
 #include "support/test_data.h"
@@ -27,10 +30,29 @@ protected:
     std::vector<const toml::table*> rows_;
 };
 
+/// The kind of a word of the file; nothing for an unknown one.
+std::optional<BurKind> kindOf(const std::string& word) {
+    static const std::map<std::string, BurKind> kinds = {{"round", BurKind::Round},
+                                                         {"inverted-cone", BurKind::InvertedCone},
+                                                         {"straight-fissure", BurKind::StraightFissure},
+                                                         {"dome-fissure", BurKind::DomeFissure},
+                                                         {"tapered-fissure", BurKind::TaperedFissure},
+                                                         {"round-end-taper", BurKind::RoundEndTaper},
+                                                         {"pear", BurKind::Pear},
+                                                         {"flame", BurKind::Flame},
+                                                         {"football", BurKind::Football},
+                                                         {"torpedo", BurKind::Torpedo},
+                                                         {"needle", BurKind::Needle},
+                                                         {"wheel", BurKind::Wheel}};
+    const auto found = kinds.find(word);
+    return found == kinds.end() ? std::nullopt : std::optional(found->second);
+}
+
 TEST_F(BurData, HasNoKeyThatTheCatalogueDoesNotRead) {
-    toml_.allow(root_, "the file", {"bur"});
+    static constexpr MessageText kTheFile{"the_file", "the file", "ファイル"};
+    toml_.allow(root_, kTheFile, {"bur"});
     for (const toml::table* row : rows_) {
-        toml_.allow(*row, "a bur",
+        toml_.allow(*row, msg::kABur,
                     {"number", "shape", "kind", "iso", "diameter", "length", "taper", "blades", "notches", "grit_um"});
         const bool isDiamond = row->get("grit_um") != nullptr;
         EXPECT_NE(isDiamond, row->get("blades") != nullptr) << toml_.text(*row, "number", true);
@@ -46,6 +68,7 @@ TEST_F(BurData, EachRowIsABurOfTheCatalogueInTheSameOrder) {
         const toml::table& row = *rows_[i];
         EXPECT_EQ(bur.number, toml_.text(row, "number", true));
         EXPECT_TRUE(bur.name.starts_with(toml_.text(row, "shape", true) + " ")) << bur.name;
+        EXPECT_EQ(kindOf(toml_.text(row, "kind", true)), bur.kind);
         EXPECT_EQ(bur.isoShape, toml_.integer(row, "iso", -1, 1, 999));
         EXPECT_EQ(bur.headDiameter, toml_.number(row, "diameter", -1, 0.1, 10));
         EXPECT_EQ(bur.headLength, toml_.number(row, "length", -1, 0.1, 20));

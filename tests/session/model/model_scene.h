@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "bench_scene.h"
+#include "session/bench_scene.h"
 #include "session/model/session_model.h"
 
 namespace tactooth::test {

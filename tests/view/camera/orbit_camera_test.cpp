@@ -20,7 +20,7 @@ OrbitCamera fitted() {
     return camera;
 }
 
-/// Where the eye stands as seen from the target, and what is up and right in the picture.
+/// The eye's direction as seen from the target, and the up and right directions of the picture.
 struct Stand {
     Vec3 toEye;
     Vec3 up;

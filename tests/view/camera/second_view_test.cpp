@@ -16,7 +16,7 @@ using test::sceneOf;
 
 class SecondViewTest : public test::RendererTest {};
 
-/// A brick that looks different from every side, before a mirror and below a handle.
+/// A brick with a different appearance from every side, in front of a mirror and below a handle.
 Scene sceneWithSides() {
     Scene scene = sceneOf(
         {objectOf(test::box(Vec3(-3, -2, -1), Vec3(3, 2, 1))), objectOf(test::sphere(Vec3(2, 1, 1), 1, 40, 20))});
@@ -64,7 +64,7 @@ TEST(SecondViewRectangle, IsInTheUpperRightCornerOfEveryPicture) {
 
 TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRestStaysAsItIs) {
     for (RenderSettings settings : {kQuick, kFine}) {
-        settings.shadows = Shadows::None;  // the handle throws its shadow, seen or not
+        settings.shadows = Shadows::None;  // the handle throws its shadow whether it is visible or not
         Scene scene = sceneWithSides();
         const Image whole = draw(scene, settings);
         const SecondViewRectangle place = secondViewRectangle(kTestSize);

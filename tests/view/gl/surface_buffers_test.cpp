@@ -14,7 +14,7 @@ using test::coveredPixelCount;
 
 class SurfaceBuffersTest : public test::RendererTest {
 protected:
-    /// A plate seen from above, its upper half of the triangles tagged 1.
+    /// A plate seen from above; the upper half of its triangles has tag 1.
     static std::shared_ptr<const SurfacePart> plate() {
         TriangleMesh mesh;
         std::vector<SurfaceTag> tags;
@@ -126,7 +126,8 @@ TEST_F(SurfaceBuffersTest, MorePatchesThanTheFirstBuffersHold) {
     EXPECT_EQ(renderer().lastUpload(), 800U + 40U * 24U * 23U * 2U);
 }
 
-/// A ball of 48,000 triangles, a hole in it, and the hole's rim: the same to the eye whether drawn in full or not.
+/// A ball of 48,000 triangles, a hole in it, and the rim of the hole: they appear the same whether drawn in full or
+/// not.
 TEST_F(SurfaceBuffersTest, CoarsePictureOfAHurtSurfaceIsThatOfTheTrueOne) {
     const auto ball = std::make_shared<const SurfacePart>(test::sphere(Vec3::Zero(), 4, 200, 120));
     Surface surface = surfaceOf(ball);

@@ -83,7 +83,7 @@ TEST(CornerShading, TriangleWithoutAreaGetsAUnitNormal) {
 }
 
 TEST(CornerShading, ASplinterDoesNotTurnTheNormalOfTheWallThatItLiesIn) {
-    TriangleMesh mesh;  // a flat square, and below one of its edges a splinter 1 um high that leans by 39 degrees
+    TriangleMesh mesh;  // a flat square, and below one of its edges a sliver 1 um high that is inclined by 39 degrees
     const float lean = 0.00078F;
     mesh.vertices = {Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(1, 1, 0), Vec3f(0, 1, 0), Vec3f(0.5F, -0.001F, -lean)};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}};

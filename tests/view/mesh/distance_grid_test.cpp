@@ -26,9 +26,9 @@ TEST(DistanceGrid, HoldsTheDistancesToABall) {
     }
 }
 
-/// What a colour-blind eye sees, in linear light: the plane of colours that protanopes and deuteranopes confuse.
-/// F. Vienot, H. Brettel, J. Mollon, Digital video colourmaps for checking the legibility of displays by dichromats,
-/// Color Research and Application 24(4), 1999.
+/// The colour that a colour-blind eye sees, in linear light: the plane of colours that protanopes and deuteranopes
+/// confuse. F. Vienot, H. Brettel, J. Mollon, Digital video colourmaps for checking the legibility of displays by
+/// dichromats, Color Research and Application 24(4), 1999.
 Vec3f seenBy(const Vec3f& srgb, bool protanope) {
     const Vec3f c = linearColour(srgb);
     const float red = protanope ? 0.11238F * c.x() + 0.88762F * c.y() : 0.29275F * c.x() + 0.70725F * c.y();
@@ -41,7 +41,7 @@ TEST(DistanceColour, TooDeepAndStillToCutDifferForColourBlindEyes) {
         for (double share = 0.25; share <= 1; share += 0.25) {
             const Vec3f deep = seenBy(distanceColour(-share), protanope);
             const Vec3f left = seenBy(distanceColour(share), protanope);
-            // The share of blue in the light tells the sides apart, whatever their lightness.
+            // The share of blue in the light distinguishes the sides, whatever their lightness.
             EXPECT_LT(deep.z() / deep.x(), 0.75F * left.z() / left.x()) << share;
         }
     }

@@ -19,7 +19,7 @@ TriangleMesh ball() { return test::sphere(Vec3::Zero(), kRadius, 150, 100); }
 
 ShadingMesh shaded(const TriangleMesh& mesh) { return shadingMesh(mesh, cornerShading(mesh)); }
 
-/// Sees all of a body from +x, drawn at most `error` mm off, whatever the distance.
+/// Sees all of a body from +x, drawn with at most `error` mm of deviation at any distance.
 ClusterCuller wholeView(double error) {
     Mat4 shrunk = Mat4::Identity();
     shrunk.topLeftCorner<3, 3>() *= 0.1 / kRadius;
@@ -43,7 +43,7 @@ std::vector<Triangle> drawn(const LodTree& tree, double error, const std::vector
 
 Vec3f positionOf(const ShadingMesh& mesh, std::uint32_t vertex) { return Vec3f(mesh.vertices[vertex].position.data()); }
 
-/// Edges, by the places they join, that are not passed once in each direction.
+/// Edges, by the positions of their ends, that are not run through once in each direction.
 std::size_t openEdges(const ShadingMesh& mesh, const std::vector<Triangle>& triangles) {
     using Place = std::array<float, 3>;
     std::map<std::pair<Place, Place>, int> edges;
@@ -58,7 +58,7 @@ std::size_t openEdges(const ShadingMesh& mesh, const std::vector<Triangle>& tria
         std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// Greatest distance of a drawn corner or middle of a triangle from the true ball, mm.
+/// Greatest distance of a drawn corner or triangle centre from the true ball, mm.
 double worstDeparture(const ShadingMesh& mesh, const std::vector<Triangle>& triangles) {
     double worst = 0;
     for (const Triangle& t : triangles) {

@@ -49,7 +49,7 @@ TEST(PatchShading, WallsOfNeighboursAreShadedAsOne) {
     const SurfacePart base(test::box(Vec3::Constant(-9), Vec3::Constant(9)));
     const CornerShading baseShading = cornerShading(base.mesh());
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 2, 48, 24);
-    std::array<TriangleMesh, 3> pieces;  // bands of the ball, each with vertices of its own
+    std::array<TriangleMesh, 3> pieces;  // bands of the ball, each with its own vertices
     std::array<std::vector<std::size_t>, 3> whole;
     for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
         const double height = ball.corner(t, 0).z() + ball.corner(t, 1).z() + ball.corner(t, 2).z();
@@ -84,7 +84,7 @@ TEST(PatchShading, WallsOfNeighboursAreShadedAsOne) {
 TEST(PatchShading, TheWallKeepsItsEdgeTowardThePiecesOfTheBase) {
     const SurfacePart base(test::box(Vec3(0, 0, -5), Vec3(5, 5, 0)));
     const CornerShading baseShading = cornerShading(base.mesh());
-    TriangleMesh mesh;  // a piece of the top face and, from its edge, a wall that falls off by 30 degrees
+    TriangleMesh mesh;  // a piece of the top face and a wall that slopes down from its edge by 30 degrees
     mesh.vertices = {Vec3f(1, 1, 0), Vec3f(2, 1, 0), Vec3f(2, 3, 0), Vec3f(3, 1, -0.577F), Vec3f(3, 3, -0.577F)};
     mesh.triangles = {{0, 1, 2}, {1, 3, 4}, {1, 4, 2}};
     const CornerShading shading = patchShading(patchOf(mesh, base), {}, base, baseShading);
@@ -98,7 +98,7 @@ TEST(PatchShading, WhereTheWallBeginsItHasTheAppearancesOfTheBase) {
     const TriangleMesh block = test::box(Vec3(0, 0, -5), Vec3(5, 5, 0));
     const std::vector<SurfaceTag> tags(block.triangles.size(), 5);
     const SurfacePart base(block, tags);
-    TriangleMesh wall;  // falls off from the top face
+    TriangleMesh wall;  // slopes down from the top face
     wall.vertices = {Vec3f(2, 1, 0), Vec3f(2, 3, 0), Vec3f(3, 1, -1), Vec3f(3, 3, -1)};
     wall.triangles = {{0, 2, 3}, {0, 3, 1}};
     const CornerShading shading = patchShading(patchOf(wall, base, {1, 1}), {}, base, cornerShading(block, tags));

@@ -13,7 +13,7 @@ namespace {
 
 using test::objectOf;
 
-/// Three coloured bodies whose picture has no symmetry at all, on a table.
+/// Three coloured bodies on a table. Their picture has no symmetry.
 std::vector<SceneObject> bodies() {
     return {objectOf(test::box(Vec3(-1, 0, 0), Vec3(0.5, 2, 1.5)), appearances::dentin()),
             objectOf(test::sphere(Vec3(1.6, 0.4, 0.8), 0.8, 64, 32), appearances::pulp()),
@@ -39,7 +39,7 @@ SceneMirror mirrorBetween(const Vec3& place, const Vec3& eye, const Vec3& target
     return mirror;
 }
 
-/// The camera's own mirror image. Its picture is the reflection, but for left and right.
+/// The camera reflected in the mirror. Its picture is the reflection with left and right exchanged.
 Camera reflected(const Camera& camera, const Plane& plane) {
     const Mat4 reflection = reflectionMatrix(plane);
     const Mat3 turn = reflection.topLeftCorner<3, 3>();
@@ -61,7 +61,7 @@ Image flipped(const Image& image) {
 
 class MirrorTest : public test::RendererTest {
 protected:
-    /// Compares the mirror's disc with the picture from the mirrored camera; says how many pixels were compared.
+    /// Compares the mirror's disc with the picture from the reflected camera. Returns the number of compared pixels.
     static std::size_t expectTrueReflection(const Scene& scene, const RenderSettings& settings, double tolerance,
                                             double edgeShare = 0.004) {
         const SceneMirror mirror = scene.mirror.value();
@@ -117,11 +117,12 @@ TEST_F(MirrorTest, IsTrueWithManySamplesToo) {
     scene.objects = bodies();
     scene.camera = cameraAt(eye, Vec3(0.5, 4.5, 2.5));
     scene.mirror = mirrorBetween(Vec3(0.5, 4.5, 2.5), eye, Vec3(0.3, 0.3, 0.8), 2);
-    // The samples inside a pixel are not placed symmetrically, so edges differ a little more.
+    // The samples inside a pixel are not symmetrical, so edges differ a little more.
     EXPECT_GT(expectTrueReflection(scene, {.samples = 4}, 0.6, 0.01), 2000U);
 }
 
-/// A white ball before the mirror, and the mirror anywhere in the picture: what it shows is lit like the ball itself.
+/// A white ball in front of the mirror, with the mirror at several places in the picture: the reflection is lit like
+/// the ball itself.
 TEST_F(MirrorTest, ReflectedBodyIsAsBrightWhereverTheMirrorStandsInThePicture) {
     const Vec3 eye(0, -20, 6);
     const Vec3 place(0, 4, 1);
@@ -152,14 +153,14 @@ TEST_F(MirrorTest, IsTrueWithDarkenedContactsToo) {
         scene.objects = bodies();
         scene.camera = cameraAt(eye, Vec3(0.5, 4.5, 2.5) + aside);
         scene.mirror = mirrorBetween(Vec3(0.5, 4.5, 2.5), eye, Vec3(0.3, 0.3, 0.8), 2);
-        // The half-size pixels of the darkening are not placed symmetrically.
+        // The half-size pixels of the ambient occlusion are not symmetrical.
         EXPECT_GT(expectTrueReflection(scene, {.samples = 0, .ambientOcclusion = true}, 2.0, 0.03), 1500U)
             << aside.transpose();
     }
 }
 
 TEST_F(MirrorTest, NothingBehindTheGlassIsReflected) {
-    // A red ball just behind the mirror: the mirrored eye looks straight through it.
+    // A red ball just behind the mirror: the line of sight of the reflected eye passes through it.
     Scene scene;
     scene.objects = {objectOf(test::sphere(Vec3(0, 1.2, 0), 1.0, 48, 24), appearances::pulp())};
     const Vec3 eye(0, -20, 0);

@@ -12,10 +12,10 @@ namespace {
 
 using test::objectOf;
 
-/// All triangles, one lookup a pixel: what the shadow map holds then follows from the scene alone.
+/// All triangles, one sample per pixel: the content of the shadow map then depends only on the scene.
 constexpr RenderSettings kEveryTriangle{.shadows = Shadows::Hard};
 
-/// A ball that is cut, a floor below it on which its shadow falls, and a tool between light and ball.
+/// A ball that is cut, a floor below it that receives its shadow, and a tool between light and ball.
 class ShadowMapTest : public test::RendererTest {
 protected:
     void SetUp() override {
@@ -33,7 +33,7 @@ protected:
         return scene;
     }
 
-    /// The triangles from `first` up to, not including, `end` are gone.
+    /// Hides the triangles from `first` up to, but not including, `end`.
     void hide(std::uint32_t first, std::uint32_t end) {
         auto mask = std::make_shared<TriangleMask>((surface_.base->mesh().triangles.size() + 63) / 64);
         for (std::uint32_t t = first; t < end; ++t) (*mask)[t / 64] |= std::uint64_t{1} << (t % 64);
@@ -44,27 +44,28 @@ protected:
         surface_.patches.push_back(std::make_shared<const SurfacePart>(test::sphere(centre, 0.6, 16, 8)));
     }
 
-    /// After a scene that shares nothing with this one, so that all of the map is drawn.
+    /// Draws the scene after one that shares nothing with it, so that the whole map is drawn.
     static Image drawnAnew(const Scene& scene) {
         draw(test::sceneOf({objectOf(test::sphere(Vec3::Zero(), 1, 12, 6))}), kEveryTriangle);
         return draw(scene, kEveryTriangle);
     }
 
-    /// The picture that follows the last one. Its shadow differs from that of the uncut ball.
+    /// Expects that the next picture equals that of a new renderer state. Its shadow differs from that of the uncut
+    /// ball.
     void expectThatOfAnewOne() const {
         const Image followed = draw(scene(), kEveryTriangle);
         EXPECT_EQ(followed, drawnAnew(scene()));
     }
 
     SceneObject floor_ = objectOf(test::box(Vec3(-8, -8, -4), Vec3(8, 8, -3.5)));
-    SceneObject post_ = objectOf(test::box(Vec3(7, 7, -4), Vec3(8, 8, 5)));  // holds the map's frame still
+    SceneObject post_ = objectOf(test::box(Vec3(7, 7, -4), Vec3(8, 8, 5)));  // keeps the frame of the map constant
     SceneObject tool_ = objectOf(test::sphere(Vec3::Zero(), 0.5, 24, 12), appearances::steel());
     Surface surface_;
 };
 
 TEST_F(ShadowMapTest, WhatIsCutAndWhatComesThrowsItsShadowAtOnce) {
     const Image whole = drawnAnew(scene());
-    hide(0, 900);  // the light falls through
+    hide(0, 900);  // the light passes through
     expectThatOfAnewOne();
     addPatch(Vec3(4.5, -2, 0));
     expectThatOfAnewOne();

@@ -55,6 +55,15 @@ TEST_F(RendererTest, SidesTurnedToTheLightAreBrighter) {
     EXPECT_GT(image.at(120, 100)[1], image.at(200, 150)[1] + 40);
 }
 
+TEST_F(RendererTest, DrawsAsManyAppearancesAsAToothHasMaterials) {
+    SceneObject one = objectOf(ball());
+    SceneObject many = one;
+    many.appearances.assign(kMaxAppearances, one.appearances.front());
+    ASSERT_EQ(kMaxAppearances, kMaxMaterials);
+    const Image wanted = draw(sceneOf({one}, {0, 0}));
+    EXPECT_EQ(draw(sceneOf({many}, {0, 0})).at(160, 120), wanted.at(160, 120));
+}
+
 TEST_F(RendererTest, AToolThrowsItsShadow) {
     SceneObject tool = objectOf(ball(0.8, Vec3(0, 0, 4)), appearances::steel());
     tool.moves = true;
@@ -78,7 +87,7 @@ TEST_F(RendererTest, AToolThrowsItsShadow) {
 }
 
 TEST_F(RendererTest, AmbientOcclusionDarkensAnInnerEdgeAndSparesAFlatFace) {
-    // A shelf and a wall that meet at x = 0, light from above: far from the edge nothing changes.
+    // A shelf and a wall that meet at x = 0, with light from above: far from the edge nothing changes.
     const Scene scene = sceneOf(
         {objectOf(test::box(Vec3(-1, -4, 0), Vec3(0, 4, 4))), objectOf(test::box(Vec3(-1, -4, -1), Vec3(6, 4, 0)))},
         {0.3, 0.9});

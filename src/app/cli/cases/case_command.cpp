@@ -53,7 +53,7 @@ void printSentences(const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) print("    {}\n", displayText(sentence));
 }
 
-/// "enamel, dentin and pulp (a model)".
+/// Example: "enamel, dentin and pulp (a model)".
 std::string layersOf(const CaseTooth& tooth, const MaterialRegistry& materials) {
     if (tooth.layers.empty()) return "all " + materials.nameOf(tooth.material);
     std::string words;
@@ -77,7 +77,7 @@ void printBodies(const CaseDescription& description, bool withAssumptions) {
     if (!description.materials.empty()) print("  materials of its own: {}\n", displayText(description.materials));
 }
 
-/// Files that the description does not name: they may be meant to be there, and do nothing.
+/// Files that the description does not name. They may belong there, but the program does not use them.
 std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescription& description) {
     std::set<std::string> used = {std::string(kCaseText), description.materials};
     for (const CaseTooth& tooth : description.teeth) {
@@ -88,7 +88,7 @@ std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescripti
     std::vector<std::string> unused;
     const auto folderOf = [](const std::string& entry) { return entry.substr(0, entry.rfind('/') + 1); };
     for (const std::string& entry : store.entries()) {
-        // The description of a bur names a surface beside it.
+        // The description of a bur names a surface file in the same folder.
         const bool isBesideBur = std::ranges::any_of(
             description.burs, [&](const std::string& bur) { return folderOf(bur) == folderOf(entry); });
         if (!used.contains(entry) && !isBesideBur) unused.push_back(entry);
@@ -96,7 +96,7 @@ std::vector<std::string> unusedFiles(const CaseStore& store, const CaseDescripti
     return unused;
 }
 
-/// Reads what a case packed of a folder would hold.
+/// Reads the files that the packed case of a folder would contain.
 Expected<std::vector<CaseFile>> filesOf(const CaseStore& store) {
     std::vector<CaseFile> files;
     for (const std::string& entry : store.entries()) {

@@ -16,7 +16,7 @@ struct CaseNewOptions {
     std::string licence;
     std::string provenance;
     std::optional<int> quadrant;
-    std::string units;  ///< a name of kLengthUnits, or millimetres for each unit; empty: guessed
+    std::string units;  ///< a name of kLengthUnits, or millimetres per unit; empty: guessed
     std::string holes = "small";
     bool upsideDown = false;
     double turnDegrees = 0;
@@ -25,21 +25,21 @@ struct CaseNewOptions {
     std::filesystem::path materials;
 };
 
-/// Makes a case of surfaces and says what was assumed about each.
+/// Makes a case from surfaces and prints the assumptions about each.
 [[nodiscard]] int runCaseNew(const CaseNewOptions& options);
 
 struct CaseCheckOptions {
     std::filesystem::path path;
 };
 
-/// Opens a case as every command does, and tells what is wrong or might surprise.
+/// Opens a case as every command does. Prints its errors and anything that may surprise the user.
 [[nodiscard]] int runCaseCheck(const CaseCheckOptions& options);
 
 struct CaseInfoOptions {
     std::filesystem::path path;
 };
 
-/// What a case says of itself.
+/// Prints the contents of a case.
 [[nodiscard]] int runCaseInfo(const CaseInfoOptions& options);
 
 struct CasePackOptions {
@@ -47,7 +47,7 @@ struct CasePackOptions {
     std::filesystem::path out;  ///< empty: the folder's name with .ttcase
 };
 
-/// Packs a case's folder into one file, after looking whether it can be opened.
+/// Packs the folder of a case into one file. First checks that the case opens.
 [[nodiscard]] int runCasePack(const CasePackOptions& options);
 
 }  // namespace tactooth

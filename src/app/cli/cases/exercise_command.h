@@ -11,7 +11,7 @@ struct ExerciseOptions {
     std::filesystem::path out;  ///< STL of the ideal shape; empty: none
 };
 
-/// What an exercise asks for, before a student gets it.
+/// Prints the requirements of an exercise before a student gets it.
 int runExercise(const ExerciseOptions& options);
 
 }  // namespace tactooth

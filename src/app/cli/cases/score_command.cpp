@@ -23,7 +23,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::size_t kQuantityWidth = 18;  // letters at least of the table's first column
+constexpr std::size_t kQuantityWidth = 18;  // minimum number of letters in the table's first column
 
 Expected<CavityProgress> progressOf(const CutModel& piece, const std::filesystem::path& target) {
     std::vector<ImportNote> importNotes;
@@ -48,7 +48,7 @@ std::string asJson(const ScoreOptions& options, const CavityProgress& cavity, co
     return json.dump(1) + '\n';
 }
 
-/// One row of the table for people.
+/// One row of the text table.
 struct ScoreLine {
     std::string quantity;
     double value;

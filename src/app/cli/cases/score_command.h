@@ -7,7 +7,7 @@
 namespace tactooth {
 
 struct ScoreOptions {
-    std::filesystem::path tooth;   ///< saved, with what was cut from it
+    std::filesystem::path tooth;   ///< saved, with the record of the removed material
     std::filesystem::path target;  ///< ideal shape, or another saved tooth
     bool json = false;
 };

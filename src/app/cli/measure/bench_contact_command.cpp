@@ -29,7 +29,7 @@ struct Case {
     ContactTiming timing;
 };
 
-/// Writes the cases as they come (a table) or all at the end (JSON).
+/// Writes the cases one by one (table) or all at the end (JSON).
 class BenchOutput {
 public:
     BenchOutput(const BenchContactOptions& options, const std::string& tool, std::size_t toolTriangles)
@@ -113,7 +113,7 @@ void benchTooth(const StandardTooth& tooth, const std::shared_ptr<const ToolShap
     }
 }
 
-/// The percents that were asked for, rising and each once.
+/// The requested percentages, ascending and without duplicates.
 std::vector<int> percentsOf(const BenchContactOptions& options) {
     std::vector<int> percents = options.resolutions;
     if (percents.empty()) percents.assign(kResolutions.begin(), kResolutions.end());

@@ -10,13 +10,13 @@ namespace tactooth {
 struct BenchContactOptions {
     std::filesystem::path tooth;   ///< empty: the standard teeth
     std::filesystem::path tool;    ///< empty: the standard bur
-    std::vector<int> resolutions;  ///< percent of the triangles; empty: all of the ladder
+    std::vector<int> resolutions;  ///< percent of the triangles; empty: the whole ladder
     int repeat = 3;
-    int freedom = 3;  ///< degrees of freedom of the body: 3 or 6
+    int freedom = 3;  ///< of the proxy, in degrees of freedom: 3 or 6
     bool json = false;
 };
 
-/// What a tick of contact costs on the standard paths.
+/// Measures the cost of a tick with contact on the standard paths.
 [[nodiscard]] int runBenchContact(const BenchContactOptions& options);
 
 }  // namespace tactooth

@@ -18,9 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMillimetre = 1e-3;  // a micrometre in mm
+constexpr double kMillimetre = 1e-3;  // one micrometre in mm
 
-/// Writes the cases as they come (a table) or all at the end (JSON).
+/// Writes the cases one by one (table) or all at the end (JSON).
 class CutOutput {
 public:
     CutOutput(bool json, int cores, const StandardTooth& tooth) : isJson_(json) {
@@ -115,7 +115,8 @@ private:
     Json json_;
 };
 
-/// The burs of the targets, one of them as slow as sound enamel makes it; then round burs of all sizes and voxels.
+/// The burs of the targets, one of them at the slow feed that sound enamel allows. Then round burs of all sizes and
+/// voxels.
 std::vector<CutCase> casesOf(const BenchCutOptions& options) {
     std::vector<CutCase> cases;
     if (options.voxels.empty() && options.diameters.empty()) {

@@ -10,12 +10,12 @@ namespace tactooth {
 struct BenchCutOptions {
     std::filesystem::path tooth;    ///< empty: the standard tooth of 325,312 triangles
     std::vector<double> voxels;     ///< um; empty: 100, 50, 25 and 15
-    std::vector<double> diameters;  ///< of round burs, mm; empty: 0.5 to 2.3
-    int cores = 1;                  ///< that the cutter may use
+    std::vector<double> diameters;  ///< of the round burs, mm; empty: 0.5 to 2.3
+    int cores = 1;                  ///< available to the carving thread
     bool json = false;
 };
 
-/// What cutting costs on the standard paths.
+/// Measures the cost of cutting on the standard paths.
 [[nodiscard]] int runBenchCut(const BenchCutOptions& options);
 
 }  // namespace tactooth

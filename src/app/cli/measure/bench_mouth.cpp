@@ -16,10 +16,10 @@ Expected<Scene> benchMouth() {
     SceneContents contents;
     contents.around = shownMouth(*mouth);
     DentalMirror mirror = makeMirror();
-    const Vec3 glass(8, -34, -18);  // beside the tongue, above the lower right molars' lingual side
+    const Vec3 glass(8, -34, -18);  // next to the tongue, above the lingual side of the lower right molars
     const MouthTooth& molar = *mouth->find(46);
     const Vec3 toMolar = (mouth->poseOf(molar) * boundingBox(molar.tooth.outer).center() - glass).normalized();
-    const Vec3 toEye(0, 0.92, 0.39);  // as the pictures begin: from the front and a little above
+    const Vec3 toEye(0, 0.92, 0.39);  // the start direction of the frames: from the front and slightly above
     const Pose held{glass, shortestRotation(Vec3::UnitZ(), (toEye + toMolar).normalized())};
     contents.mirror = ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
     return makeScene(contents);

@@ -7,8 +7,8 @@
 
 namespace tactooth {
 
-/// The whole built-in mouth to be drawn, open: 32 teeth of about 20,000 triangles each, the gums of both jaws, and a
-/// mouth mirror behind the lower right molars.
+/// Makes the scene of the whole built-in mouth, open: 32 teeth of about 20,000 triangles each, the gingiva of both
+/// jaws, and a mouth mirror behind the lower right molars.
 [[nodiscard]] Expected<Scene> benchMouth();
 
 }  // namespace tactooth

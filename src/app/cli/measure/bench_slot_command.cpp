@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMillimetre = 1e-3;  // a micrometre in mm
-constexpr double kDepth = 2;          // mm, of the slot
+constexpr double kMillimetre = 1e-3;  // one micrometre in mm
+constexpr double kDepth = 2;          // of the slot, mm
 
 struct SlotTool {
     const char* name;

@@ -12,7 +12,7 @@ struct BenchSlotOptions {
     bool json = false;
 };
 
-/// What it costs to touch a slot on all sides, and how steady that is.
+/// Measures the cost of contact on all sides of a slot, and the stability of that contact.
 [[nodiscard]] int runBenchSlot(const BenchSlotOptions& options);
 
 }  // namespace tactooth

@@ -77,7 +77,7 @@ void printRow(const StabilityCase& one, const StabilityResult& result) {
           result.stable ? "" : "  NOT STABLE");
 }
 
-/// The worst of several runs.
+/// The worse result of two runs.
 StabilityResult worseOf(const StabilityResult& a, const StabilityResult& b) {
     return {std::max(a.stiffness, b.stiffness),
             std::max(a.restForce, b.restForce),
@@ -89,7 +89,7 @@ StabilityResult worseOf(const StabilityResult& a, const StabilityResult& b) {
             a.stable && b.stable};
 }
 
-/// A line for each device and hand, over all materials and situations.
+/// One line for each device and hand, over all materials and situations.
 class Summary {
 public:
     void add(const StabilityCase& one, const StabilityResult& result) {

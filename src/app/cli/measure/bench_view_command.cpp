@@ -23,22 +23,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kStep = std::numbers::pi / 180;  // the eye goes on by a degree from picture to picture
+constexpr double kStep = std::numbers::pi / 180;  // the camera moves on by one degree from frame to frame
 
-/// One line of the table. The first of a scene is what its others are held against.
+/// One line of the table. The other lines of a scene are compared with its first line.
 struct Case {
     std::string what;
     FrameTimer::Candidate candidate;
 };
 
-/// One scene, and the ways in which it is drawn in turn.
+/// One scene and the variants in which it is drawn in turn.
 struct Subject {
     std::string name;
     std::size_t triangles;
     std::vector<Case> cases;
 };
 
-/// The eye turns around `scene`, and the light with it.
+/// The camera orbits around `scene`, and the light follows it.
 FrameTimer::SceneSequence turning(const Scene& scene, const OrbitCamera& eye) {
     return [scene, eye](int i) {
         Scene turned = scene;
@@ -93,7 +93,7 @@ Expected<Subject> mouthSubject(ImageSize size, const RenderSettings& moved) {
                    {{"bare, in one colour", {sequence, std::nullopt}}, {"light, shadow, mirror", {sequence, moved}}}};
 }
 
-/// `moved`: how the window draws what moves.
+/// `moved`: the settings of the window while things move.
 Subject workSubject(const std::string& name, const DrillingScene& work, const RenderSettings& moved) {
     return {name,
             work.triangles(),
@@ -174,7 +174,7 @@ Expected<void> measure(const BenchViewOptions& options) {
     auto timer = FrameTimer::create(*size);
     if (!timer) return Unexpected{timer.error()};
     Report report(options, *size, timer->device());
-    const RenderSettings moved = isSoftwareRenderer(timer->device()) ? kQuick : kSmooth;  // as the window draws
+    const RenderSettings moved = isSoftwareRenderer(timer->device()) ? kQuick : kSmooth;  // as in the window
     const auto add = [&](const Subject& subject) -> Expected<void> {
         std::vector<FrameTimer::Candidate> candidates;
         for (const Case& one : subject.cases) candidates.push_back(one.candidate);
@@ -190,7 +190,7 @@ Expected<void> measure(const BenchViewOptions& options) {
         const auto onTooth = workOn(tooth->mesh, *size, options.frames);
         if (!onTooth) return Unexpected{onTooth.error()};
         Subject atWork = workSubject("tooth, work", *onTooth, moved);
-        atWork.cases.pop_back();  // it has no target
+        atWork.cases.pop_back();  // this tooth has no target
         if (const auto done = add(atWork); !done) return done;
         const auto onMolar = workOnMolar(*size, options.frames);
         if (!onMolar) return Unexpected{onMolar.error()};

@@ -11,11 +11,11 @@ struct BenchViewOptions {
     std::filesystem::path tooth;  ///< empty: the standard tooth of 325,312 triangles
     std::string size = "1280x800";
     int frames = 60;
-    bool mouth = false;  ///< the mouth alone
+    bool mouth = false;  ///< only the mouth
     bool json = false;
 };
 
-/// What pictures cost on this machine.
+/// Measures the cost of frames on this machine.
 [[nodiscard]] int runBenchView(const BenchViewOptions& options);
 
 }  // namespace tactooth

@@ -18,23 +18,23 @@ namespace tactooth {
 namespace {
 
 constexpr double kVoxel = 0.05;            // mm, as in the window
-constexpr double kStep = 0.1;              // mm from picture to picture: 3 mm/s at 30 of them a second
+constexpr double kStep = 0.1;              // mm per frame: 3 mm/s at 30 frames a second
 constexpr double kPictureTime = 1.0 / 30;  // s
-constexpr int kBefore = 2;                 // pictures that are not measured (FrameTimer)
+constexpr int kBefore = 2;                 // frames that are not measured (FrameTimer)
 constexpr double kSpeed = 300000;          // rev/min
-constexpr double kMaxOverPreparation = 2;  // mm below the surface in the middle of the crown
+constexpr double kMaxDepth = 2;            // mm below the surface in the middle of the crown
 constexpr double kSlot = 3;                // mm
-constexpr int kSecondLasts = 4;            // pictures, as in the window
+constexpr int kSecondLasts = 4;            // frames, as in the window
 
-/// The bur's tip after `length` mm of its way from `start`: straight down, then to and fro along x.
+/// The bur's tip after `length` mm of its path from `start`: straight down, then to and fro along x.
 Vec3 tipAfter(const Vec3& start, double length) {
-    const double along = std::max(0.0, length - kMaxOverPreparation);
+    const double along = std::max(0.0, length - kMaxDepth);
     const double phase = std::fmod(along + kSlot / 2, 2 * kSlot);
     const double x = (phase < kSlot ? phase : 2 * kSlot - phase) - kSlot / 2;
-    return start + Vec3(x, 0, -std::min(length, kMaxOverPreparation));
+    return start + Vec3(x, 0, -std::min(length, kMaxDepth));
 }
 
-/// The highest point of the surface over the middle of its box.
+/// The highest point of the surface above the centre of its box.
 Vec3 topInTheMiddle(const TriangleMesh& mesh) {
     const Box3 box = boundingBox(mesh);
     constexpr double kReach = 1;  // mm

@@ -15,22 +15,23 @@
 
 namespace tactooth {
 
-/// A bur at work before an eye that rests: with water and handpiece it goes down into the middle of a crown and mills
-/// to and fro there, a tenth of a millimetre further in each picture. All cuts are made beforehand.
+/// A bur at work in front of a fixed camera. With water and handpiece it goes down into the middle of a crown and mills
+/// to and fro there, a tenth of a millimetre further in each frame. All cuts are made in advance.
 class DrillingScene {
 public:
-    /// `tooth`: crown up. `target`: the ideal shape of it that `ghost` shows, or nothing.
+    /// `tooth`: crown up. `target`: the tooth's ideal shape, which the ghost shows; may be null.
     [[nodiscard]] static Expected<DrillingScene> make(std::shared_ptr<const LayeredTooth> tooth,
                                                       const std::optional<TriangleMesh>& target, ImageSize size,
                                                       int pictures);
 
-    /// The bur moves and its water flows, but the tooth stays whole.
+    /// The bur moves and its water flows, but the tooth stays uncut.
     [[nodiscard]] FrameTimer::SceneSequence moving() const;
-    /// The same, and each picture has a new surface to show.
+    /// As `moving`, but each frame has a new surface.
     [[nodiscard]] FrameTimer::SceneSequence cutting() const;
-    /// That with a second view from above, drawn anew in every fourth picture, as the window does while things move.
+    /// As `cutting`, with a second view from above. That view is redrawn in every fourth frame, as in the window while
+    /// things move.
     [[nodiscard]] FrameTimer::SceneSequence withSecondView() const;
-    /// That with the ghost of what is still to be cut.
+    /// As `cutting`, with the ghost of the material that is still to be cut.
     [[nodiscard]] FrameTimer::SceneSequence withGhost() const;
 
     [[nodiscard]] std::size_t triangles() const { return tooth_->outer()->mesh().triangles.size(); }

@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-/// One tooth to measure on. `form`: what its file holds.
+/// Adds the option for one tooth to measure on. `form`: the contents of its file.
 void addLargeTooth(CLI::App& command, std::filesystem::path& file, const std::string& form) {
     command
         .add_option("--tooth", file,

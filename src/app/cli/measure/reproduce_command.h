@@ -13,10 +13,11 @@ struct ReproduceOptions {
     std::filesystem::path out;
 };
 
-/// What can be reproduced, in the order of 'all'.
+/// All experiments that can be reproduced, in the order of 'all'.
 [[nodiscard]] std::vector<std::string> experimentNames();
 
-/// Repeats published measurements on this machine: tables, plots and one page with the published numbers beside ours.
+/// Repeats published measurements on this machine. Writes tables, plots and one page that compares the published
+/// numbers with ours.
 [[nodiscard]] int runReproduce(const ReproduceOptions& options);
 
 }  // namespace tactooth

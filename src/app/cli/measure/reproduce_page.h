@@ -8,10 +8,10 @@
 
 namespace tactooth {
 
-/// Which teeth and which bur were measured, as one sentence.
+/// One sentence that names the measured teeth and the bur.
 [[nodiscard]] std::string subjectsText(const TestTeeth& testTeeth);
 
-/// Writes one page (HTML) over all experiments; their pictures and tables lie beside it.
+/// Writes one page (HTML) on all experiments. Their pictures and tables are next to it.
 [[nodiscard]] Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& testTeeth,
                                                 const std::filesystem::path& path);
 

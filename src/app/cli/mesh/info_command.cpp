@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-/// The report on the surface where its file has it.
+/// Moves the report on the surface to the coordinates of its file.
 MeshReport movedBy(MeshReport report, const Vec3& offset) {
     report.box.translate(offset);
     for (ShellReport& shell : report.shells) shell.box.translate(offset);

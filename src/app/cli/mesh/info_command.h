@@ -9,11 +9,11 @@ namespace tactooth {
 
 struct InfoOptions {
     std::vector<std::filesystem::path> files;
-    bool json = false;  ///< one JSON object a line and file instead of a table
+    bool json = false;  ///< one line with a JSON object for each file, instead of a table
 };
 
-/// Shows what the surfaces in the files are like. A file that cannot be read is told on stderr, and the others are
-/// still shown; the exit code is then kExitBadInput.
+/// Prints the properties of the surfaces in the files. A file that cannot be read is reported on stderr. The other
+/// files are still printed; the exit code is then kExitBadInput.
 [[nodiscard]] int runInfo(const InfoOptions& options);
 
 }  // namespace tactooth

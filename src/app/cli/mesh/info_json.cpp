@@ -55,7 +55,7 @@ std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
     for (const ShellReport& shell : report.shells) json["shells"].push_back(toJson(shell));
     json["remarks"] = Json::array();
     for (const ImportNote& importNote : facts.reading) json["remarks"].push_back(inWords(importNote));
-    // A file name may hold bytes that are no UTF-8, and JSON may not.
+    // A file name may contain bytes that are not UTF-8. JSON does not allow them.
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-/// 325312 as "325,312".
+/// Formats 325312 as "325,312".
 std::string grouped(std::size_t count) {
     std::string digits = std::to_string(count);
     for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)

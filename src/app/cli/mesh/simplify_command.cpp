@@ -24,7 +24,7 @@
 namespace tactooth {
 namespace {
 
-/// How many of `triangles` are to be kept, from "50%" or "20000".
+/// Number of `triangles` to keep, from "50%" or "20000".
 Expected<std::size_t> wantedTriangles(std::string_view keep, std::size_t triangles) {
     const bool isShare = keep.ends_with('%');
     const auto number = toNumber<double>(isShare ? keep.substr(0, keep.size() - 1) : keep);

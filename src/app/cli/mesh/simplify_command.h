@@ -10,10 +10,10 @@ namespace tactooth {
 struct SimplifyOptions {
     std::filesystem::path in;
     std::filesystem::path out;
-    std::string keep;  ///< "50%" of the triangles, or how many
+    std::string keep;  ///< "50%" of the triangles, or a number of triangles
 };
 
-/// Writes a surface with fewer triangles, as near to the old one as they allow.
+/// Writes a surface with fewer triangles, as close to the original as they allow.
 [[nodiscard]] int runSimplify(const SimplifyOptions& options);
 
 }  // namespace tactooth

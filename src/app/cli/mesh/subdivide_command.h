@@ -16,7 +16,7 @@ struct SubdivideOptions {
     std::optional<int> times;
 };
 
-/// Writes the same surface from more triangles.
+/// Writes the same surface with more triangles.
 [[nodiscard]] int runSubdivide(const SubdivideOptions& options);
 
 }  // namespace tactooth

@@ -17,7 +17,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMaxPixels = 4096.0 * 4096;  // of a picture: some 50 bytes each while it is drawn
+constexpr double kMaxPixels = 4096.0 * 4096;  // of a picture: about 50 bytes each while it is drawn
 constexpr double kMaxTurn = 3600;             // degrees
 constexpr double kFarthest = 1000;            // mm from the tooth
 
@@ -33,7 +33,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The numbers of "1,2,3"; nothing if one of them is none or beyond +-`most`, or their count is not `count`.
+/// Parses numbers such as "1,2,3". Returns nothing if an entry is not a number or beyond +-`most`, or if there are not
+/// exactly `count` entries.
 std::optional<std::vector<double>> numbers(const std::string& text, char separator, std::size_t count, double most) {
     std::vector<double> result;
     for (const std::string& part : split(text, separator)) {
@@ -67,7 +68,7 @@ Expected<ImageSize> parseSize(const std::string& text) {
 
 Expected<ViewArgument> parseView(const std::string& text) {
     if (const StandardView* standard = standardView(text)) return ViewArgument{*standard, {}};
-    if (text == "dentist") return ViewArgument{std::nullopt, {1.25, 0.62}};  // as the window opens
+    if (text == "dentist") return ViewArgument{std::nullopt, {1.25, 0.62}};  // the first view of the window
     if (const auto angles = numbers(text, ',', 2, kMaxTurn)) {
         return ViewArgument{std::nullopt, {(*angles)[0] * kDegree, (*angles)[1] * kDegree}};
     }

@@ -13,16 +13,16 @@
 
 namespace tactooth {
 
-// What the options of 'render' say, each as one word. Failing gives a sentence that quotes the word.
+// Parsers for the one-word values of the options of 'render'. The error is a sentence that quotes the value.
 
 /// "1920x1080"
 [[nodiscard]] Expected<ImageSize> parseSize(const std::string& text);
 
 struct ViewArgument {
     std::optional<StandardView> standard;
-    OrbitCamera::Direction free;  ///< without `standard`; for a tooth with +x mesial
+    OrbitCamera::Direction free;  ///< used if `standard` is empty; for a tooth with +x mesial
 };
-/// The view of a name of kStandardViews; null if it is none of them.
+/// Finds the view with a name of kStandardViews; null for any other name.
 [[nodiscard]] const StandardView* standardView(std::string_view name);
 
 /// A name of kStandardViews, "dentist", or "AZIMUTH,ELEVATION" in degrees.

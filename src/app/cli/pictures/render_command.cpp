@@ -25,7 +25,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kEyesPerFocus = 1.0 / 30;  // eye distance by the distance of what is looked at: easy to fuse
+constexpr double kEyesPerFocus = 1.0 / 30;  // eye separation as a share of the focus distance: easy to fuse
 
 Expected<SessionTooth> toothOf(const RenderOptions& options, const MaterialRegistry& materials) {
     if (options.tooth.empty()) return makeSessionTooth(kBuiltinTeeth.front());
@@ -43,7 +43,7 @@ Expected<DistanceColourMap> distancesFor(const RenderOptions& options, const Box
     auto mesh = loadIdealShape(options.target);
     if (!mesh) return Unexpected{mesh.error()};
     const SurfacePart target(std::move(*mesh));
-    constexpr double kMargin = 0.1;  // mm: the grid reaches beyond the surface that looks it up
+    constexpr double kMargin = 0.1;  // mm: the grid extends beyond the surface that samples it
     const Box3 around(box.min().array() - kMargin, box.max().array() + kMargin);
     return DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, around)), options.range};
 }
@@ -82,12 +82,12 @@ Expected<Inspection> inspectionOf(const RenderOptions& options, const SessionToo
     return inspection;
 }
 
-/// The eye that the options ask for.
+/// Makes the camera that the options describe.
 Expected<OrbitCamera> eyeOf(const RenderOptions& options, const SessionTooth& tooth, ImageSize size) {
     const auto direction = parseView(options.view);
     if (!direction) return Unexpected{direction.error()};
     OrbitCamera camera;
-    // Of a case all is shown, unless one of its teeth was asked for.
+    // A case is shown whole, unless the options name one of its teeth.
     camera.fit(options.workOn.empty() ? tooth.piece->tooth().outer()->tree().box() : tooth.box(), size.aspect());
     if (direction->standard) {
         camera.setView(*direction->standard, tooth.mesialX);
@@ -111,7 +111,7 @@ Stereo::Mode stereoOf(const std::string& name) {
     return name == "anaglyph" ? Stereo::Mode::Anaglyph : Stereo::Mode::Off;
 }
 
-/// All that stays the same in the pictures of one run.
+/// Everything that stays the same in all pictures of one run.
 struct RenderSetup {
     const RenderOptions& options;
     SessionTooth tooth;
@@ -174,7 +174,7 @@ Expected<void> render(const RenderOptions& options) {
     if (!given) return Unexpected{given.error()};
     auto tooth = toothOf(options, **given);
     if (!tooth) return Unexpected{tooth.error()};
-    // A built-in tooth has the built-in materials; all registries begin with these.
+    // A built-in tooth has the built-in materials. All registries begin with these.
     const MaterialTable materials(options.tooth.empty() ? **given : tooth->piece->tooth().materials());
     auto inspection = inspectionOf(options, *tooth);
     if (!inspection) return Unexpected{inspection.error()};
@@ -187,12 +187,12 @@ Expected<void> render(const RenderOptions& options) {
     return options.turntable > 0 ? takeTurn(studio, *eye) : takePicture(studio, *eye, options.out);
 }
 
-/// Before the work: what stands in the way of a picture is then said at once.
+/// Opens the files before the work starts, so that an obstacle to a picture is reported at once.
 Expected<void> openFiles(const RenderOptions& options, FileTransaction& files) {
     for (const auto& input : {options.tooth, options.materials, options.target}) files.reads(input);
     for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
     if (options.turntable == 0) return files.open(options.out);
-    for (int i = 0; i < options.turntable; ++i) {  // too many to hold all of them open
+    for (int i = 0; i < options.turntable; ++i) {  // too many to keep all of them open
         if (auto free = files.checkFree(numberedFile(options.out, i)); !free) return free;
     }
     const auto first = AtomicFile::create(numberedFile(options.out, 0));

@@ -14,30 +14,30 @@ namespace tactooth {
 struct RenderOptions {
     std::filesystem::path tooth;  ///< STL, case or saved tooth; empty: the built-in molar
     std::vector<std::string> layers;
-    std::string workOn;  ///< tooth of a case, shown alone; empty: all of it
+    std::string workOn;  ///< tooth of a case, shown alone; empty: the whole case
     std::filesystem::path materials;
     std::string view = "dentist";  ///< a name of kStandardViews, "dentist", or "AZIMUTH,ELEVATION" in degrees
     std::string size = "1600x1000";
     std::filesystem::path out;
-    int turntable = 0;                     ///< pictures of a whole turn; 0: one picture
-    std::string at;                        ///< "X,Y,Z" in the tooth's frame, mm; empty: the middle of what is shown
-    double span = 0;                       ///< mm that the picture is high; 0: the whole tooth
+    int turntable = 0;                     ///< number of pictures of a full rotation; 0: one picture
+    std::string at;                        ///< "X,Y,Z" in the tooth's frame, mm; empty: the centre of the shown objects
+    double span = 0;                       ///< height of the picture, mm; 0: the whole tooth
     std::string clip;                      ///< "SIDE" or "SIDE=MM"
     std::vector<std::string> transparent;  ///< "NAME=OPACITY"
     std::filesystem::path target;          ///< STL
-    double range = 0.5;                    ///< mm, of the colours
-    bool ghost = false;                    ///< shows the cavity of `target` instead of the colours
+    double range = 0.5;                    ///< of the colour scale, mm
+    bool ghost = false;                    ///< shows the cavity of `target` instead of the distance colours
     std::string stereo;                    ///< "side-by-side" or "anaglyph"
-    std::string second;                    ///< a name of kStandardViews: a small picture from there in the corner
-    std::optional<double> mirror;          ///< diameter of its head, mm
+    std::string second;                    ///< a name of kStandardViews: adds a small picture from that side
+    std::optional<double> mirror;          ///< diameter of the mirror's head, mm
     double fog = 0;
     double drops = 0;
     bool noBackground = false;
-    bool mouth = false;  ///< the whole built-in mouth instead of a tooth
+    bool mouth = false;  ///< the whole built-in mouth instead of one tooth
     MouthSpec mouthSpec;
 };
 
-/// Writes a picture of a tooth, or the pictures of a turn around it.
+/// Writes a picture of a tooth, or the pictures of a full rotation around it.
 [[nodiscard]] int runRender(const RenderOptions& options);
 
 }  // namespace tactooth

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// What is shown of a mouth, and from where.
+/// The shown part of a mouth and the side it is seen from.
 struct MouthView {
     std::string_view name;
     OrbitCamera::Direction direction;
@@ -40,7 +40,7 @@ Expected<MouthView> viewOf(const std::string& name) {
     return unexpected(msg::kMouthViewUnknown, name);
 }
 
-/// What the picture has to show: all crowns and some gum around them.
+/// The box that the picture has to show: all crowns and some gingiva around them.
 Box3 boxOf(const BuiltinMouth& mouth, ShownJaws jaws) {
     Box3 crowns;
     for (const MouthTooth& tooth : mouth.teeth) {
@@ -54,12 +54,12 @@ Box3 boxOf(const BuiltinMouth& mouth, ShownJaws jaws) {
                             : Box3(crowns.min().array() - kAround, crowns.max().array() + kAround);
 }
 
-/// The eye that the options ask for.
+/// Makes the camera that the options describe.
 Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view, const Box3& box, ImageSize size) {
     OrbitCamera eye;
     eye.fit(box, size.aspect());
     eye.setView(view.direction);
-    constexpr double kNearer = 0.75;  // the box fits from every side; from one side the mouth is smaller
+    constexpr double kNearer = 0.75;  // the fit holds for every direction; from one the mouth is smaller
     eye.zoom(kNearer, Vec2(size.width / 2.0, size.height / 2.0), size);
     if (!options.at.empty()) {
         const auto middle = parsePoint(options.at);
@@ -74,7 +74,7 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view,
     return eye;
 }
 
-/// Pictures of one run.
+/// The pictures of one run.
 struct RenderSetup {
     const RenderOptions& options;
     std::vector<ShownBody> bodies;

@@ -21,7 +21,7 @@ constexpr const char* kDevice = "--device";
 constexpr const char* kSecondDevice = "--second-device";
 constexpr const char* kSecondDeviceSetting = "--hand-second-device";
 
-/// What is on the bench instead of the built-in tooth.
+/// Options for the tooth that replaces the built-in one.
 void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
     CLI::Option* tooth = program.add_option("--tooth,--case,CASE", arguments.tooth,
                                             "Opens your own tooth: a case, an STL file (mm) or a saved tooth");
@@ -43,7 +43,7 @@ void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
-/// What moves the bur and the mirror.
+/// Options for the devices that move the bur and the mirror.
 void addHands(CLI::App& program, WindowArguments& arguments) {
     program
         .add_option(
@@ -89,7 +89,7 @@ void addExercise(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
-/// One option for each setting that is kept.
+/// One option for each stored setting.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
         if (option.help == nullptr) continue;
@@ -106,7 +106,7 @@ void addSettings(CLI::App& program, WindowArguments& arguments) {
     }
 }
 
-/// A device that nobody can mean would be tried, missed and remembered.
+/// Rejects a device name that cannot be meant. The window would try it, fail and store it.
 Expected<void> checkDevices(const WindowArguments& arguments) {
     if (arguments.device) {
         if (auto known = checkDeviceName(*arguments.device, kDevice); !known) return known;

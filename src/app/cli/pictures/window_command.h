@@ -13,7 +13,7 @@ class App;
 
 namespace tactooth {
 
-/// What the program is given without a command: how its window opens.
+/// The arguments of the program without a command: they define how its window opens.
 struct WindowArguments {
     std::string tooth;
     std::string workOn;
@@ -21,7 +21,7 @@ struct WindowArguments {
     std::string materials;
     std::string exercise;
     std::string bur;
-    std::map<std::string, std::string> settings;  ///< by flag
+    std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;
     std::optional<int> mouth;  ///< tooth number
     bool noCache = false;
@@ -30,7 +30,7 @@ struct WindowArguments {
 /// Adds the options of the window; `arguments` must live as long as `program`.
 void addWindowArguments(CLI::App& program, WindowArguments& arguments);
 
-/// Opens the window: an ExitCode, when it is closed.
+/// Opens the window. Returns an ExitCode when the window closes.
 [[nodiscard]] int runWindowCommand(const WindowArguments& arguments);
 
 }  // namespace tactooth

@@ -13,7 +13,7 @@ struct ContactOptions {
     std::filesystem::path out;
 };
 
-/// Penetration depth of a tool in a tooth at every pose of a file, each on its own.
+/// Computes the penetration depth of a tool in a tooth at every pose of a file, each pose independently.
 [[nodiscard]] int runContact(const ContactOptions& options);
 
 }  // namespace tactooth

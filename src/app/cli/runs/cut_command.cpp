@@ -30,10 +30,10 @@
 namespace tactooth {
 namespace {
 
-constexpr double kUsualVoxel = 0.025;  // mm: walls true to a micrometre, and still hours of cutting in 600 MB
+constexpr double kUsualVoxel = 0.025;  // mm: walls exact to a micrometre, and hours of cutting still fit into 600 MB
 
-/// The table of what was removed: t, then the materials in the order of their roles (enamel, dentin, pulp, caries,
-/// other), then all further ones.
+/// The table of the removed material: t, then the materials in the order of their roles (enamel, dentin, pulp, caries,
+/// other), then all further materials.
 class RemovedCsv {
 public:
     [[nodiscard]] static Expected<RemovedCsv> create(const std::filesystem::path& path,
@@ -60,10 +60,10 @@ private:
     std::vector<double> row_;
 };
 
-/// The files that the command leaves behind: all of them, or none.
+/// The output files of the command: all of them, or none.
 class CutFiles {
 public:
-    /// Before anything is read: what stands in their way is then said at once.
+    /// Call it before any input is read, so that an obstacle to the files is reported at once.
     [[nodiscard]] Expected<void> open(const CutOptions& options) {
         for (const std::filesystem::path& input : {options.tooth, options.materials, options.tool, options.trajectory})
             set_.reads(input);
@@ -76,7 +76,7 @@ public:
         return set_.makeFolder(options.layersOut);
     }
 
-    /// Once it is known what layers the tooth has.
+    /// Call it when the layers of the tooth are known.
     [[nodiscard]] Expected<void> begin(const CutOptions& options, const LayeredTooth& tooth) {
         watched_ = CutEvents(tooth.materials());
         if (!options.layersOut.empty()) {
@@ -103,7 +103,7 @@ public:
         watched_.update(time, tick, loss);
     }
 
-    /// Writes all that is known at the end.
+    /// Writes everything that is known at the end.
     [[nodiscard]] Expected<void> finish(const CutOptions& options, const TriangleMesh& cut, const CutModel& piece,
                                         const Provenance& provenance) {
         if (auto done = writeStl(cut, options.out); !done) return done;
@@ -137,7 +137,7 @@ private:
         return folder / (name + ".stl");
     }
 
-    /// One STL file a layer, named after it.
+    /// One STL file for each layer, with the layer's name.
     [[nodiscard]] Expected<void> writeLayers(const CutVolume& volume, const std::filesystem::path& folder) {
         for (const RemainingLayer& layer : remainingLayers(volume)) {
             const std::filesystem::path file = layerFile(folder, layer.name);
@@ -156,7 +156,7 @@ private:
     std::optional<TickCsv> forces_;
     std::optional<RemovedCsv> removed_;
     CutEvents watched_;
-    std::vector<std::string> layerLines_;  // what is said of them once they are there
+    std::vector<std::string> layerLines_;  // the report on the layer files, printed once they exist
 };
 
 Expected<ToothSource> toothSource(const CutOptions& options, const MaterialRegistry& materials) {
@@ -169,7 +169,7 @@ Expected<ToothSource> toothSource(const CutOptions& options, const MaterialRegis
     return source;
 }
 
-/// The bur that is named, else the one that the case brings.
+/// The bur that the options name, or else the bur of the case.
 Expected<CustomBur> burOf(const CutOptions& options, const ToothPlacement& place,
                           std::vector<ImportNote>& importNotes) {
     if (!options.tool.empty()) return readCustomBur(options.tool, &importNotes);

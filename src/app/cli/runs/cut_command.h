@@ -12,9 +12,9 @@ namespace tactooth {
 struct CutOptions {
     std::filesystem::path tooth;
     std::vector<std::string> layers;  ///< NAME=FILE
-    std::string material;             ///< of the tooth where it has no layers; empty: enamel
+    std::string material;             ///< of a tooth without layers; empty: enamel
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
-    std::filesystem::path tool;       ///< surface or description; empty: the case's own
+    std::filesystem::path tool;       ///< surface or description; empty: the bur of the case
     std::string workOn;               ///< tooth of a case; empty: the first
     std::filesystem::path trajectory;
     double speedRpm = 0;

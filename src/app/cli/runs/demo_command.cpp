@@ -36,14 +36,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kVoxel = 0.05;             // mm
-constexpr int kPictureBurTriangles = 5000;  // the blades then look ground
-constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: leaves its cavity as it came
+constexpr int kPictureBurTriangles = 5000;  // the blades then appear ground
+constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: can leave its cavity along its path of entry
 
 struct DemoInputs {
     std::string toothName;
     std::string burName;
     std::shared_ptr<const LayeredTooth> tooth;
-    Box3 box;  // of the tooth that is worked on
+    Box3 box;  // of the tooth that is cut
     std::optional<CustomBur> customBur;
     Surroundings surroundings;
     std::optional<Instrument> instrument;
@@ -141,7 +141,7 @@ Expected<void> writeTicks(const fs::path& path, const std::vector<Tick>& ticks) 
     return file->commit();
 }
 
-/// Everything but the picture of the touch, which is made before the tooth is cut.
+/// Writes every result except the picture of the touch, which is made before the tooth is cut.
 Expected<void> writeResults(const fs::path& folder, const Demonstration& played, const CutModel& piece,
                             const DemoInputs& cast, double seconds) {
     const Tick& last = played.ticks.back();
@@ -163,7 +163,7 @@ Expected<void> writeResults(const fs::path& folder, const Demonstration& played,
     return writeFile(folder / "summary.json", demoSummary(played, piece, cast.toothName, cast.burName));
 }
 
-/// Before the work: what stands in the way of a result is then said at once.
+/// Opens the files before the work starts, so that an obstacle to a result is reported at once.
 Expected<void> openFiles(const DemoOptions& options, FileTransaction& files) {
     for (const auto& input : {options.tooth, options.bur, options.materials}) files.reads(input);
     for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));

@@ -19,8 +19,8 @@ struct DemoOptions {
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 
-/// Plays the demonstration session without display, device or sound card and leaves its pictures, sound, plot, table,
-/// cut tooth and summary in a folder.
+/// Plays the demonstration session without display, device or sound card. Writes its pictures, sound, plot, table, cut
+/// tooth and summary into a folder.
 [[nodiscard]] int runDemo(const DemoOptions& options);
 
 }  // namespace tactooth

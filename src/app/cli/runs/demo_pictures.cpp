@@ -15,28 +15,28 @@ namespace {
 
 constexpr ImageSize kSize{1600, 1000};
 
-/// How a picture is taken.
+/// The camera and the light of a picture.
 struct CameraSetup {
     OrbitCamera::Direction direction;  ///< rad, for a tooth with +x mesial
-    double around = 0;                 ///< mm around its subject that the picture shows
-    double above = 0;                  ///< mm from the subject up to the middle of the picture
-    bool tool = true;                  ///< whether the instrument is in the picture
+    double around = 0;                 ///< margin around the subject in the picture, mm
+    double above = 0;                  ///< height of the picture's centre above the subject, mm
+    bool tool = true;                  ///< whether the picture shows the instrument
     bool loupeLamp = false;            ///< the light comes from near the eye and reaches the floor of a cavity
 };
 
 CameraSetup cameraSetupOf(DemoView view) {
     switch (view) {
         case DemoView::Touch:
-            return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek, as an assistant looks
+            return {.direction = {1.80, 0.62}, .around = 5.0, .above = 1.2};  // over the cheek: the assistant's view
         case DemoView::AtWork:
             return {.direction = {1.95, 0.70}, .around = 4.2, .above = 2.6};
-        case DemoView::Cut:  // as the dentist looks down into the cavity, by the lamp on the loupe
+        case DemoView::Cut:  // the dentist's view down into the cavity, lit by the lamp on the loupe
             return {.direction = {1.65, 1.22}, .around = 1.75, .tool = false, .loupeLamp = true};
     }
     return {};
 }
 
-/// The mouth of what has been cut, or the bur's tip where nothing has.
+/// The opening of the cavity, or the bur's tip if nothing has been cut.
 Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
     Box3 cavity;
     for (const auto& patch : tooth.patches) cavity.extend(patch->tree().box());

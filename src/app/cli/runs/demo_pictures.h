@@ -11,24 +11,24 @@
 
 namespace tactooth {
 
-/// What stays the same in all pictures of a demonstration.
+/// Everything that stays the same in all pictures of a demonstration.
 struct DemoProps {
-    ShownTool tool;                     ///< its pose and spin are set for each picture
-    std::optional<ShownMirror> mirror;  ///< its pose too
-    Box3 box;                           ///< of the tooth that is worked on, mm
-    std::vector<ShownBody> around;      ///< the tooth
+    ShownTool tool;                     ///< each picture sets its pose and spin
+    std::optional<ShownMirror> mirror;  ///< each picture sets its pose
+    Box3 box;                           ///< of the tooth that is cut, mm
+    std::vector<ShownBody> around;      ///< around the tooth
     MaterialTable materials;
-    double mesialX = 1;  ///< direction of mesial along x
+    double mesialX = 1;  ///< sign of the mesial direction along x
 };
 
-/// What a picture is of.
+/// The subject of a picture.
 enum class DemoView {
     Touch,   ///< the bur on the tooth, from the buccal side and above
-    AtWork,  ///< the bur at work in its spray, nearer
-    Cut,     ///< the cavity, nearer and steeper; the instrument, which would stand in its light, is taken away
+    AtWork,  ///< the bur at work in its spray, closer
+    Cut,     ///< the cavity, closer and steeper, without the instrument, which would block its light
 };
 
-/// What a picture shows of one moment.
+/// The state of the session at the moment of a picture.
 struct DemoMoment {
     std::shared_ptr<const Surface> tooth;
     const Tick& tick;

@@ -9,7 +9,7 @@
 
 namespace tactooth {
 
-/// What the session was, as JSON for people and programs: lengths mm, forces N, volumes mm^3, times s or us.
+/// The summary of the session as JSON for people and programs: lengths mm, forces N, volumes mm^3, times s or us.
 [[nodiscard]] std::string demoSummary(const Demonstration& demonstration, const CutModel& piece,
                                       const std::string& tooth, const std::string& bur);
 

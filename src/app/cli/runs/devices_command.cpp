@@ -21,7 +21,7 @@ constexpr std::array<const char*, 3> kStates = {"ready", "not there", "not usabl
 
 const char* stateOf(const DetectedDevice& device) { return kStates[static_cast<std::size_t>(device.state)]; }
 
-/// What is not known has no member.
+/// An unknown property has no member.
 Json jsonOf(const DetectedDevice& device) {
     const DeviceCapabilities& can = device.capabilities;
     Json json = {{"name", displayText(device.name)},

@@ -8,7 +8,7 @@ struct DevicesOptions {
     bool json = false;
 };
 
-/// Lists the devices that are there and what each can do: an ExitCode.
+/// Lists the connected devices and the abilities of each. Returns an ExitCode.
 [[nodiscard]] int runDevices(const DevicesOptions& options);
 
 }  // namespace tactooth

@@ -54,7 +54,7 @@ Finding checkRealTime() {
     return {"real time", Verdict::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
 }
 
-/// One of several of its kind is told from the others by the name that --device takes.
+/// The name that --device takes is added where several devices of one kind are connected.
 std::string titleOf(const DetectedDevice& device) {
     const bool isOneOfSeveral = device.name.find(':') != std::string::npos;
     return isOneOfSeveral ? device.name + ", " + device.backend : device.backend;

@@ -8,8 +8,8 @@ struct DoctorOptions {
     bool json = false;
 };
 
-/// Looks at everything that the program needs from this computer and says what to do about what is missing: an
-/// ExitCode, negative if the window cannot open.
+/// Checks everything that the program needs from this computer. Prints what to do about each missing part. Returns an
+/// ExitCode: negative if the window cannot open.
 [[nodiscard]] int runDoctor(const DoctorOptions& options);
 
 }  // namespace tactooth

@@ -8,21 +8,21 @@ namespace tactooth {
 
 enum class Verdict {
     Fine,
-    Optional,  ///< works without
+    Optional,  ///< the program works without it
     Missing,   ///< the window does not open, or does not stay open
 };
 
-/// What the doctor says about one part of the computer.
+/// The doctor's report on one part of the computer.
 struct Finding {
     const char* area;
     Verdict verdict;
-    std::string text;  ///< sentences; if it is not fine, they say what to do
+    std::string text;  ///< sentences; if the part is not fine, they give the remedy
 };
 
-/// s for a graphics or sound driver to answer.
+/// Time that a graphics or sound driver has to answer, s.
 inline constexpr double kDriverTimeout = 20;
 
-/// `text` with a capital letter and a full stop.
+/// Returns `text` with a capital letter at its start and a full stop at its end.
 [[nodiscard]] std::string asSentence(std::string text);
 
 }  // namespace tactooth

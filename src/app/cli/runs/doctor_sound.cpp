@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kSystem = "sound system";
 constexpr const char* kCard = "sound card";
 
-/// Lets the library mix without a card; the error, empty if it works.
+/// Mixes with the library but without a sound card. Returns the error; empty if mixing works.
 std::string tryToMix() {
     prepareAudioLibraries();
     constexpr double kShort = 0.01;  // s
@@ -27,7 +27,7 @@ std::string tryToMix() {
     return rendered ? std::string() : rendered.error().message();
 }
 
-/// The name of the device that plays, which may be empty, behind a '+'.
+/// Returns '+' and the name of the sound device that plays; the name may be empty.
 std::string tryToPlay() {
     prepareAudioLibraries();
     bool plays = false;

@@ -8,7 +8,8 @@
 
 namespace tactooth {
 
-/// Sound system (the library) and sound card. Tries both in child processes: call it while the program has one thread.
+/// Checks the sound system (the library) and the sound card. Tries both in child processes: call it while the program
+/// has one thread.
 [[nodiscard]] std::vector<Finding> checkSound();
 
 }  // namespace tactooth

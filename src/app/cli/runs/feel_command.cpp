@@ -18,13 +18,13 @@
 namespace tactooth {
 namespace {
 
-/// What is felt, and its materials' numbers.
+/// The surface that the tool touches, and the numbers of its materials.
 struct FeltTooth {
     std::shared_ptr<const Surface> surface;
     MaterialTable materials;
 };
 
-/// All of a case in the frame of one of its teeth, or a surface, which may be open.
+/// Returns the whole case in the frame of one of its teeth, or a surface, which may be open.
 Expected<FeltTooth> toothOf(const FeelOptions& options, const MaterialRegistry& materials,
                             std::vector<ImportNote>& importNotes) {
     if (!isCase(options.tooth)) {

@@ -22,7 +22,7 @@ struct FeelOptions {
     std::string workOn;               ///< tooth of a case; empty: the first
 };
 
-/// One haptic run of a tool along a trajectory.
+/// Runs one haptic simulation of a tool along a trajectory.
 [[nodiscard]] int runFeel(const FeelOptions& options);
 
 }  // namespace tactooth

@@ -29,9 +29,9 @@ using Json = nlohmann::ordered_json;
 constexpr double kVoxel = 0.05;       // mm
 constexpr double kStroke = 1.0;       // mm to each side
 constexpr double kStrokeTime = 0.25;  // s
-constexpr double kSink = 1.5;         // mm that the hand wants to be in the tooth: about 1 N
+constexpr double kSink = 1.5;         // mm by which the hand aims below the surface: about 1 N
 
-/// Comes down on the middle of the tooth and strokes to and fro, lifting now and then.
+/// Comes down on the middle of the tooth, strokes to and fro, and lifts now and then.
 std::vector<DeviceKeyframe> strokes(const Box3& box, double seconds) {
     const Vec3 middle = box.center();
     const auto at = [&](double time, double x, double z) {
@@ -46,7 +46,7 @@ std::vector<DeviceKeyframe> strokes(const Box3& box, double seconds) {
     return script;
 }
 
-/// Keeps cores busy as long as it lives.
+/// Keeps cores busy during its lifetime.
 class CpuLoad {
 public:
     explicit CpuLoad(unsigned count) {
@@ -65,7 +65,7 @@ private:
 struct Line {
     const char* key;
     const char* title;
-    const char* head;  ///< the same over a column
+    const char* head;  ///< the title as the head of a column
     const LatencyHistogram* histogram;
 };
 
@@ -93,7 +93,7 @@ void printTable(const RealtimeOptions& options, const Simulator& simulator, std:
           100 * missed / std::max(1.0, ticks + missed));
 }
 
-/// Upper edges and numbers of an octave each.
+/// Upper edges and counts, one of each per octave.
 Json binsOf(const LatencyHistogram& histogram) {
     Json bins = Json::array();
     for (const LatencyBin& bin : histogram.counts().octaves()) {
@@ -127,7 +127,7 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
     return json;
 }
 
-/// What to do about it, if the loop was late.
+/// Prints advice if the loop was late.
 void printAdvice(const ServoTiming& timing, double rateHz) {
     const std::string advice = overloadAdvice(timing, rateHz);
     if (!advice.empty()) print("{}\n", advice);
@@ -176,7 +176,7 @@ int runRealtime(const RealtimeOptions& options) {
         printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
-    constexpr double kMaxMissed = 0.01;  // of the deadlines: a hand feels more
+    constexpr double kMaxMissed = 0.01;  // share of the deadlines: a hand notices more
     return static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
 }
 

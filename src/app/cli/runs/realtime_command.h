@@ -7,12 +7,12 @@ namespace tactooth {
 struct RealtimeOptions {
     double seconds = 20;
     double rateHz = 1000;
-    bool load = false;  ///< keep all other cores busy meanwhile
+    bool load = false;  ///< keep all other cores busy during the run
     bool json = false;
 };
 
-/// Lets a simulated hand touch and cut the built-in molar in real time and says how well this machine kept time: an
-/// ExitCode, negative if the force was not computed in time.
+/// Lets a simulated hand touch and cut the built-in molar in real time. Prints the timing of this machine. Returns an
+/// ExitCode: negative if the force was not computed in time.
 [[nodiscard]] int runRealtime(const RealtimeOptions& options);
 
 }  // namespace tactooth

@@ -24,7 +24,7 @@ const SpindlePreset& driveNamed(const std::string& name) {
     return spindlePresets()[name == "electric" ? 1 : name == "low-speed" ? 2 : 0];
 }
 
-/// Both files, or none. The samples go to the file as they are made: an hour of them would fill the memory.
+/// Writes both files, or none. The samples go to the file as they are made: an hour of samples would fill the memory.
 Expected<void> write(const SoundOptions& options, std::span<const TimedSoundState> track,
                      const OfflineSettings& settings) {
     const double seconds = track.back().time;

@@ -11,7 +11,7 @@ struct SoundOptions {
     std::filesystem::path profile;
     std::filesystem::path out;
     std::filesystem::path spectrogram;  ///< empty: not written
-    std::filesystem::path sounds;       ///< preset or recording; empty: all synthesised
+    std::filesystem::path sounds;       ///< preset or recording; empty: everything is synthesised
     std::string drive = "turbine";      ///< or "electric", "low-speed"
     int blades = 0;                     ///< of the bur; 0: a diamond
     bool headphones = false;
@@ -19,7 +19,7 @@ struct SoundOptions {
     bool suction = false;
 };
 
-/// Renders what a bur sounds like whose speed, removal power and material a file tells over time.
+/// Renders the sound of a bur. A file gives its speed, removal power and material over time.
 [[nodiscard]] int runSound(const SoundOptions& options);
 
 }  // namespace tactooth

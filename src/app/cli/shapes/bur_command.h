@@ -23,10 +23,10 @@ struct BurOptions {
 struct InstrumentOptions {
     std::string name;
     std::filesystem::path out;
-    int triangles = 16000;  ///< of the turbine
+    int triangles = 16000;  ///< of the turbine handpiece
 };
 
-/// Writes another of the program's own instruments as STL.
+/// Writes one of the program's other instruments as STL.
 [[nodiscard]] int runInstrument(const InstrumentOptions& options);
 
 }  // namespace tactooth

@@ -37,11 +37,11 @@ Expected<std::shared_ptr<const Surface>> surfaceOf(int fdi, const GalleryOptions
     return shownSurface(cache.make({fdi, options.triangles, options.seed, {}}));
 }
 
-/// The three views of a tooth below each other, from `row` on; an upper tooth's chewing surface comes last, a lower
-/// one's first, as the arches face each other.
+/// Places the three views of a tooth below each other, starting at `row`. The chewing surface of an upper tooth comes
+/// last, that of a lower tooth first, because the arches face each other.
 Expected<void> placeTooth(ContactSheet& sheet, OffscreenRenderer& renderer, const GalleryOptions& options, int fdi,
                           int column, int firstRow, ImageSize tile) {
-    constexpr double kHeight = 27.5, kAcross = 15.5;  // mm: the longest tooth, the widest crown
+    constexpr double kHeight = 27.5, kAcross = 15.5;  // mm: length of the longest tooth, width of the widest crown
     const auto surface = surfaceOf(fdi, options);
     if (!surface) return Unexpected{surface.error()};
     for (int i = 0; i < static_cast<int>(kViews.size()); ++i) {
@@ -64,7 +64,7 @@ Expected<void> drawTeeth(OffscreenRenderer& renderer, const GalleryOptions& opti
     return sheet.save(options.out / "teeth.png");
 }
 
-/// Only the named teeth, larger.
+/// Draws only the named teeth, larger.
 Expected<void> drawSome(OffscreenRenderer& renderer, const GalleryOptions& options) {
     constexpr ImageSize kTile{420, 480};
     ContactSheet sheet(static_cast<int>(options.teeth.size()), 3, kTile);

@@ -10,10 +10,10 @@ namespace tactooth {
 
 struct GalleryOptions {
     std::filesystem::path out;
-    int triangles = 20000;   ///< of each tooth
+    int triangles = 20000;   ///< per tooth
     std::uint32_t seed = 0;  ///< of the teeth
     std::vector<int> teeth;  ///< FDI numbers, each on a page of its own; empty: all on one sheet
-    bool noCache = false;    ///< make all teeth anew, and do not keep them
+    bool noCache = false;    ///< makes all teeth again, and does not store them
 };
 
 /// Draws the built-in teeth and instruments as contact sheets: teeth.png and instruments.png.

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-/// A camera that shows a cube of this size around `centre`, from afar so that sizes can be compared.
+/// A camera that shows a cube of this size around `centre`. It is far away, so that sizes can be compared.
 Camera cameraOn(const Vec3& centre, double millimetres, OrbitCamera orbit, ImageSize size) {
     const double half = millimetres / 2;
     orbit.fit(Box3(centre.array() - half / std::numbers::sqrt3, centre.array() + half / std::numbers::sqrt3),
@@ -18,7 +18,7 @@ Camera cameraOn(const Vec3& centre, double millimetres, OrbitCamera orbit, Image
     return orbit.camera();
 }
 
-/// Turns a lower tooth's pose into that of an upper one, seen from the same side.
+/// Rotates a lower tooth into the pose of an upper tooth, seen from the same side.
 Quat rootsUp(StandardView view) {
     const bool fromX = view == StandardView::Mesial || view == StandardView::Distal;
     return Quat(Eigen::AngleAxisd(std::numbers::pi, fromX ? Vec3::UnitX() : Vec3::UnitY()));

@@ -12,19 +12,19 @@
 
 namespace tactooth {
 
-/// A tooth from one of the standard sides, all teeth in one scale: `millimetres` along the height of the picture. Upper
-/// teeth stand as in the mouth, their roots up.
+/// Draws a tooth from one of the standard sides. All teeth have one scale: `millimetres` along the height of the
+/// picture. Upper teeth stand as in the mouth, roots up.
 [[nodiscard]] Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<const Surface>& surface,
                                            int fdi, StandardView view, double millimetres, ImageSize size);
 
-/// The tooth's surface, each triangle tagged by its material.
+/// The tooth's surface; the tag of each triangle is its material.
 [[nodiscard]] Expected<std::shared_ptr<const Surface>> shownSurface(const BuiltinTooth& tooth);
 
-/// A bur, standing on its tip.
+/// Draws a bur that stands on its tip.
 [[nodiscard]] Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres,
                                          ImageSize size);
 
-/// Any other instrument of steel, as large as the picture allows.
+/// Draws any other steel instrument, as large as the picture allows.
 [[nodiscard]] Expected<Image> instrumentPicture(OffscreenRenderer& renderer, const TriangleMesh& mesh, ImageSize size);
 
 }  // namespace tactooth

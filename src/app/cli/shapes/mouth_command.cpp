@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::array kLayerFiles = {"outer.stl", "enamel.stl", "dentin.stl", "pulp.stl"};
 constexpr std::array kGumFiles = {"gingiva-upper.stl", "gingiva-lower.stl"};
 
-/// All that will be written, before the teeth are made.
+/// Opens all output files before the teeth are made.
 Expected<void> openAll(const MouthOptions& options, FileTransaction& files) {
     if (auto done = files.makeFolder(options.out); !done) return done;
     for (int fdi = 11; fdi <= 48; ++fdi) {

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-/// Which mouth is wanted.
+/// The parameters of a mouth.
 struct MouthSpec {
     int triangles = 20000;
     std::uint32_t seed = 0;
@@ -21,7 +21,7 @@ struct MouthSpec {
     bool noCache = false;
 };
 
-/// Fails with a sentence where a tooth that is to be missing is none.
+/// Fails with a sentence if an entry of the missing teeth is not a tooth.
 [[nodiscard]] Expected<BuiltinMouth> mouthFromSpec(const MouthSpec& spec);
 
 struct MouthOptions {
@@ -29,7 +29,7 @@ struct MouthOptions {
     std::filesystem::path out;
 };
 
-/// Writes all teeth of a mouth in place, a folder each, and the gingiva of both jaws.
+/// Writes all teeth of a mouth in place, each into its own folder, and the gingiva of both jaws.
 [[nodiscard]] int runMouth(const MouthOptions& options);
 
 }  // namespace tactooth

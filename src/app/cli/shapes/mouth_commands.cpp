@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-// Of one tooth, and of each of the 32 that a mouth keeps at once: a gigabyte.
+// Limits for one tooth, and for each of the 32 teeth that a mouth keeps at once: a gigabyte.
 constexpr int kMaxOfTooth = 2'000'000, kMaxOfMouth = 250'000;
 
 CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMaxOfTooth) {
@@ -76,13 +76,13 @@ void addTooth(CLI::App& program, CommandAction& chosen) {
         "--caries", options->caries, "Surface where decay begins: occlusal, mesial, distal, buccal or lingual");
     caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
     command->add_option("--caries-width", options->cariesWidth, "Width of the decay in the dentin, mm (default: 2.4)")
-        ->transform(numberFrom(0.4, 4.0))
+        ->transform(numberFrom(kMinLesionWidth, kMaxLesionWidth))
         ->needs(caries)
         ->type_name("MM");
     command
         ->add_option("--caries-depth", options->cariesDepth,
                      "Depth of the decay below the surface, mm (default: from its width)")
-        ->transform(numberFrom(0.3, 6.0))
+        ->transform(numberFrom(kMinLesionDepth, 6.0))
         ->needs(caries)
         ->type_name("MM");
 }

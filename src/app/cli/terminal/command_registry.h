@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// What the arguments ask for: filled while they are read, run once all of them were understood.
+/// The action that the arguments request. The parser sets it; it runs once all arguments are parsed.
 using CommandAction = std::function<int()>;
 
-/// Adds the command `name` with its options; choosing it on the command line makes `run(options)` the thing to do.
+/// Adds the command `name` with its options. If the command line names it, `run(options)` becomes the action.
 template <class Options>
 CLI::App* addCommand(CLI::App& program, CommandAction& chosen, const std::string& name, const std::string& description,
                      std::shared_ptr<Options> options, int (*run)(const Options&)) {
@@ -22,17 +22,16 @@ CLI::App* addCommand(CLI::App& program, CommandAction& chosen, const std::string
 }
 
 struct MouthSpec;
-/// The options that choose a built-in mouth. `needed`: the option without which these mean nothing; null if there is
-/// none.
+/// Adds the options that select a built-in mouth. `needed`: the option that they require; null if there is none.
 void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed);
 
-// Each adds the commands of one topic: those that its source file defines.
+// Each function adds the commands of one topic, which its source file defines.
 
-/// Cases of patients.
+/// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
-/// Changes of surfaces.
+/// Changes to surfaces.
 void addMeshCommands(CLI::App& program, CommandAction& chosen);
-/// Shapes that the program makes by itself: teeth, burs and instruments.
+/// Shapes that the program makes itself: teeth, burs and instruments.
 void addMouthCommands(CLI::App& program, CommandAction& chosen);
 /// Pictures.
 void addPictureCommands(CLI::App& program, CommandAction& chosen);

@@ -12,22 +12,22 @@
 
 namespace tactooth {
 
-/// What there is to say about a surface: as it is stored, and as every command uses it (`examineSolid`).
+/// The properties of a surface, as its file stores it and as every command uses it (`examineSolid`).
 struct SurfaceFacts {
     std::size_t storedTriangles = 0;
     bool storedInsideOut = false;
     bool storedOriented = true;
     MeshReport used;
     SolidReport solid;
-    std::vector<ImportNote> reading = {};  ///< on reading the file
+    std::vector<ImportNote> reading = {};  ///< from reading the file
 
-    /// Weaknesses and what was mended, a sentence each; none for a sound surface.
+    /// Weaknesses and repairs, one sentence each; empty for a sound surface.
     [[nodiscard]] std::vector<std::string> findings() const;
 };
 
 [[nodiscard]] SurfaceFacts surfaceFacts(const TriangleMesh& mesh);
 
-/// The facts as a table for people, or as one line of JSON. `name` of the file.
+/// The facts as a text table, or as one line of JSON. `name`: of the file.
 [[nodiscard]] std::string infoTable(std::string_view name, const SurfaceFacts& facts);
 [[nodiscard]] std::string infoJson(std::string_view name, const SurfaceFacts& facts);
 

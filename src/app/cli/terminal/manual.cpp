@@ -11,7 +11,7 @@ namespace {
 using Options = std::vector<const CLI::Option*>;
 using Commands = std::vector<const CLI::App*>;
 
-/// In the order of their declaration; --help last.
+/// In the order of their declaration; --help comes last.
 Options optionsOf(const CLI::App& command) {
     Options options = command.get_options([&](const CLI::Option* option) { return option != command.get_help_ptr(); });
     if (command.get_help_ptr() != nullptr) options.push_back(command.get_help_ptr());
@@ -22,7 +22,7 @@ Commands commandsOf(const CLI::App& command) {
     return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-/// A command with the words that lead to it: "bench contact".
+/// Visits each command with the words that select it: "bench contact".
 void forEachCommand(const CLI::App& command, const std::string& words,
                     const std::function<void(const CLI::App&, const std::string& words)>& visit) {
     for (const CLI::App* each : commandsOf(command)) {
@@ -32,7 +32,7 @@ void forEachCommand(const CLI::App& command, const std::string& words,
     }
 }
 
-/// What stands between the braces of "MODE:{proxy,penalty}"; empty where any value goes.
+/// The text between the braces of "MODE:{proxy,penalty}"; empty if any value is allowed.
 std::string choicesOf(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const auto begin = type.find('{'), end = type.find('}');
@@ -49,7 +49,7 @@ std::string usageOf(const CLI::Option& option) {
     return option.get_items_expected_max() == 0 || type.empty() ? names : names + ' ' + type;
 }
 
-/// The description as one sentence, with what the declaration adds.
+/// The description as one sentence, with the additions from the declaration.
 std::string meaningOf(const CLI::Option& option) {
     std::string text = option.get_description();
     if (!text.empty() && text.back() != '.') text += '.';
@@ -63,7 +63,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-/// Text that troff takes as it is.
+/// Escapes text for troff.
 std::string troff(const std::string& text) {
     std::string safe = replaced(replaced(text, "\\", "\\e"), "-", "\\-");
     return safe.starts_with('.') || safe.starts_with('\'') ? "\\&" + safe : safe;
@@ -75,7 +75,7 @@ void addOptions(std::string& page, const CLI::App& command) {
     }
 }
 
-/// Text that a table of Markdown takes as it is.
+/// Escapes text for a table of Markdown.
 std::string cell(const std::string& text) { return replaced(text, "|", "\\|"); }
 
 void addTable(std::string& page, const CLI::App& command) {

@@ -7,10 +7,10 @@
 
 namespace tactooth {
 
-// The manual in other forms than --help. All of them read the options that the commands have declared, so no option,
-// range or default is written down twice.
+// The manual in forms other than --help. All of them read the options that the commands have declared, so each option,
+// range and default is written down only once.
 
-/// The man page tactooth(1), in the man macro language of troff. `version`: of the program.
+/// The man page tactooth(1), in the man macros of troff. `version`: of the program.
 [[nodiscard]] std::string manPage(const CLI::App& program, const std::string& version);
 
 /// A completion script for bash: commands, options, choices, and files for the rest.

@@ -19,7 +19,7 @@ std::string meshSummary(const MeshReport& report) {
 
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation) {
-    constexpr double kMicrons = 1e3;  // in a mm
+    constexpr double kMicrons = 1e3;  // per mm
     print("{}: {}\n", displayName(in), meshSummary(reportOn(before)));
     print("{}: {}\n", displayName(out), meshSummary(reportOn(after)));
     print("greatest deviation {:.3g} um\n", kMicrons * deviation);

@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// "325312 triangles, closed, 1 shell".
+/// Example: "325312 triangles, closed, 1 shell".
 [[nodiscard]] std::string meshSummary(const MeshReport& report);
 
-/// Says on stdout what a command has made of a surface: numbers before and after, and how far the two are apart, mm.
+/// Prints the change of a surface by a command: the numbers before and after, and the distance between the two, mm.
 void printChange(const std::filesystem::path& in, const TriangleMesh& before, const std::filesystem::path& out,
                  const TriangleMesh& after, double deviation);
 

@@ -12,14 +12,14 @@
 namespace tactooth {
 namespace {
 
-/// What a refusal says of the words that were given: numbers as they are, others in quotes.
+/// The rejected text for the error message: numbers unchanged, other text in quotes.
 std::string found(const std::string& text) {
     constexpr std::size_t kLongest = 24;
     const bool isNumber = toNumber<double>(text).has_value() && text.size() <= kLongest;
     return text.empty() ? "empty" : isNumber ? text : quotedWord(text);
 }
 
-/// As a person writes it: 1000000, not 1e+06.
+/// Writes a limit as a person does: 1000000, not 1e+06.
 std::string limitText(double limit) {
     return limit == std::trunc(limit) ? std::to_string(std::llround(limit)) : numberText(limit);
 }
@@ -50,7 +50,7 @@ CLI::Validator numberFrom(double low, double high) {
 CLI::Validator wholeNumberFrom(std::int64_t low, std::int64_t high) {
     const auto taken = [low, high](const std::string& text) -> std::optional<std::string> {
         std::int64_t value = 0;
-        const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // std::from_chars knows none
+        const bool hasPlus = text.size() > 1 && text[0] == '+' && text[1] != '-';  // std::from_chars accepts no '+'
         const char* end = text.data() + text.size();
         const auto [stop, failure] = std::from_chars(text.data() + (hasPlus ? 1 : 0), end, value);
         if (stop != end || failure != std::errc() || value < low || value > high) return std::nullopt;

@@ -10,14 +10,14 @@
 
 namespace tactooth {
 
-/// Writes to a stream; where it is closed or full this is kept for outputError, and the work goes on. fmt::print would
-/// throw there.
+/// Writes to a stream. If the stream is closed or full, the error is kept for outputError and the work goes on.
+/// fmt::print would throw an exception here.
 void writeTo(std::FILE* stream, std::string_view text);
 
-/// Why something that was written to stdout did not get there: an errno, -1 if that is not known, 0 for nothing.
+/// The reason why output to stdout failed: an errno, -1 if it is unknown, 0 if nothing failed.
 [[nodiscard]] int outputError();
 
-/// As fmt::print.
+/// Formats as fmt::print does.
 template <class... Values>
 void print(std::FILE* stream, fmt::format_string<Values...> text, Values&&... values) {
     writeTo(stream, fmt::format(text, std::forward<Values>(values)...));

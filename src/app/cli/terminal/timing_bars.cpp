@@ -14,11 +14,11 @@ namespace tactooth {
 namespace {
 
 constexpr int kBar = 11;   // letters
-constexpr int kCount = 8;  // likewise: an hour at 4 kHz
+constexpr int kCount = 8;  // letters: the count of an hour at 4 kHz
 
 double heightOf(std::uint64_t count) { return std::log10(1.0 + static_cast<double>(count)); }
 
-/// In half letters, at least one; full and half blocks are in the letters of every terminal.
+/// The length is in half letters, at least one. The fonts of all terminals have full and half blocks.
 std::string bar(std::uint64_t count, double highest) {
     const int halves = std::max(1, static_cast<int>(std::lround(2 * kBar * heightOf(count) / highest)));
     std::string text;
@@ -27,9 +27,9 @@ std::string bar(std::uint64_t count, double highest) {
     return text.append(static_cast<std::size_t>(kBar - (halves + 1) / 2), ' ');
 }
 
-/// A histogram on its way to be printed. Bins of the same edge have the same number for it, bit by bit.
+/// A histogram that is to be printed. Bins with the same edge have exactly the same number for it, bit by bit.
 struct Column {
-    std::map<double, std::uint64_t> bins;  // by their upper edge, us
+    std::map<double, std::uint64_t> bins;  // key: upper edge, us
     double highest = 0;
 
     explicit Column(const LatencyCounts& counts) {
@@ -45,7 +45,7 @@ struct Column {
     }
 };
 
-/// Without the blanks at its end.
+/// Removes the blanks at the end.
 std::string line(std::string text) { return text.erase(text.find_last_not_of(' ') + 1) + '\n'; }
 
 }  // namespace

@@ -15,8 +15,9 @@ struct TimingBars {
     LatencyCounts counts;
 };
 
-/// Histograms side by side, a line for each octave of microseconds: bars and numbers, four of them in 100 columns. The
-/// bars grow with the logarithm of the number, so that a single late tick among thousands is seen.
+/// Formats histograms side by side, one line for each octave of microseconds. It prints bars and numbers; four
+/// histograms fit into 100 columns. The bars grow with the logarithm of the count, so that one late tick among
+/// thousands is visible.
 [[nodiscard]] std::string timingBars(std::span<const TimingBars> histograms);
 
 }  // namespace tactooth

@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kLargestMouth = 300;  // mm
 
-/// The box of a surface; none if the argument is no readable one.
+/// The box of a surface; nothing if the argument is not a readable surface.
 std::optional<Box3> boxOf(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
     try {
         const auto mesh = loadMesh(file);
         if (mesh) return boundingBox(*mesh);
-    } catch (const std::exception&) {  // it may be this very file that does not fit
+    } catch (const std::exception&) {  // this file may be the one that does not fit
     }
     return std::nullopt;
 }

@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// The sentence for a command whose memory does not suffice: names the largest surface among its arguments where that
-/// is larger than any mouth, since then its unit is not what was thought.
+/// The error message of a command that runs out of memory. If the largest surface among its arguments is larger than
+/// any mouth, the message names it, because its unit is then not the assumed one.
 [[nodiscard]] Error tooLargeMessage(std::span<const char* const> arguments);
 
 }  // namespace tactooth

@@ -144,7 +144,7 @@ void ExerciseController::collectTarget() {
 void ExerciseController::poll() {
     collectTarget();
     const Simulator* simulator = model_.simulator();
-    if (simulator == nullptr) return progress_.update(nullptr, 0);
+    if (simulator == nullptr || target_.metrics == nullptr) return progress_.update(nullptr, 0);
     progress_.update(simulator->surface(), total(simulator->removed()));
 }
 

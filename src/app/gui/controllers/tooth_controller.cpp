@@ -25,8 +25,8 @@ ToothController::ToothController(SessionModel& model, WindowMessages& messages, 
     });
 }
 
-void ToothController::load(Task<SessionTooth>::Function tooth, const QString& importNote) {
-    messages_.setHint(importNote);
+void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hint) {
+    messages_.setHint(hint);
     loader_.load(std::move(tooth));
 }
 

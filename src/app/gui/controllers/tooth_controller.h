@@ -25,8 +25,8 @@ public:
     void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
     void loadMouth(const MouthChoice& mouth);
-    /// `importNote`: what the status line says meanwhile.
-    void load(Task<SessionTooth>::Function tooth, const QString& importNote);
+    /// `hint`: what the status line says meanwhile.
+    void load(Task<SessionTooth>::Function tooth, const QString& hint);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// A tooth, a case, or the description of an exercise.
     void openFile(const QString& file);

@@ -31,7 +31,7 @@ public:
         if (const auto* held = found->as_string()) {
             value = held->get();
         } else {
-            reportError(*found, key, msg::kTextInQuotes);
+            refuse(*found, key, msg::kTextInQuotes);
         }
     }
     void yesOrNo(std::string_view table, std::string_view key, bool& value) {
@@ -40,7 +40,7 @@ public:
         if (const auto* held = found->as_boolean()) {
             value = held->get();
         } else {
-            reportError(*found, key, msg::kTrueOrFalse);
+            refuse(*found, key, msg::kTrueOrFalse);
         }
     }
     void number(const WindowOption& option, double& value) {
@@ -56,9 +56,9 @@ public:
             return;
         }
         const std::string lowest = shown(option.lowest), highest = shown(option.highest);
-        reportError(*found, option.key,
-                    option.zero == nullptr ? Message(msg::kNumberFromTo, lowest, highest)
-                                           : Message(msg::kNumberFromToOr, lowest, highest, option.zero));
+        refuse(*found, option.key,
+               option.zero == nullptr ? Message(msg::kNumberFromTo, lowest, highest)
+                                      : Message(msg::kNumberFromToOr, lowest, highest, option.zero));
     }
     [[nodiscard]] const std::vector<Error>& refused() const { return refused_; }
 
@@ -67,7 +67,7 @@ private:
         const toml::node* section = root_.get(table);
         if (section == nullptr) return nullptr;
         if (!section->is_table()) {
-            reportError(*section, table, msg::kATable);
+            refuse(*section, table, msg::kATable);
             return nullptr;
         }
         return section->as_table()->get(key);
@@ -77,7 +77,7 @@ private:
         text << number;
         return text.str();
     }
-    void reportError(const toml::node& node, std::string_view key, const Message& wanted) {
+    void refuse(const toml::node& node, std::string_view key, const Message& wanted) {
         // A value in place of a table is reported for each key of the table.
         const auto place = std::pair(node.source().begin.line, std::string(key));
         if (std::exchange(lastRefused_, place) == place) return;

@@ -48,7 +48,7 @@ TEST(FootPedal, LearnsThePedalFromAFoot) {
     EXPECT_TRUE(pedal.isCalibrating());
     const auto play = [&](double to) {
         foot.axis(3, to);
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < 30; ++i) {
             EXPECT_EQ(pedal.step(), 0) << "the foot shows the pedal, it does not drill";
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
