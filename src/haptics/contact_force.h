@@ -40,6 +40,8 @@ struct ForceOverrides {
     std::optional<double> stiffness;  ///< N/mm
     std::optional<double> damping;    ///< N*s/mm
     std::optional<double> friction;   ///< Coulomb coefficient; 0: only spring and damper
+
+    friend bool operator==(const ForceOverrides&, const ForceOverrides&) = default;
 };
 
 /// The force law: a spring and a damper in parallel (Kelvin-Voigt) between device and proxy, which never pull, and dry

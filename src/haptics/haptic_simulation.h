@@ -22,7 +22,8 @@ struct OperatorInput {
 
 /// All results of one tick, for the device, the recorder, the plots and the sound. Lengths in mm, forces in N.
 struct Tick {
-    double time = 0;  ///< s since the start of the simulation
+    std::uint32_t number = 0;  ///< of the tick since the start, from 1; the caller fills it in; 0: not counted
+    double time = 0;           ///< s since the start of the simulation
     Pose hand;
     Pose proxy;
     double depth = 0;
@@ -86,6 +87,7 @@ public:
     /// Replaces HapticSettings::tickBudget, for a loop that is not in real time. Positive.
     void setTickBudget(Work work);
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return proxy_.surface(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:

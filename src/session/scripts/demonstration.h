@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "session/simulation/cut_events.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 #include "session/simulation/spray_particle_system.h"
 #include "sound/output/offline_render.h"
 

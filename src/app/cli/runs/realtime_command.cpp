@@ -18,7 +18,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {

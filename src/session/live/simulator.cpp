@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 
 #include <pthread.h>
 
@@ -15,7 +15,13 @@ constexpr auto kRest = std::chrono::milliseconds(8);   // while the tool rests
 constexpr double kRests = 0.2;                         // s without motion: the hand has put the tool down
 
 constexpr auto kLongestFade = std::chrono::milliseconds(100);  // 20 N take 67 ms; a device that hangs gets no longer
-constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
+
+/// Whether `time` has reached `next`, which then is a second later.
+bool isDue(double& next, double time) {
+    if (time < next) return false;
+    next = time + 1;
+    return true;
+}
 
 /// Detects a tool that was put down; then the threads check for work less often.
 class IdleDetector {
@@ -34,22 +40,23 @@ private:
 
 Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
                      HapticDevice& device, TickListener onTick, double rateHz,
-                     std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling)
+                     std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling,
+                     std::shared_ptr<EventLanes> lanes)
     : model_(std::move(piece)),
       instrument_(std::move(instrument)),
-      settings_(settings),
       rateHz_(rateHz),
       device_(device),
       second_(second),
       onTick_(std::move(onTick)),
-      simulation_(instrument_.shape, instrument_.cutting.envelope.maxRadius(), model_->contactSurface(), settings),
+      lanes_(std::move(lanes)),
+      servo_(instrument_, model_->contactSurface(), settings),
       devices_(device, second, registration),
+      force_{settings.force},
       controls_(SimulatorControls{.force = settings.force, .motionScaling = motionScaling}),
-      surfaces_(simulation_.tool(), model_->contactSurface()),
-      newest_(model_->contactSurface()),
+      carving_(model_, instrument_.cutting, settings.materials),
+      listing_(servo_.tool(), servo_.surface()),
       publishedSurface_(model_->surface()),
       publishedLoss_(model_->loss()) {
-    simulation_.deferPlacement();
     std::function<void(double)> pace;
     if (device.drivesServoRate()) pace = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
@@ -77,29 +84,43 @@ Simulator::~Simulator() {
     if (second_ != nullptr) second_->write(SafeWrench());
 }
 
-/// Swaps in new surfaces. The old one goes back to the neighbour-list thread: to free it would stall the servo thread.
-void Simulator::adoptNewSurface() {
-    HapticSurface* hapticSurface = nullptr;
-    while (pendingSurfaces_.pop(hapticSurface)) {
-        simulation_.setSurface(*hapticSurface);
+/// Swaps in new surfaces and returns how many. The old ones go back to the neighbour-list thread: to free one would
+/// stall the servo thread.
+std::uint32_t Simulator::takeSurfaces() {
+    std::uint32_t taken = 0;
+    for (HapticSurface* hapticSurface = nullptr; pendingSurfaces_.pop(hapticSurface); ++taken) {
+        servo_.take(*hapticSurface);
         retiredSurfaces_.push(hapticSurface);
     }
+    return taken;
+}
+
+void Simulator::setForce(const SimulatorControls& controls) {
+    const ForceParameters wanted{controls.force, controls.forceScale, maxStiffnessAt(devices_.maxStiffness(), rateHz_)};
+    if (wanted == force_) return;
+    force_ = wanted;
+    servo_.setForce(force_);
+    if (lanes_) lanes_->servo(ForceEvent{force_});
 }
 
 void Simulator::servoTick(double elapsed) {
     const auto start = std::chrono::steady_clock::now();
     controls_.refresh();
     const SimulatorControls& controls = controls_.value();
-    adoptNewSurface();
-    simulation_.force().setOverrides(controls.force);
-    simulation_.force().setScale(controls.forceScale);
+    const std::uint32_t taken = takeSurfaces();
 
     devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons});
     mirrorForObserver_.write(devices_.mirror());
-    simulation_.force().setMaxStiffness(maxStiffnessAt(devices_.maxStiffness(), rateHz_));
+    setForce(controls);
     const double pedal = std::max(controls.pedal, devices_.pedal());
-    Tick tick = simulation_.step({devices_.turbine(), pedal, controls.cutting != devices_.cutToggled()}, elapsed);
+    const TickInput input =
+        TickInput::of({devices_.turbine(), pedal, controls.cutting != devices_.cutToggled()}, elapsed_.next(elapsed));
+    Tick tick = servo_.step(input);
     devices_.write(tick, controls.forceEnabled && !fadingOut_.load(std::memory_order_relaxed), elapsed);
+    if (lanes_) {
+        lanes_->servo(TickEvent{input, taken});
+        if (isDue(nextTickHash_, tick.time)) lanes_->servo(TickHashEvent{servo_.hash()});
+    }
     forceState_.store(devices_.forceState(), std::memory_order_relaxed);
     deviceAtWorkspaceLimit_.store(devices_.isAtWorkspaceLimit(), std::memory_order_relaxed);
     silent_.store(devices_.isSilent(), std::memory_order_relaxed);
@@ -134,7 +155,7 @@ void Simulator::publishSurface() {
         const std::lock_guard lock(publishedMutex_);
         publishedSurface_ = model_->surface();
         publishedLoss_ = model_->loss();
-        surfaceToList_ = std::move(cut);
+        surfaceToList_ = Publication{std::move(cut), ++published_};
     }
     cutAvailable_.notify_one();
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
@@ -145,33 +166,30 @@ std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const 
     return toothFileBytes(*model_, provenance);
 }
 
-bool Simulator::processUndoRequest() {
-    bool changed = false;
-    for (int left = undosRequested_.exchange(0); left > 0; --left) changed |= model_->undo();
-    lastCut_ = -std::numeric_limits<double>::infinity();  // the next cut gets a mark of its own
-    return changed;
-}
-
-bool Simulator::processCutRequest() {
-    const Tick& tick = tickForCarving_.value();
-    if (tick.contacts > 0 && tick.speedRpm > 0 && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark();
-    if (tick.contacts > 0 && tick.speedRpm > 0) lastCut_ = tick.time;
-    return model_->feed(instrument_.cutting, tick, settings_.materials);
+std::optional<Edit> Simulator::takeEdit() {
+    if (resetRequested_.exchange(false)) return Edit::Reset;
+    if (undosRequested_.load() == 0) return std::nullopt;
+    undosRequested_.fetch_sub(1);
+    return Edit::Undo;
 }
 
 /// One turn of the carving thread. Returns true if the surface has changed.
 bool Simulator::processModel() {
     const std::lock_guard lock(modelMutex_);
-    if (resetRequested_.exchange(false)) {
-        model_->reset();
-        return true;
+    if (const std::optional<Edit> edit = takeEdit()) {
+        const bool changed = carving_.edit(*edit);
+        if (lanes_) lanes_->carving(EditEvent{*edit, changed});
+        return changed;
     }
-    if (undosRequested_.load() > 0) return processUndoRequest();
     if (!tickForCarving_.refresh()) return false;
     const Tick& now = tickForCarving_.value();
     carvingPose_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
-    return (tickForCarving_.value().cutting && processCutRequest()) ||
-           model_->removeLoosePieces(tickForCarving_.value());
+    const bool changed = carving_.carve(now);
+    if (lanes_) {
+        lanes_->carving(CarveEvent{now.number, changed});
+        if (isDue(nextCarvingHash_, now.time)) lanes_->carving(CarvingHashEvent{carving_.hash()});
+    }
+    return changed;
 }
 
 void Simulator::runCarving(const std::stop_token& stop) {
@@ -196,44 +214,47 @@ void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
     }
 }
 
-/// Waits for a new cut surface; returns nothing if the tool needs a new list first.
-std::optional<Simulator::CarvedSurface> Simulator::waitForCutSurface(const std::stop_token& stop, bool idle) {
+/// Waits for a surface with new cuts. Its number is 0 if there is none: the tool may need a new list first.
+Simulator::Publication Simulator::waitForSurface(const std::stop_token& stop, bool idle) {
     std::unique_lock lock(publishedMutex_);
     (void)cutAvailable_.wait_for(lock, stop, idle ? kRest : kPause, [this] { return surfaceToList_.has_value(); });
-    return std::exchange(surfaceToList_, std::nullopt);
+    return std::exchange(surfaceToList_, std::nullopt).value_or(Publication());
 }
 
-/// Sends a surface or a list to the servo thread; false if the queue is full.
+/// Takes back what the servo thread has used up, and returns how many.
+std::uint32_t Simulator::recycleSurfaces() {
+    return static_cast<std::uint32_t>(
+        retiredSurfaces_.consume_all([this](HapticSurface* hapticSurface) { listing_.recycle(hapticSurface); }));
+}
+
+/// Sends a surface or a list to the servo thread; false if there is none, or if the queue is full: then the servo
+/// thread needs no more.
 bool Simulator::send(HapticSurface* hapticSurface) {
-    if (pendingSurfaces_.push(hapticSurface)) return true;
-    surfaces_.recycle(hapticSurface);
+    if (hapticSurface == nullptr) return false;
+    if (pendingSurfaces_.push(hapticSurface)) {
+        listing_.sent();
+        return true;
+    }
+    listing_.recycle(hapticSurface);
     return false;
 }
 
-/// Builds neighbour lists for each new surface and along the path of the tool. It also finds a start pose for a tool
-/// whose device entered the tooth, which the servo thread could not do within a tick. It has a thread of its own
-/// because a cut takes longer than a list lasts.
+/// It has a thread of its own because a cut takes longer than a list lasts.
 void Simulator::runNeighbourLists(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "neighbour-list");
     IdleDetector watch;
     bool idle = false;
-    std::optional<CarvedSurface> unsent;
     while (!stop.stop_requested()) {
-        if (std::optional<CarvedSurface> cut = waitForCutSurface(stop, idle)) {
-            newest_ = cut->surface;
-            unsent = std::move(cut);
-        }
-        retiredSurfaces_.consume_all([this](HapticSurface* hapticSurface) { surfaces_.recycle(hapticSurface); });
-        (void)tickForNeighbourLists_.refresh();
+        Publication publication = waitForSurface(stop, idle);
+        const bool isNewTick = tickForNeighbourLists_.refresh();
         const Tick& now = tickForNeighbourLists_.value();
         idle = watch.idle(now);
-        if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
-        if (unsent) {
-            if (send(surfaces_.make(unsent->surface, now.proxy, unsent->reached.value_or(now.proxy)))) unsent.reset();
-        } else if (HapticSurface* hapticSurface =
-                       now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand)) {
-            (void)send(hapticSurface);  // a full queue means that the servo thread needs no more
-        }
+        if (publication.number == 0 && !isNewTick && !listing_.hasUnsent()) continue;
+        const std::uint32_t recycled = recycleSurfaces();
+        std::optional<CarvedSurface> cut;
+        if (publication.number != 0) cut = std::move(publication.cut);
+        const bool sent = send(listing_.turn(now, std::move(cut)));
+        if (lanes_) lanes_->listing(ListEvent{now.number, publication.number, recycled, sent});
     }
 }
 

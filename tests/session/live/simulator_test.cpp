@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 
 #include <gtest/gtest.h>
 

@@ -17,19 +17,14 @@
 #include "geometry/util/triple_buffer.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/servo_loop.h"
-#include "instruments/bur_catalogue.h"
 #include "session/control/device_set.h"
-#include "session/simulation/cut_model.h"
+#include "session/kernel/carving_stage.h"
+#include "session/kernel/event_lanes.h"
+#include "session/kernel/listing_stage.h"
+#include "session/kernel/servo_stage.h"
 #include "session/simulation/tooth_file.h"
 
 namespace tactooth {
-
-/// The instrument in the hand.
-struct Instrument {
-    std::shared_ptr<const ToolShape> shape;
-    CuttingTool cutting;
-    BurEdge edge = {};
-};
 
 /// The controls of a running simulation.
 struct SimulatorControls {
@@ -55,10 +50,11 @@ public:
     /// block. The model may already be cut. `registration` maps the frame of the device to the tooth frame; without it
     /// both are the same. `second`: a device for the other hand, which holds the mirror at first; open, and outlives
     /// the simulator. `motionScaling` holds until other controls are set.
+    /// `lanes`: where the threads report their events; null: nowhere.
     Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
               HapticDevice& device, TickListener onTick, double rateHz = 1000,
               std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
-              double motionScaling = 1);
+              double motionScaling = 1, std::shared_ptr<EventLanes> lanes = {});
     ~Simulator();
     Simulator(const Simulator&) = delete;
     Simulator& operator=(const Simulator&) = delete;
@@ -106,36 +102,40 @@ private:
     using SurfaceQueue = boost::lockfree::spsc_queue<HapticSurface*, boost::lockfree::capacity<kCapacity>>;
     static constexpr std::size_t kTickCapacity = 2048;
 
-    /// The result of a cut.
-    struct CarvedSurface {
-        std::shared_ptr<const Surface> surface;
-        std::optional<Pose> reached;  ///< the end of the cut
+    /// A surface for the neighbour-list thread.
+    struct Publication {
+        CarvedSurface cut;
+        SurfaceNumber number = 0;
     };
 
     void servoTick(double elapsed);
     void fadeOut();
-    void adoptNewSurface();
+    [[nodiscard]] std::uint32_t takeSurfaces();
+    void setForce(const SimulatorControls& controls);
     void runCarving(const std::stop_token& stop);
     void runNeighbourLists(const std::stop_token& stop);
     void runBrickPrefetch(const std::stop_token& stop, BrickPool& pool);
     [[nodiscard]] bool processModel();
-    [[nodiscard]] bool processUndoRequest();
-    [[nodiscard]] bool processCutRequest();
+    [[nodiscard]] std::optional<Edit> takeEdit();
     void publishSurface();
-    [[nodiscard]] std::optional<CarvedSurface> waitForCutSurface(const std::stop_token& stop, bool idle);
+    [[nodiscard]] Publication waitForSurface(const std::stop_token& stop, bool idle);
+    [[nodiscard]] std::uint32_t recycleSurfaces();
     [[nodiscard]] bool send(HapticSurface* hapticSurface);
 
     std::shared_ptr<CutModel> model_;
     Instrument instrument_;
-    HapticSettings settings_;
     double rateHz_;
     HapticDevice& device_;
     HapticDevice* second_;
     TickListener onTick_;
+    std::shared_ptr<EventLanes> lanes_;
 
     // Of the servo thread.
-    HapticSimulation simulation_;
+    ServoStage servo_;
     DeviceSet devices_;
+    ElapsedTime elapsed_;
+    double nextTickHash_ = 0;  // Tick::time, s
+    ForceParameters force_;    // in use
 
     // Between threads.
     TripleBuffer<SimulatorControls> controls_;
@@ -156,12 +156,9 @@ private:
     std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
-    // Of the carving thread.
-    double lastCut_ = -std::numeric_limits<double>::infinity();  ///< Tick::time, s
-
-    // Of the neighbour-list thread.
-    HapticSurfaceBuilder surfaces_;
-    std::shared_ptr<const Surface> newest_;  ///< that the thread has seen
+    CarvingStage carving_;        // of the carving thread
+    double nextCarvingHash_ = 0;  // of the carving thread: Tick::time, s
+    ListingStage listing_;        // of the neighbour-list thread
 
     /// Held by the carving thread while it cuts, and by observers of the model; never by the servo thread.
     mutable std::mutex modelMutex_;
@@ -170,7 +167,8 @@ private:
     mutable std::mutex publishedMutex_;
     std::shared_ptr<const Surface> publishedSurface_;
     ToothLoss publishedLoss_;
-    std::optional<CarvedSurface> surfaceToList_;
+    std::optional<Publication> surfaceToList_;
+    SurfaceNumber published_ = 0;
     std::condition_variable_any cutAvailable_;
 
     std::unique_ptr<ServoLoop> loop_;
