@@ -64,11 +64,11 @@ public:
     }
 
     /// A triangle of the tool in the step, measured along all normals known so far.
-    [[nodiscard]] const SweptTool& sweep(const ProxyScene& state, const CandidateStep& step, std::uint32_t triangle);
+    [[nodiscard]] const SweptTool& sweep(const ProxyScene& scene, const CandidateStep& step, std::uint32_t triangle);
     /// Measures the leaf of a cluster along all normals known so far, for later clusters of the same leaf.
-    void measureLeaf(const ProxyScene& state, const NeighbourList& list, std::size_t cluster);
+    void measureLeaf(const ProxyScene& scene, const NeighbourList& list, std::size_t cluster);
     /// Whether a plane of the query separates a cluster whose leaf was measured.
-    [[nodiscard]] bool separatesCluster(const ProxyScene& state, const CandidateStep& step, const NeighbourList& list,
+    [[nodiscard]] bool separatesCluster(const ProxyScene& scene, const CandidateStep& step, const NeighbourList& list,
                                         std::size_t cluster);
     /// Whether a swept triangle stays in front of the plane across normal `i` through `toothTop`, during the whole
     /// step.
@@ -94,15 +94,15 @@ private:
     std::array<Leaf, kPlaces> leaves_;
 };
 
-inline const SweptTool& SweepQuery::sweep(const ProxyScene& state, const CandidateStep& step, std::uint32_t triangle) {
+inline const SweptTool& SweepQuery::sweep(const ProxyScene& scene, const CandidateStep& step, std::uint32_t triangle) {
     SweptTool& swept = tools_[triangle % kPlaces];
     if (swept.triangle != triangle) {
         swept.triangle = triangle;
         swept.measured = 0;
-        const Triangle3 tool = state.tool->corners(triangle);
-        const Vec3 position = state.pose.position + step.shift;
+        const Triangle3 tool = scene.tool->corners(triangle);
+        const Vec3 position = scene.pose.position + step.shift;
         for (int corner = 0; corner < 3; ++corner) {
-            swept.corners[corner] = step.startMatrix * tool[corner] + state.pose.position;
+            swept.corners[corner] = step.startMatrix * tool[corner] + scene.pose.position;
             swept.corners[corner + 3] = step.matrix * tool[corner] + position;
         }
     }
@@ -113,7 +113,7 @@ inline const SweptTool& SweepQuery::sweep(const ProxyScene& state, const Candida
     return swept;
 }
 
-inline void SweepQuery::measureLeaf(const ProxyScene& state, const NeighbourList& list, std::size_t cluster) {
+inline void SweepQuery::measureLeaf(const ProxyScene& scene, const NeighbourList& list, std::size_t cluster) {
     const std::uint32_t number = list.leafOf(cluster);
     Leaf& measured = leaves_[number % kPlaces];
     if (measured.number != number) measured = {number, 0, {}};
@@ -122,7 +122,7 @@ inline void SweepQuery::measureLeaf(const ProxyScene& state, const NeighbourList
     const auto top = std::span(measured.top).first(static_cast<std::size_t>(count_));
     std::ranges::fill(top.subspan(static_cast<std::size_t>(first)), -std::numeric_limits<double>::infinity());
     const NearLeaf& leaf = list.leaf(number);
-    const TriangleMesh& mesh = partOf(*state.surface, leaf.part).mesh();
+    const TriangleMesh& mesh = partOf(*scene.surface, leaf.part).mesh();
     for (std::uint32_t rest = leaf.present; rest != 0; rest &= rest - 1) {
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3 point = mesh.corner(leaf.triangle[std::countr_zero(rest)], corner);
@@ -131,14 +131,14 @@ inline void SweepQuery::measureLeaf(const ProxyScene& state, const NeighbourList
     }
 }
 
-inline bool SweepQuery::separatesCluster(const ProxyScene& state, const CandidateStep& step, const NeighbourList& list,
+inline bool SweepQuery::separatesCluster(const ProxyScene& scene, const CandidateStep& step, const NeighbourList& list,
                                          std::size_t cluster) {
     const std::uint32_t number = list.leafOf(cluster);
     const Leaf& measured = leaves_[number % kPlaces];
     if (measured.number != number) return false;
-    const SweptTool& swept = sweep(state, step, list.toolOf(cluster));
+    const SweptTool& swept = sweep(scene, step, list.toolOf(cluster));
     for (int i = 0; i < measured.measured; ++i) {
-        if (separates(measured.top[i], swept, i, state.margin)) return true;
+        if (separates(measured.top[i], swept, i, scene.margin)) return true;
     }
     return false;
 }

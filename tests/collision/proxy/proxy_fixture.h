@@ -27,28 +27,28 @@ inline constexpr double kMargin = 1e-6;  // mm
     return mesh;
 }
 
-/// A solver's parts with a tool among the triangles of a tooth, and no list yet.
-[[nodiscard]] inline ProxyContext sceneOf(const TriangleMesh& tool, const TriangleMesh& tooth, const Pose& pose,
-                                          Freedom freedom = Freedom::Translation) {
+/// The data of a solver with a tool and a tooth, without a neighbour list.
+[[nodiscard]] inline ProxyContext contextOf(const TriangleMesh& tool, const TriangleMesh& tooth, const Pose& pose,
+                                            Freedom freedom = Freedom::Translation) {
     ProxyContext context(toolOf(tool), freedom);
-    context.state.surface = surfaceOf(tooth);
-    context.state.pose = pose;
-    context.state.margin = kMargin;
+    context.scene.surface = surfaceOf(tooth);
+    context.scene.pose = pose;
+    context.scene.margin = kMargin;
     return context;
 }
 
-/// Gives a scene a list of all that is within a margin around its pose.
+/// Gives the solver a neighbour list of all pairs within `around` (mm) and a rotation by `turn` (chord) of its pose.
 inline void listAround(ProxyContext& context, double around, double turn = 0.01) {
-    NeighbourList near(*context.state.tool);
-    near.buildAll(*context.state.surface, context.state.pose, ContactMargin{Vec3::Zero(), around, turn});
+    NeighbourList near(*context.scene.tool);
+    near.buildAll(*context.scene.surface, context.scene.pose, ContactMargin{Vec3::Zero(), around, turn});
     context.horizon.take(near);
 }
 
 /// A step that shifts the tool, without rotation.
 [[nodiscard]] inline CandidateStep stepBy(const ProxyContext& context, const Vec3& shift) {
     CandidateStep step;
-    step.goal = {context.state.pose.position + shift, context.state.pose.rotation};
-    step.rotateBy(context.state.pose.rotation, 0);
+    step.goal = {context.scene.pose.position + shift, context.scene.pose.rotation};
+    step.rotateBy(context.scene.pose.rotation, 0);
     step.shift = shift;
     step.limits = {100, 2, 100};
     return step;

@@ -33,38 +33,38 @@ Found checkShift(ProxyContext& context, const Vec3& shift) {
 }  // namespace
 
 TEST(SweepCheck, FindsNothingInAStepAwayFromTheTooth) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
     test::listAround(context, 0.5);
     EXPECT_EQ(checkShift(context, Vec3(0.1, 0.1, 0.3)).violation, Violation::None);
     EXPECT_EQ(checkShift(context, Vec3(0.1, 0.1, -0.099)).violation, Violation::None);
 }
 
 TEST(SweepCheck, FindsThePairThatAStepBringsTogether) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
     test::listAround(context, 0.5);
     const Found found = checkShift(context, Vec3(0.1, 0.1, -0.101));
     ASSERT_EQ(found.violation, Violation::Found);
     EXPECT_NEAR(found.violator.plane.normal.z(), 1, 1e-9);
     EXPECT_NEAR(found.violator.plane.offset, 0, 1e-9);
-    EXPECT_EQ(found.violator.plane.stamp, context.state.poseStamp);
+    EXPECT_EQ(found.violator.plane.stamp, context.scene.poseStamp);
 }
 
 TEST(SweepCheck, FindsAThinWallBetweenTwoFreePoses) {
-    ProxyContext context = test::sceneOf(test::sphere(Vec3::Zero(), 0.05, 12, 8),
-                                         test::box(Vec3(-9, -9, 0), Vec3(9, 9, 0.001)), test::poseAt(0, 0, 0.2));
+    ProxyContext context = test::contextOf(test::sphere(Vec3::Zero(), 0.05, 12, 8),
+                                           test::box(Vec3(-9, -9, 0), Vec3(9, 9, 0.001)), test::poseAt(0, 0, 0.2));
     test::listAround(context, 1);
     EXPECT_EQ(checkShift(context, Vec3(0, 0, -0.4)).violation, Violation::Found);
     EXPECT_EQ(checkShift(context, Vec3(0.4, 0, 0)).violation, Violation::None);
 }
 
 TEST(SweepCheck, KnowsThatTheToolOverlapsAtTheStart) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, -0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, -0.1));
     test::listAround(context, 0.5);
     EXPECT_EQ(checkShift(context, Vec3(0.1, 0, 0)).violation, Violation::Overlapping);
 }
 
 TEST(SweepCheck, EndsWhenTheAllowanceIsUsedUp) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
     test::listAround(context, 0.5);
     context.budget.setLimit(1);
     context.budget.beginMove();
@@ -81,7 +81,7 @@ TEST(SweepCheck, AgreesWithAnExactTestAlongRandomSteps) {
     for (int i = 0; i < 150; ++i) {
         const Pose start = test::poseAt(0.01 * i - 0.75, 0.1, 0.05);
         if (oracle.at(start)) continue;
-        ProxyContext context = test::sceneOf(tool, tooth, start);
+        ProxyContext context = test::contextOf(tool, tooth, start);
         test::listAround(context, 0.6);
         SweepCheck sweep;
         const CandidateStep step = test::stepBy(context, 0.15 * test::randomVector(random));
@@ -100,8 +100,8 @@ TEST(SweepCheck, AgreesWithAnExactTestAlongRandomSteps) {
 }
 
 TEST(SweepCheck, BeginsWithThePairsThatBlockedTheLastSteps) {
-    ProxyContext context = test::sceneOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 40, 20),
-                                         test::sphere(Vec3(0, 0, -2), 2, 100, 80), test::poseAt(0, 0, 0.02));
+    ProxyContext context = test::contextOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 40, 20),
+                                           test::sphere(Vec3(0, 0, -2), 2, 100, 80), test::poseAt(0, 0, 0.02));
     test::listAround(context, 0.2);
     SweepCheck sweep;
     const CandidateStep step = test::stepBy(context, Vec3(0.02, 0, -0.1));
@@ -120,7 +120,7 @@ TEST(SweepCheck, BeginsWithThePairsThatBlockedTheLastSteps) {
 }
 
 TEST(SweepCheck, AssertsThatThereIsAList) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
     EXPECT_ASSERT((void)checkShift(context, Vec3::Zero()));
 }
 
