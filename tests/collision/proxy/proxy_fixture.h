@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <random>
 
 #include "collision/contact_oracle.h"
 #include "collision/proxy/candidate_step.h"
 #include "collision/proxy/proxy_context.h"
+#include "collision/proxy/proxy_solver.h"
 #include "support/shapes.h"
 
 namespace tactooth::test {
@@ -54,6 +57,28 @@ inline void listAround(ProxyContext& context, double around, double turn = 0.01)
     return step;
 }
 
+/// A solver among the triangles of a tooth, with its proxy at a free pose.
+[[nodiscard]] inline ProxySolver solverAt(const Pose& start, std::shared_ptr<const ToolShape> tool,
+                                          std::shared_ptr<const Surface> tooth,
+                                          Freedom freedom = Freedom::Translation) {
+    ProxySolver solver(std::move(tool), freedom);
+    solver.setSurface(std::move(tooth));
+    solver.placeAt(start);
+    return solver;
+}
+
+/// Moves toward `goal` until the proxy has settled, at most 200 times.
+inline MoveResult settle(ProxySolver& solver, const Pose& goal) {
+    MoveResult result;
+    for (int i = 0; i < 200; ++i) {
+        result = solver.moveToward(goal);
+        if (result.status != MoveStatus::OutOfIterations && result.status != MoveStatus::OutOfBudget) return result;
+    }
+    ADD_FAILURE() << "the proxy did not settle";
+    return result;
+}
+
+/// Three independent numbers with a standard normal distribution.
 [[nodiscard]] inline Vec3 randomVector(std::mt19937& random) {
     std::normal_distribution<double> normal;
     const double x = normal(random), y = normal(random), z = normal(random);
