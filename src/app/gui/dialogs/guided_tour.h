@@ -47,7 +47,7 @@ private:
     void undo();
     [[nodiscard]] Viewport picture() const;
     /// The pixel to point at, `aside` mm distal of the middle of the occlusal surface. The middle of the picture if
-    /// that place is out of sight.
+    /// that place is behind the camera.
     [[nodiscard]] Vec2 pixelAt(double aside) const;
 
     SessionModel& model_;
