@@ -114,7 +114,7 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     if (longSession() == nullptr) return;  // each takes as long as its sentence is shown
     QTest::newRow("slow") << HaplyFault::Slow << "answers too slowly" << true;
     QTest::newRow("no answer") << HaplyFault::Mute << "has stopped answering" << true;
-    QTest::newRow("no message") << HaplyFault::Malformed << "what is no message" << true;
+    QTest::newRow("no message") << HaplyFault::Malformed << "messages that cannot be read" << true;
     QTest::newRow("other version") << HaplyFault::Version << "install version 3" << true;
     QTest::newRow("other units") << HaplyFault::Units << "not in metres" << true;
     QTest::newRow("unplugged") << HaplyFault::Gone << "is gone" << true;
@@ -123,11 +123,11 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::newRow("twenty answers a message") << HaplyFault::Twenty << "sends more answers" << true;
     QTest::newRow("20,000 answers a second") << HaplyFault::Flood << "sends more answers" << true;
     QTest::newRow("four numbers that are no turn")
-        << HaplyFault::InvalidRotation << "a direction that is none" << false;
-    QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "direction has jumped" << false;
-    QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "place has jumped" << false;
-    QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "place has jumped" << false;
-    QTest::newRow("place is no number") << HaplyFault::NotANumber << "does not know where it is" << false;
+        << HaplyFault::InvalidRotation << "an orientation that is not valid" << false;
+    QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "orientation has jumped" << false;
+    QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "position has jumped" << false;
+    QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "position has jumped" << false;
+    QTest::newRow("place is no number") << HaplyFault::NotANumber << "has lost its position" << false;
     QTest::newRow("no power") << HaplyFault::NoPower << "plug in its power supply" << false;
     QTest::newRow("calibration lost") << HaplyFault::NotCalibrated << "is not calibrated" << false;
     QTest::newRow("not ready") << HaplyFault::NotReady << "is not ready" << false;

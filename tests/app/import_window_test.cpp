@@ -50,7 +50,9 @@ private:
     [[nodiscard]] QPushButton* importButton() const {
         return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
     }
-    [[nodiscard]] QString importNotes() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
+    [[nodiscard]] QString importNotes() const {
+        return dialog()->findChild<QTextBrowser*>("importNotes")->toPlainText();
+    }
     void waitForImportNotes(const QString& words);
     void waitForToothNamed(const std::string& name);
 

@@ -29,7 +29,7 @@ class PenSessionTest : public test::DeviceSession {
 private slots:
     void initTestCase();
     void cleanup() { setFault(0); }
-    void aMouseHasNoRoomThatFits();
+    void aMouseHasNoWorkspaceToFit();
     void eachHandMayChooseAPenByItsName();
     void anUncalibratedPenAsksForItsInkwell();
     void thePenTouchesTheTooth() { touchTheTooth(); }
@@ -37,7 +37,7 @@ private slots:
     void itsWhiteButtonTakesTheMirror() { takeTheMirrorByButton(0); }
     void theClutchHoldsTheBur();
     void fitToTheToothItIsFinerAndMovesNothing();
-    void atTheEndOfItsRoomTheClutchIsNamed();
+    void atTheWorkspaceLimitTheClutchIsNamed();
     void theOtherPenHoldsTheMirror();
     void eachFaultMidPressIsSaidAndKeepsTheSession_data();
     void eachFaultMidPressIsSaidAndKeepsTheSession();
@@ -55,7 +55,7 @@ private:
     void setFault(int fault) const override { standin_->setFault(fault); }
     [[nodiscard]] long lastForceSinceFault() const override { return standin_->lastForceSinceFault(); }
 
-    [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitFineness"); }
+    [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitMotionScaling"); }
     [[nodiscard]] QDoubleSpinBox& motionScaling() const;
 
     const test::HdStandinControl* standin_ = nullptr;
@@ -84,10 +84,10 @@ QDoubleSpinBox& PenSessionTest::motionScaling() const {
     for (QDoubleSpinBox* box : window_->findChildren<QDoubleSpinBox*>()) {
         if (box->accessibleName() == "Fineness") return *box;
     }
-    qFatal("the window has no fineness");
+    qFatal("the window has no motion scaling");
 }
 
-void PenSessionTest::aMouseHasNoRoomThatFits() {
+void PenSessionTest::aMouseHasNoWorkspaceToFit() {
     const auto* note = window_->findChild<QLabel*>("fitNote");
     QVERIFY(note->isHidden());
     fit().setChecked(true);
@@ -170,13 +170,13 @@ void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
 }
 
 /// Its workspace ends 80 mm to the right.
-void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
-    const QString told = "end of the device's room";
-    QVERIFY(!hint().contains(told));
+void PenSessionTest::atTheWorkspaceLimitTheClutchIsNamed() {
+    const QString sentence = "end of the device's workspace";
+    QVERIFY(!hint().contains(sentence));
     moveHand(79, 10);
-    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(told) && hint().contains("(X)"), qPrintable(hint()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence) && hint().contains("(X)"), qPrintable(hint()), kPatience);
     moveHand(0, 4);
-    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(sentence), qPrintable(hint()), kPatience);
     waitForHand();
     const Vec3 tool = toolTip();
     const double fitted = motionScaling().value();
@@ -216,7 +216,7 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     if (qEnvironmentVariableIsSet("TACTOOTH_SESSION_SECONDS")) return;  // the short session tests the others
     QTest::newRow("unplugged") << HdFault::Unplugged << "has stopped answering" << true;
     QTest::newRow("device, motors alive") << HdFault::DeviceFault << "reports a fault" << true;
-    QTest::newRow("place is no number") << HdFault::NanPose << "is no number" << true;
+    QTest::newRow("place is no number") << HdFault::NanPose << "is not a number" << true;
     QTest::newRow("jump of 50 mm") << HdFault::Jump << "has jumped" << true;
     QTest::newRow("calibration lost") << HdFault::NeedsInkwell << "inkwell" << true;
     QTest::newRow("warm motors") << HdFault::WarmMotors << "motors are warm" << false;
