@@ -16,10 +16,11 @@ namespace {
 
 // Hz: above the 10 Hz of a hand, below the noise of an encoder step of 55 um at 1 kHz.
 constexpr double kVelocityCutoff = 100;
-constexpr double kMaxDistance = 1e6;  // mm from the tooth: a pose beyond is a fault of the device
 
-/// False also for a pose that is not finite.
-bool isPlausible(const Pose& hand) { return isRigid(hand) && hand.position.cwiseAbs().maxCoeff() < kMaxDistance; }
+/// Whether a device can have this pose. False also for a pose that is not finite.
+bool isPlausible(const Pose& device) {
+    return isRigid(device) && device.position.cwiseAbs().maxCoeff() < kMaxCoordinate;
+}
 
 /// The input with a rotation of unit length. A device may be off by more than rounding; rounding itself stays as it is.
 OperatorInput withUnitRotation(OperatorInput input) {

@@ -102,11 +102,6 @@ Pose lowerJawPose(JawPose jaw) {
     return {hinge + slide - turn * hinge, turn};
 }
 
-TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose) {
-    for (Vec3f& vertex : mesh.vertices) vertex = (pose * vertex.cast<double>()).cast<float>();
-    return mesh;
-}
-
 Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
     TACTOOTH_ASSERT(request.triangles > 0);
     const ToothArrangement places = arrangeTeeth(request.seed);

@@ -43,7 +43,7 @@ struct TriangleMesh {
 /// The bounding box of all vertices that a triangle uses; empty for an empty mesh.
 [[nodiscard]] Box3 boundingBox(const TriangleMesh& mesh);
 
-/// `mesh` with every vertex transformed by `pose`.
+/// `mesh` in another frame: every vertex transformed by `pose`, which must be a rigid transform.
 [[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh, const Pose& pose);
 
 /// Adds the vertices and triangles of `part` to `mesh`.

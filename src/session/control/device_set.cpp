@@ -129,7 +129,7 @@ void DeviceSet::write(const Tick& tick, bool enabled, double elapsed) {
         if (hand == nullptr) continue;
         const SafeWrench safe = hand->pipeline.pass(wantedFor(*hand, tick, enabled), elapsed);
         hand->device->write(safe);
-        hand->device->judge(hand->pipeline.fault(), elapsed);
+        hand->device->recordPoseFault(hand->pipeline.fault(), elapsed);
         silent_ &= safe.force().isZero(0) && safe.torque().isZero(0);
     }
 }

@@ -146,8 +146,8 @@ void DevicePanel::addMotionScaling(QGridLayout& grid) {
     motionScaling_ = new NumberRow(
         grid, tr("Fineness"), {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
         tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
-    fit_->setObjectName("fitFineness");
-    fit_->setToolTip(tr("As fine as it can be while the device's room still reaches all of the tooth"));
+    fit_->setObjectName("fitMotionScaling");
+    fit_->setToolTip(tr("As fine as possible while the device still reaches all of the tooth"));
     fitNote_->setObjectName("fitNote");
     fitNote_->setWordWrap(true);
     fitNote_->hide();  // few devices need the note
@@ -161,8 +161,8 @@ void DevicePanel::showFit(const std::optional<WorkspaceFit>& fit) {
     if (!fit_->isChecked()) return;
     const QSignalBlocker quiet(motionScaling_);
     motionScaling_->setValue(fit ? fit->motionScaling : kMinMotionScaling);
-    fitNote_->setText(fit ? tr("The tooth is larger than the device's room: hold the bur (X) to reach all of it.")
-                          : tr("Nothing here has a room that could be fitted: 1 : 1."));
+    fitNote_->setText(fit ? tr("The tooth is larger than the device's workspace: hold the bur (X) to reach all of it.")
+                          : tr("No device here has a known workspace: 1 : 1."));
 }
 
 void DevicePanel::addRate(QGridLayout& grid) {

@@ -22,9 +22,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPressed = -1;      // mm: device position inside the block
-constexpr double kKnowable = 0.005;  // s from the first wrong reading to zero force
-constexpr double kFelt = 0.2;        // N
+constexpr double kPressed = -1;        // mm: device position inside the block
+constexpr double kKnowable = 0.005;    // s from the first wrong reading to zero force
+constexpr double kContactForce = 0.2;  // N
 const double kNan = std::nan("");
 
 std::shared_ptr<const Surface> block() {
@@ -125,24 +125,28 @@ void turnBy(DeviceSample& sample, double angle) {
 
 const Case kCases[] = {
     {"Lost", nullptr, [](DeviceSample& s, int, double) { s.connected = false; }},
-    {"NanPlace", "is no number", [](DeviceSample& s, int, double) { s.hand.position.y() = kNan; }},
-    {"InfinitePlace", "is no number",
+    {"NanPlace", "is not a number", [](DeviceSample& s, int, double) { s.hand.position.y() = kNan; }},
+    {"InfinitePlace", "is not a number",
      [](DeviceSample& s, int, double) { s.hand.position.z() = -std::numeric_limits<double>::infinity(); }},
-    {"FarPlace", "place has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() = 1e30; }},
-    {"NanTurn", "is no number", [](DeviceSample& s, int, double) { s.hand.rotation.x() = kNan; }},
-    {"ZeroTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs().setZero(); }},
-    {"LongTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 1.05; }},
-    {"ShortTurn", "direction that is none", [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 0.7; }},
-    {"TurnOnce", "direction has jumped", [](DeviceSample& s, int, double) { turnBy(s, 1); }},
-    {"TurnToAndFro", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 0.3)); }},
-    {"TurnOver", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 3.1)); }},
-    {"Spin", "direction has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, 0.2 * tick); }},
-    {"Jump50", "place has jumped", [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 50); }},
-    {"JumpOnce", "place has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() += 7; }},
-    {"Jitter4.9", "place has jumped", [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 4.9); }},
-    {"JitterInAndOut", "place has jumped",
+    {"FarPlace", "position has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() = 1e30; }},
+    {"NanTurn", "is not a number", [](DeviceSample& s, int, double) { s.hand.rotation.x() = kNan; }},
+    {"ZeroTurn", "orientation that is not valid",
+     [](DeviceSample& s, int, double) { s.hand.rotation.coeffs().setZero(); }},
+    {"LongTurn", "orientation that is not valid",
+     [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 1.05; }},
+    {"ShortTurn", "orientation that is not valid",
+     [](DeviceSample& s, int, double) { s.hand.rotation.coeffs() *= 0.7; }},
+    {"TurnOnce", "orientation has jumped", [](DeviceSample& s, int, double) { turnBy(s, 1); }},
+    {"TurnToAndFro", "orientation has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 0.3)); }},
+    {"TurnOver", "orientation has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, odd(tick, 3.1)); }},
+    {"Spin", "orientation has jumped", [](DeviceSample& s, int tick, double) { turnBy(s, 0.2 * tick); }},
+    {"Jump50", "position has jumped", [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 50); }},
+    {"JumpOnce", "position has jumped", [](DeviceSample& s, int, double) { s.hand.position.x() += 7; }},
+    {"Jitter4.9", "position has jumped",
+     [](DeviceSample& s, int tick, double) { s.hand.position.x() += odd(tick, 4.9); }},
+    {"JitterInAndOut", "position has jumped",
      [](DeviceSample& s, int tick, double) { s.hand.position.z() += odd(tick, 4.9); }},
-    {"JitterDeeper", "place has jumped",
+    {"JitterDeeper", "position has jumped",
      [](DeviceSample& s, int tick, double) { s.hand.position.z() -= odd(tick, 2.2); }},
     {"Drift", "", [](DeviceSample& s, int, double time) { s.hand.position.x() += std::min(40.0, 3000 * time); }},
     {"DriftDown", "", [](DeviceSample& s, int, double time) { s.hand.position.z() -= std::min(40.0, 3000 * time); }},
@@ -152,7 +156,7 @@ const Case kCases[] = {
          s.isFresh = false;
      }},
     {"AgeIsNoNumber", "come too late", [](DeviceSample& s, int, double) { s.age = kNan; }},
-    {"HeatIsNoNumber", "no number and was switched off",
+    {"HeatIsNoNumber", "was not a number, so the force is off",
      [](DeviceSample& s, int, double) { s.motorTemperature = kNan; }},
 };
 
@@ -162,7 +166,7 @@ TEST_P(DeviceFaults, MidPressEndTheForceInTimeAndItComesBackWhenTheBurHasBeenFre
     const auto& [fault, rateHz] = GetParam();
     Bench bench(*findDevicePreset("touch"), rateHz);
     bench.press();
-    ASSERT_GT(bench.device.force.norm(), kFelt);
+    ASSERT_GT(bench.device.force.norm(), kContactForce);
     bench.device.fault = fault.fault;
     double lastForce = 0;  // s after the first wrong reading
     for (int i = 1; i * bench.dt() < 0.3; ++i) {
@@ -183,7 +187,7 @@ TEST_P(DeviceFaults, MidPressEndTheForceInTimeAndItComesBackWhenTheBurHasBeenFre
     bench.run(0.5);
     EXPECT_EQ(bench.device.force, Vec3::Zero()) << "nobody is kicked: the bur is in the block still";
     bench.press();
-    EXPECT_GT(bench.device.force.norm(), kFelt) << "the same device goes on";
+    EXPECT_GT(bench.device.force.norm(), kContactForce) << "the same device goes on";
     EXPECT_LE(bench.strongest, bench.device.info().limits.force);
     EXPECT_TRUE(bench.finite);
 }
@@ -196,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(All, DeviceFaults,
                              return name + "At" + std::to_string(static_cast<int>(std::get<1>(one.param))) + "Hz";
                          });
 
-TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsIsFeltAsNothing) {
+TEST(DeviceFaultsNone, AQuaternionThatChangesItsSignsChangesNoForce) {
     Bench bench(*findDevicePreset("touch"), 1000);
     bench.press();
     const Vec3 force = bench.device.force;
