@@ -14,8 +14,8 @@
 #include "geometry/util/parallel_for.h"
 #include "instruments/bur_shape.h"
 #include "instruments/tool_trajectory.h"
-#include "session/io/softened_materials.h"
 #include "session/scripts/cut_run.h"
+#include "session/scripts/softened_materials.h"
 
 namespace tactooth {
 namespace {

@@ -12,8 +12,8 @@
 #include "instruments/bur_shape.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/tool_trajectory.h"
-#include "session/io/softened_materials.h"
 #include "session/scripts/cut_run.h"
+#include "session/scripts/softened_materials.h"
 
 namespace tactooth {
 namespace {

@@ -91,10 +91,10 @@ void PenSessionTest::aMouseHasNoRoomThatFits() {
     const auto* note = window_->findChild<QLabel*>("fitNote");
     QVERIFY(note->isHidden());
     fit().setChecked(true);
-    QTRY_VERIFY(!note->isHidden() && note->text().contains("1 : 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!note->isHidden() && note->text().contains("1 : 1"), kPatience);
     QVERIFY(!motionScaling().isEnabled());
     fit().setChecked(false);
-    QTRY_VERIFY(note->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(note->isHidden(), kPatience);
     QVERIFY(motionScaling().isEnabled());
     QCOMPARE(motionScaling().value(), 1.0);
 }
@@ -113,12 +113,12 @@ void PenSessionTest::eachHandMayChooseAPenByItsName() {
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     chooseDevice("devices", "pen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), kPatience);
     QCOMPARE(force(), 0.0);
-    QTRY_VERIFY(hint().contains("inkwell"));
+    QTRY_VERIFY_WITH_TIMEOUT(hint().contains("inkwell"), kPatience);
     standin_->setFault(static_cast<int>(HdFault::None));
-    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), kPatience);
     QVERIFY(!hint().contains("inkwell"));
     QCOMPARE(dismissMessages(), QString());  // a message would stop the hand at work
     QVERIFY2(state().contains("Touch (stand-in)"), qPrintable(state()));
@@ -150,17 +150,17 @@ void PenSessionTest::theClutchHoldsTheBur() {
     clutch->setChecked(false);
     waitUntilRead();
     moveHand(0, 4);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kPatience);
 }
 
 void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
     waitForHand();
     const Vec3 tool = toolTip();
     fit().setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().motionScaling() > 1.5, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().motionScaling() > 1.5, kPatience);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.05);
-    QTRY_COMPARE(motionScaling().value(), window_->model().motionScaling());
+    QTRY_COMPARE_WITH_TIMEOUT(motionScaling().value(), window_->model().motionScaling(), kPatience);
     QVERIFY(!motionScaling().isEnabled());
     QVERIFY(window_->findChild<QLabel*>("fitNote")->isHidden());
     QCOMPARE(window_->settings().hand.motionScaling, kAutoScaling);
@@ -174,9 +174,9 @@ void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
     const QString told = "end of the device's room";
     QVERIFY(!hint().contains(told));
     moveHand(79, 10);
-    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(told) && hint().contains("(X)"), qPrintable(hint()), 10000);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(told) && hint().contains("(X)"), qPrintable(hint()), kPatience);
     moveHand(0, 4);
-    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), 10000);
+    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), kPatience);
     waitForHand();
     const Vec3 tool = toolTip();
     const double fitted = motionScaling().value();
@@ -194,18 +194,18 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
     const double before = removed();
     chooseDevice("secondDevices", "pen:Left");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
     const auto* second = window_->findChild<QLabel*>("secondDeviceState");
-    QTRY_COMPARE(second->text(), QString("Touch (stand-in) 'Left': ready"));
+    QTRY_COMPARE_WITH_TIMEOUT(second->text(), QString("Touch (stand-in) 'Left': ready"), kPatience);
     QVERIFY(!second->isHidden());
     lean();
     QCOMPARE(standin_->forceOf(1), 0.0);
     QCOMPARE(removed(), before);
     liftOff();
     chooseDevice("secondDevices", "none");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
 }
 
 void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
@@ -233,9 +233,9 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
 
 void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
     chooseDevice("devices", "mouse");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, kPatience);
     QCOMPARE(force(), 0.0);
-    QTRY_VERIFY(state().contains("mouse"));
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("mouse"), kPatience);
     waitForTooth();  // the simulator restarts
     QVERIFY(removed() > 0.02);
 }
@@ -246,7 +246,7 @@ void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
-                             20000);
+                             kPatience);
     QCOMPARE(devices->currentIndex(), 0);
     QVERIFY(window_->model().devices().first() == nullptr);
 }
@@ -259,7 +259,7 @@ void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {
     settings.hand.secondDevice = "pen:Fourth";
     window_->apply(settings);
     QString said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("Fourth") && said.contains("Third"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("Fourth") && said.contains("Third"), kPatience);
     QCOMPARE(window_->settings().hand.device, std::string("pen:Third"));
     QCOMPARE(window_->settings().hand.secondDevice, std::string("pen:Fourth"));
     auto* devices = window_->findChild<QComboBox*>("devices");

@@ -19,7 +19,7 @@ namespace tactooth {
 class PlaneSwitch {
 public:
     PlaneSwitch(ProxyContext& context, const Pose& goal)
-        : context_(context), toGoal_(goal.position - context.state.pose.position) {}
+        : context_(context), toGoal_(goal.position - context.scene.pose.position) {}
 
     /// Adds a contact of the tool. All contacts come before the other pairs. The pair must outlive the switch.
     void addContact(WatchedPair& watched) {

@@ -56,15 +56,15 @@ public:
     [[nodiscard]] std::uint32_t ownListRebuilds() const { return context_.horizon.ownRebuilds(); }
 
     /// Of the tool, in the tooth's frame.
-    [[nodiscard]] const Pose& pose() const { return context_.state.pose; }
-    [[nodiscard]] const ToolShape& tool() const { return *context_.state.tool; }
+    [[nodiscard]] const Pose& pose() const { return context_.scene.pose; }
+    [[nodiscard]] const ToolShape& tool() const { return *context_.scene.tool; }
     /// Null until the first setSurface.
-    [[nodiscard]] const Surface* surface() const { return context_.state.surface.get(); }
+    [[nodiscard]] const Surface* surface() const { return context_.scene.surface.get(); }
     /// The distance that the proxy keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
-    [[nodiscard]] double margin() const { return context_.state.margin; }
+    [[nodiscard]] double margin() const { return context_.scene.margin; }
     /// The length that weighs a rotation against a shift: the radius of gyration of a rod as long as the tool, mm.
-    [[nodiscard]] double characteristicLength() const { return context_.state.characteristicLength(); }
+    [[nodiscard]] double characteristicLength() const { return context_.scene.characteristicLength(); }
 
 private:
     void enter(std::shared_ptr<const Surface>& surface);

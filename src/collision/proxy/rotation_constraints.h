@@ -46,13 +46,13 @@ private:
         Vec3 point = Vec3::Zero();
     };
 
-    void moveTo(const ProxyScene& state, const Vec3& shift, const Vec3& turn, CandidateStep& step);
-    void addFeatures(const ProxyScene& state, const CandidateStep& step, const WatchedPair& watched,
+    void moveTo(const ProxyScene& scene, const Vec3& shift, const Vec3& turn, CandidateStep& step);
+    void addFeatures(const ProxyScene& scene, const CandidateStep& step, const WatchedPair& watched,
                      const FeaturePair& features);
-    [[nodiscard]] FeaturePair featuresToConstrain(const ProxyScene& state, const CandidateStep& step,
+    [[nodiscard]] FeaturePair featuresToConstrain(const ProxyScene& scene, const CandidateStep& step,
                                                   const WatchedPair& watched) const;
     [[nodiscard]] int find(const WatchedPair& watched, const FeaturePair& features) const;
-    [[nodiscard]] Qp6Result nearest(const ProxyScene& state, const Pose& goal) const;
+    [[nodiscard]] Qp6Result nearest(const ProxyScene& scene, const Pose& goal) const;
     [[nodiscard]] double shareAllowed(const ProxyContext& context, const Vec3& shift, const Vec3& turn,
                                       CandidateStep& step);
 

@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    void storeWarmStart(const ProxyScene& state);
+    void storeWarmStart(const ProxyScene& scene);
 
     Set set_;
     int warmStartCount_ = 0;

@@ -55,7 +55,7 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-Expected<SessionTooth> exerciseOf(const std::filesystem::path& file) {
+Expected<SessionTooth> toothOfExercise(const std::filesystem::path& file) {
     Expected<Exercise> read = readExercise(file);
     if (!read) return Unexpected{read.error()};
     return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
@@ -124,7 +124,7 @@ int runWindow(const WindowOptions& options) {
         tooth = std::move(*loaded);
     }
     if (options.exercise) {
-        Expected<SessionTooth> made = exerciseOf(*options.exercise);
+        Expected<SessionTooth> made = toothOfExercise(*options.exercise);
         if (!made) return reportError(made.error());
         tooth = std::move(*made);
     }

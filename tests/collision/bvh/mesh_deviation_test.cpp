@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/mesh_deviation.h"
+#include "collision/bvh/mesh_deviation.h"
 
 #include <gtest/gtest.h>
 

@@ -10,11 +10,11 @@
 
 #include "devices/haply/haply_device.h"
 #include "devices/openhaptics/openhaptics_device.h"
+#include "devices/standin/plane_servo.h"
+#include "devices/standin/standin_haply.h"
+#include "devices/standin/standin_hd.h"
 #include "haptics/servo_loop.h"
 #include "session/control/device_set.h"
-#include "standin/plane_servo.h"
-#include "standin/standin_haply.h"
-#include "standin/standin_hd.h"
 
 namespace tactooth {
 namespace {
