@@ -197,7 +197,9 @@ TEST_F(Kill, AtAnyMomentLeavesAllFilesOrNoneAndNothingInTheWay) {
         EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;  // one of them reports progress
         expectAllOrNone(job, folder.path(), number == SIGKILL);
         const auto left = contentOf(folder.path());
-        if (run.exitCode == 0) EXPECT_EQ(left.size(), job.whole.size());
+        if (run.exitCode == 0) {
+            EXPECT_EQ(left.size(), job.whole.size());
+        }
         const bool isLeft = run.signal == SIGKILL && !left.empty();
         if (isLeft || (run.signal == SIGKILL && i % 10 == 0 && job.name != "case folder")) {
             const bool isMade = fs::exists(folder / "case/case.toml");  // a case is not made where one exists

@@ -1382,10 +1382,6 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>力なし：装置がないか、読み取り値が正しくありません。</translation>
     </message>
     <message>
-        <source>Haptic pen %1</source>
-        <translation>力覚ペン %1</translation>
-    </message>
-    <message>
         <source>Other hand</source>
         <translation>もう一方の手</translation>
     </message>
