@@ -9,6 +9,7 @@
 #include "collision/solid/self_intersection_repair.h"
 #include "geometry/field/isosurface.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/byte_stream.h"
 #include "geometry/util/disjoint_sets.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/messages.h"
@@ -16,7 +17,6 @@
 #include "instruments/mouth/tooth_arrangement.h"
 #include "instruments/mouth/valid_gingiva.h"
 #include "instruments/mouth_layout.h"
-#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {

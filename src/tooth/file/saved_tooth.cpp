@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "geometry/util/assert.h"
-#include "tooth/file/byte_stream.h"
+#include "geometry/util/byte_stream.h"
 #include "tooth/model/messages.h"
 
 namespace tactooth {

@@ -11,9 +11,9 @@
 
 #include "bench_scene.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/byte_stream.h"
 #include "support/materials.h"
 #include "support/test_data.h"
-#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {

@@ -88,6 +88,9 @@ public:
         return part;
     }
 
+    /// Marks the bytes as damaged: what was read is not what its format allows.
+    void fail() { ok_ = false; }
+
     [[nodiscard]] bool ok() const { return ok_; }
     [[nodiscard]] std::size_t at() const { return at_; }
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
