@@ -38,13 +38,13 @@ struct SpindleNumber {
     const char* key;
     double SpindlePreset::*place;
 };
-constexpr std::array kSpindleNumbers = {SpindleNumber{"free_speed_rpm", &SpindlePreset::freeSpeedRpm},
-                                        {"stall_torque", &SpindlePreset::stallTorque},
-                                        {"brake_torque", &SpindlePreset::brakeTorque},
-                                        {"droop_rpm", &SpindlePreset::droopRpm},
-                                        {"inertia", &SpindlePreset::inertia},
-                                        {"pedal_dead_band", &SpindlePreset::pedalDeadBand},
-                                        {"min_speed_rpm", &SpindlePreset::minSpeedRpm}};
+constexpr auto kSpindleNumbers = std::to_array<SpindleNumber>({{"free_speed_rpm", &SpindlePreset::freeSpeedRpm},
+                                                               {"stall_torque", &SpindlePreset::stallTorque},
+                                                               {"brake_torque", &SpindlePreset::brakeTorque},
+                                                               {"droop_rpm", &SpindlePreset::droopRpm},
+                                                               {"inertia", &SpindlePreset::inertia},
+                                                               {"pedal_dead_band", &SpindlePreset::pedalDeadBand},
+                                                               {"min_speed_rpm", &SpindlePreset::minSpeedRpm}});
 
 /// A number of a material that the simulation uses.
 struct MaterialNumber {
@@ -52,10 +52,11 @@ struct MaterialNumber {
     double Material::*place;
     double highest;
 };
-constexpr std::array kMaterialNumbers = {MaterialNumber{"stiffness", &Material::stiffness, kMaxMaterialStiffness},
-                                         {"damping", &Material::damping, kMaxMaterialDamping},
-                                         {"friction", &Material::friction, kMaxMaterialFriction},
-                                         {"removal", &Material::removal, 1e6}};
+constexpr auto kMaterialNumbers =
+    std::to_array<MaterialNumber>({{"stiffness", &Material::stiffness, kMaxMaterialStiffness},
+                                   {"damping", &Material::damping, kMaxMaterialDamping},
+                                   {"friction", &Material::friction, kMaxMaterialFriction},
+                                   {"removal", &Material::removal, 1e6}});
 
 Json jsonOf(const SpindlePreset& spindle) {
     Json json = {{"name", spindle.name}, {"pedal_curve", wordFor(kCurves, spindle.pedalCurve)}};
@@ -79,47 +80,23 @@ public:
     SetupReader(const Json& json, std::string file) : json_(json), file_(std::move(file)) {}
 
     [[nodiscard]] Expected<BeginEvent> read(const MaterialRegistry& materials, const MeshFinder& findMesh) {
-        BeginEvent event;
-        event.settings.materials = MaterialTable(materials);
-        readSettings(event.settings);
+        HapticSettings settings;
+        settings.materials = MaterialTable(materials);
+        readSettings(settings);
         const Json& bur = part(json_, "bur");
         const std::string mesh = text(bur, "surface");
         const double sharpness = number(bur, "sharpness", 0, 1e3);
-        event.instrument.edge.flutes = static_cast<int>(number(bur, "flutes", 0, kMaxFlutes));
-        event.instrument.edge.gritMicrometres = number(bur, "grit_um", 0, 1e4);
+        const BurEdge edge{static_cast<int>(number(bur, "flutes", 0, kMaxFlutes)), number(bur, "grit_um", 0, 1e4)};
         if (fault_) return Unexpected{*fault_};
         std::optional<TriangleMesh> surface = findMesh(mesh);
         if (!surface) return unexpected(msg::kRecordingBurMissing, file_, mesh);
         Expected<CuttingTool> cutting = makeCuttingTool(*surface, sharpness);
         if (!cutting) return unexpected(msg::kRecordingBurRefused, file_, cutting.error());
-        event.instrument.cutting = std::move(*cutting);
-        event.instrument.shape = std::make_shared<const ToolShape>(std::move(*surface));
-        return event;
+        auto shape = std::make_shared<const ToolShape>(std::move(*surface));
+        return BeginEvent{{std::move(shape), std::move(*cutting), edge}, std::move(settings)};
     }
 
 private:
-    void readSettings(HapticSettings& settings) {
-        const Json& json = part(json_, "settings");
-        settings.mode = word(json, "contact", kModes);
-        settings.freedom = word(json, "freedom", kFreedoms);
-        settings.tickBudget = static_cast<Work>(number(json, "tick_budget", 1, 1e12));
-        const Json& spindle = part(json, "spindle");
-        settings.spindle.name = text(spindle, "name");
-        settings.spindle.pedalCurve = word(spindle, "pedal_curve", kCurves);
-        for (const auto& [key, place] : kSpindleNumbers) settings.spindle.*place = number(spindle, key, 0, 1e9);
-        const Json& force = part(json, "force");
-        settings.force.stiffness = given(force, "stiffness", kMaxMaterialStiffness);
-        settings.force.damping = given(force, "damping", kMaxMaterialDamping);
-        settings.force.friction = given(force, "friction", kMaxMaterialFriction);
-        const Json& materials = part(json, "materials");
-        for (const MaterialId id : settings.materials.registry().ids()) {
-            const Json& material = part(materials, settings.materials.registry().nameOf(id).c_str());
-            for (const auto& [key, place, highest] : kMaterialNumbers) {
-                settings.materials[id].*place = number(material, key, 0, highest);
-            }
-        }
-    }
-
     const Json& part(const Json& json, const char* key) {
         static const Json none = Json::object();
         const auto found = json.is_object() ? json.find(key) : json.end();
@@ -152,6 +129,28 @@ private:
         if (found == words.end()) fail(key);
         return found != words.end() ? found->first : words.front().first;
     }
+    void readSettings(HapticSettings& settings) {
+        const Json& json = part(json_, "settings");
+        settings.mode = word(json, "contact", kModes);
+        settings.freedom = word(json, "freedom", kFreedoms);
+        settings.tickBudget = static_cast<Work>(number(json, "tick_budget", 1, 1e12));
+        const Json& spindle = part(json, "spindle");
+        settings.spindle.name = text(spindle, "name");
+        settings.spindle.pedalCurve = word(spindle, "pedal_curve", kCurves);
+        for (const auto& [key, place] : kSpindleNumbers) settings.spindle.*place = number(spindle, key, 0, 1e9);
+        const Json& force = part(json, "force");
+        settings.force.stiffness = given(force, "stiffness", kMaxMaterialStiffness);
+        settings.force.damping = given(force, "damping", kMaxMaterialDamping);
+        settings.force.friction = given(force, "friction", kMaxMaterialFriction);
+        const Json& materials = part(json, "materials");
+        for (const MaterialId id : settings.materials.registry().ids()) {
+            const Json& material = part(materials, settings.materials.registry().nameOf(id).c_str());
+            for (const auto& [key, place, highest] : kMaterialNumbers) {
+                settings.materials[id].*place = number(material, key, 0, highest);
+            }
+        }
+    }
+
     void fail(const char* key) {
         if (!fault_) fault_ = Error(msg::kRecordingSetupKey, file_, key);
     }
