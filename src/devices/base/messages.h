@@ -251,6 +251,7 @@ inline constexpr MessageText kPoseForce{
 // Kinds of devices.
 inline constexpr MessageText kMouseAndKeyboard{"mouse_and_keyboard", "Mouse and keyboard", "マウスとキーボード"};
 inline constexpr MessageText kHapticPen{"haptic_pen", "Haptic pen (OpenHaptics)", "力覚ペン（OpenHaptics）"};
+inline constexpr MessageText kNamedHapticPen{"named_haptic_pen", "Haptic pen %1", "力覚ペン %1"};
 inline constexpr MessageText kHaplyInverse3{"haply_inverse3", "Haply Inverse3", "Haply Inverse3"};  // a name
 inline constexpr MessageText kGamepad{"gamepad", "Gamepad", "ゲームパッド"};
 inline constexpr MessageText kSpaceMouse{"space_mouse", "SpaceMouse", "SpaceMouse"};  // a name

@@ -55,7 +55,7 @@ Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultP
 }  // namespace
 
 DeviceBackend openHapticsBackend() {
-    return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens, namedPens};
+    return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens, namedPens, &msg::kNamedHapticPen};
 }
 
 }  // namespace tactooth

@@ -20,7 +20,8 @@ constexpr std::array<double, 4> kRates = {kMinRate, 1000, 2000, kMaxRate};  // H
 QString titleOf(const QString& name) {
     const qsizetype colon = name.indexOf(':');
     const DeviceBackend* const kind = colon < 0 ? nullptr : findDeviceBackend(name.left(colon).toStdString());
-    return kind != nullptr ? translated(kind->title) + ' ' + name.mid(colon + 1) : name;
+    if (kind == nullptr || kind->unitTitle == nullptr) return name;
+    return translated(Message(*kind->unitTitle, name.mid(colon + 1).toStdString()));
 }
 
 }  // namespace
