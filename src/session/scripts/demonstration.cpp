@@ -65,7 +65,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
         events.update(tick.time, tick, piece.loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
         const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
-        const bool isChanged = isCut || (isTurnToCut && piece.removeLoosePieces(tick));
+        const bool isChanged = isCut || (isTurnToCut && piece.removeDetachedPieces(tick));
         updateHapticSurface(piece, tick, isChanged, surfaces, simulation);
         if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;

@@ -50,10 +50,10 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
       publishedSurface_(model_->surface()),
       publishedLoss_(model_->loss()) {
     simulation_.deferPlacement();
-    std::function<void(double)> pace;
-    if (device.drivesServoRate()) pace = [&device](double longest) { device.waitForTick(longest); };
+    std::function<void(double)> waitForTick;
+    if (device.drivesServoRate()) waitForTick = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
-        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
+        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(waitForTick));
     carvingThread_ = std::jthread([this](const std::stop_token& stop) { runCarving(stop); });
     brickPrefetchThread_ =
         std::jthread([this, pool = model_->pool()](const std::stop_token& stop) { runBrickPrefetch(stop, *pool); });
@@ -171,7 +171,7 @@ bool Simulator::processModel() {
     const Tick& now = tickForCarving_.value();
     carvingPose_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
     return (tickForCarving_.value().cutting && processCutRequest()) ||
-           model_->removeLoosePieces(tickForCarving_.value());
+           model_->removeDetachedPieces(tickForCarving_.value());
 }
 
 void Simulator::runCarving(const std::stop_token& stop) {
