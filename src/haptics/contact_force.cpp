@@ -29,19 +29,19 @@ ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& c
                                                            const MaterialTable& materials) {
     TACTOOTH_ASSERT(!contact.held.empty());
     SurfaceProperties sums{0, 0, 0};
-    double weight = 0;
+    double weights = 0;
     for (const ContactPoint& held : contact.held) {
         TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < materials.registry().size());
-        TACTOOTH_ASSERT(!(held.share < 0));
+        TACTOOTH_ASSERT(!(held.multiplier < 0));
         const Material& material = materials[held.material];
-        const double share = std::max(held.share, 1e-12);  // a contact without depth still has a material
-        sums.stiffness += share * material.stiffness;
-        sums.damping += share * material.damping;
-        sums.friction += share * material.friction;
-        weight += share;
+        const double weight = std::max(held.multiplier, 1e-12);  // a contact without depth still has a material
+        sums.stiffness += weight * material.stiffness;
+        sums.damping += weight * material.damping;
+        sums.friction += weight * material.friction;
+        weights += weight;
     }
-    TACTOOTH_ASSERT(!(weight <= 0));
-    return {sums.stiffness / weight, sums.damping / weight, sums.friction / weight};
+    TACTOOTH_ASSERT(!(weights <= 0));
+    return {sums.stiffness / weights, sums.damping / weights, sums.friction / weights};
 }
 
 /// Stiffness that is rendered, before `scale_`, N/mm.
@@ -108,7 +108,7 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     const Vec3 normal = contact.offset / depth;
     Vec3 moment = Vec3::Zero();  // effect of the force on a rotation, as `normal` is its effect on a displacement
     for (const ContactPoint& held : contact.held) {
-        moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
+        moment += held.multiplier / depth * (held.point - contact.device - contact.offset).cross(held.normal);
     }
     const double approach = -contact.velocity.dot(normal);
     const double penetrationRate = approach - contact.spin.dot(moment);
@@ -120,12 +120,12 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
 
     Wrench wrench;
     wrench.force = normalForce_ * normal + friction;
-    double shares = 0;
-    for (const ContactPoint& held : contact.held) shares += held.share;
-    TACTOOTH_ASSERT(!(shares < 0));
+    double sum = 0;
+    for (const ContactPoint& held : contact.held) sum += held.multiplier;
+    TACTOOTH_ASSERT(!(sum < 0));
     for (const ContactPoint& held : contact.held) {
         const Vec3 part =
-            held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
+            held.multiplier / depth * normalForce_ * held.normal + (sum > 0 ? held.multiplier / sum : 0) * friction;
         wrench.torque += (held.point - contact.device - contact.offset).cross(part);
     }
     if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which blend and friction would keep

@@ -14,11 +14,11 @@
 
 namespace tactooth {
 
-/// A point where the tooth holds the proxy.
+/// A point where the tooth holds the proxy, in the tooth's frame.
 struct ContactPoint {
     Vec3 point = Vec3::Zero();   ///< mm
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth
-    double share = 0;            ///< mm, not negative; proxy - device = sum of share * normal
+    double multiplier = 0;       ///< mm, not negative; proxy - device = sum of multiplier * normal
     MaterialId material{};
     bool isAdjacent = false;  ///< a body of the surroundings holds the proxy
 };

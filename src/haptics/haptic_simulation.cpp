@@ -133,7 +133,7 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
         tick.normal = state.offset / tick.depth;
         TACTOOTH_ASSERT(isUnit(tick.normal));
         TACTOOTH_ASSERT(state.contactPointCount > 0);
-        tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::share)->material;
+        tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::multiplier)->material;
     }
     for (const ContactPoint& held : state.contactPoints()) {
         if (held.isAdjacent) tick.around = held.material;
@@ -144,13 +144,13 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     tick.stiffness = force_.stiffness();
     tick.deflection = force_.deflection();
     lever_.setZero();
-    double shares = 0;
+    double sum = 0;
     for (const ContactPoint& held : state.contactPoints()) {
-        lever_ += held.share * (held.point - state.proxy.position);
-        shares += held.share;
+        lever_ += held.multiplier * (held.point - state.proxy.position);
+        sum += held.multiplier;
     }
-    TACTOOTH_ASSERT(!(shares < 0));
-    if (shares > 0) lever_ /= shares;
+    TACTOOTH_ASSERT(!(sum < 0));
+    if (sum > 0) lever_ /= sum;
 }
 
 Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {

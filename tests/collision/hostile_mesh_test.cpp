@@ -53,7 +53,7 @@ int stressTest(const TriangleMesh& tooth, const TriangleMesh& tool, const Vec3& 
         EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
         for (int i = 0; i < result.contactCount; ++i) {
             EXPECT_NEAR(result.contacts[i].normal.norm(), 1, 1e-9);
-            EXPECT_TRUE(std::isfinite(result.contacts[i].share));
+            EXPECT_TRUE(std::isfinite(result.contacts[i].multiplier));
         }
         EXPECT_FALSE(oracle.at(solver.pose())) << tick;
         if (tick % 10 == 0) {

@@ -44,7 +44,8 @@ double checkAlong(const Case& what) {
         const MoveResult result = solver.moveToward(devicePath[tick]);
         EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
         Vec3 pushed = Vec3::Zero();
-        for (int i = 0; i < result.contactCount; ++i) pushed += result.contacts[i].share * result.contacts[i].normal;
+        for (int i = 0; i < result.contactCount; ++i)
+            pushed += result.contacts[i].multiplier * result.contacts[i].normal;
         held += result.contactCount > 0 ? 1 : 0;
         const bool rotatesFully = solver.pose().rotation.isApprox(devicePath[tick].rotation);
         if (result.status == MoveStatus::InContact && rotatesFully) {

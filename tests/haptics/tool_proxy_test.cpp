@@ -40,7 +40,7 @@ TEST(ToolProxy, OnAPlaneItStaysAboveTheDevice) {
     for (const ContactPoint& held : state.contactPoints()) {
         EXPECT_EQ(held.material, test::kDentin);
         EXPECT_NEAR(held.point.z(), 0, kRounding);
-        sum += held.share * held.normal;
+        sum += held.multiplier * held.normal;
     }
     EXPECT_TRUE(sum.isApprox(state.offset, kRounding));
 }

@@ -17,7 +17,7 @@ struct Contact {
     Vec3 normal = Vec3::Zero();  ///< unit, direction of the shortest exit that was found; zero when not touching
     Vec3 point = Vec3::Zero();   ///< the tool's deepest point, in the tooth's frame, mm
     int contacts = 0;            ///< pairs of triangles that intersect
-    std::uint32_t part = 0;      ///< of the contact that holds the tool (see BodyContact)
+    std::uint32_t part = 0;      ///< of the contact that holds the tool (see ProxyContact)
     std::uint32_t tooth = 0;     ///< triangle of that part
 };
 

@@ -316,7 +316,7 @@ TEST(ProxySolver, OnceSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
     EXPECT_EQ(again.status, MoveStatus::InContact);
     EXPECT_EQ(again.work, 0);
     EXPECT_EQ(again.contactCount, first.contactCount);
-    EXPECT_EQ(again.contacts[0].share, first.contacts[0].share);
+    EXPECT_EQ(again.contacts[0].multiplier, first.contacts[0].multiplier);
     EXPECT_EQ(solver.pose().position, held.position);
 
     EXPECT_GT(solver.moveToward(poseAt(0.001, 0, -0.2)).work, 0);
