@@ -35,7 +35,7 @@ OperatorInput withUnitRotation(OperatorInput input) {
 HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius,
                                    std::shared_ptr<const Surface> surface, const HapticSettings& settings)
     : proxy_(std::move(tool), std::move(surface), settings.mode, settings.freedom),
-      materials_(settings.materials),
+      force_(settings.materials),
       spindle_(settings.spindle),
       burRadius_(burRadius),
       freedom_(settings.freedom),
@@ -140,7 +140,7 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     }
     const ContactState contact{state.deviceTip,       state.offset, velocity_, state.travel,
                                state.contactPoints(), spin_,        dt,        rimSpeed() * dt};
-    tick.wrench = force_.at(contact, materials_);
+    tick.wrench = force_.at(contact);
     tick.stiffness = force_.stiffness();
     tick.deflection = force_.deflection();
     lever_.setZero();

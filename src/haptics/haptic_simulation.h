@@ -96,7 +96,6 @@ private:
     void stepBur(const OperatorInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;
-    MaterialTable materials_;
     ContactForce force_;
     FeedRateLimiter feedLimiter_;
     CuttingForce cuttingForce_;
