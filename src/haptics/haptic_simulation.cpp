@@ -63,28 +63,28 @@ void HapticSimulation::setSurface(HapticSurface& hapticSurface) {
 Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
     feedLimiter_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kMinCuttingRpm && following_;
-    const Pose& hand = input.deviceInTooth;
+    const Pose& device = input.deviceInTooth;
     proxy_.setBudget(cuts ? tickBudget_ : kUnlimitedWork);
-    return cuts ? feedLimiter_.goal(hand, proxy_.pose(), hand.position - lastDevice_.position, dt) : hand;
+    return cuts ? feedLimiter_.goal(device, proxy_.pose(), device.position - lastDevice_.position, dt) : device;
 }
 
-void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
-    TACTOOTH_ASSERT(isPlausible(hand));
+void HapticSimulation::filterVelocity(const Pose& device, double dt) {
+    TACTOOTH_ASSERT(isPlausible(device));
     if (!following_ || dt <= 0) {
         velocity_.setZero();
         spin_.setZero();
-        lastDevice_ = hand;
+        lastDevice_ = device;
         following_ = true;
         return;
     }
     const double filterGain = 1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt);
     TACTOOTH_ASSERT(filterGain >= 0 && filterGain <= 1);
-    velocity_ += filterGain * ((hand.position - lastDevice_.position) / dt - velocity_);
+    velocity_ += filterGain * ((device.position - lastDevice_.position) / dt - velocity_);
     if (freedom_ == Freedom::TranslationAndRotation) {
-        const Quat turn = hand.rotation * lastDevice_.rotation.conjugate();
+        const Quat turn = device.rotation * lastDevice_.rotation.conjugate();
         spin_ += filterGain * ((turn.w() < 0 ? -2 : 2) / dt * turn.vec() - spin_);  // for small angles
     }
-    lastDevice_ = hand;
+    lastDevice_ = device;
 }
 
 /// Speed of the bur's rim, mm/s.

@@ -22,10 +22,10 @@ struct OperatorInput {
 
 /// All results of one tick, for the device, the recorder, the plots and the sound. Lengths in mm, forces in N.
 struct Tick {
-    double time = 0;  ///< s since the start of the simulation
-    Pose hand;
-    Pose proxy;
-    double depth = 0;
+    double time = 0;             ///< s since the start of the simulation
+    Pose hand;                   ///< device pose: of the tool as the device asks for it, in the tooth's frame
+    Pose proxy;                  ///< of the proxy, in the tooth's frame
+    double depth = 0;            ///< distance between the two
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
     double speed = 0;            ///< of the device's tip, mm/s
     Wrench wrench;               ///< computed; the force pipeline comes after it
@@ -89,7 +89,7 @@ public:
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:
-    void filterVelocity(const Pose& hand, double dt);
+    void filterVelocity(const Pose& device, double dt);
     void touch(const OperatorInput& input, double dt, Tick& tick);
     [[nodiscard]] Pose targetOf(const OperatorInput& input, double dt);
     [[nodiscard]] double rimSpeed() const;
