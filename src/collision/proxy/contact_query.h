@@ -10,7 +10,7 @@
 
 namespace tactooth {
 
-/// How deep a tool stands in a tooth.
+/// The contact of a tool with a tooth at one pose.
 struct Contact {
     bool touching = false;
     double depth = 0;            ///< mm; the tool is just free when moved by this along `normal`
@@ -73,7 +73,7 @@ private:
     ProxySolver proxy_;
     NeighbourList list_;
     Overlap overlap_;
-    RecentPairs blocking_;  // intersected recently; tested first
+    RecentPairs blocking_;  // pairs that intersected at recent poses: they are tested first
     Pose freePose_;
     Vec3 normalSum_ = Vec3::Zero();  // of the contacts at the free pose
 };
