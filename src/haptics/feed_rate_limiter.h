@@ -22,7 +22,8 @@ public:
     /// as the device does. `deviceStep` is the step of the device in this tick, mm.
     [[nodiscard]] Pose goal(const Pose& device, const Pose& bur, const Vec3& deviceStep, double dt) const;
 
-    /// Distance that a tick without work left could not go, mm: the next tick adds it.
+    /// Adds to the next goal the distance, mm, that the bur could not move in this tick because its work budget ran
+    /// out.
     void carryOver(double distance);
 
 private:

@@ -30,7 +30,7 @@ struct ForceCommand {
 /// The force of a tick, for a device whose frame is the tooth's.
 [[nodiscard]] ForceCommand forceCommandFrom(const Tick& tick);
 
-/// Why the force is what it is.
+/// The state of the force output.
 enum class ForceState {
     On,
     Off,              ///< switched off, or the proxy has no pose

@@ -30,18 +30,18 @@ struct Tick {
     double speed = 0;            ///< of the device's tip, mm/s
     Wrench wrench;               ///< computed; the force pipeline comes after it
     Vec3 driveForce =
-        Vec3::Zero();       ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
-    double stiffness = 0;   ///< of the contact spring, N/mm; 0 without contact
-    double deflection = 0;  ///< of the contact spring, inwards and against friction, mm
-    int contacts = 0;
-    bool placed = false;
-    bool cutting = false;
-    double pedal = 0;
+        Vec3::Zero();         ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
+    double stiffness = 0;     ///< of the contact spring, N/mm; 0 without contact
+    double deflection = 0;    ///< of the contact spring, inwards and against friction, mm
+    int contacts = 0;         ///< triangles that hold the proxy
+    bool placed = false;      ///< false: the device pose is faulty, or no free pose is known; there is no force
+    bool cutting = false;     ///< as OperatorInput::cutting
+    double pedal = 0;         ///< 0 up .. 1 down
     double speedRpm = 0;      ///< of the bur
     double load = 0;          ///< torque on the bur, N*mm
-    double removalPower = 0;  ///< tangential force times rim speed
+    double removalPower = 0;  ///< tangential force times rim speed, W
     double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material{};    ///< that holds the tool most; undefined without contact
+    MaterialId material{};    ///< of the contact point with the largest multiplier; undefined without contact
     std::optional<MaterialId> around;   ///< of a body of the surroundings, if one holds the tool
     std::uint32_t contactOnsets = 0;    ///< number of contact onsets so far
     double impactSpeed = 0;             ///< along the normal at the last contact onset, mm/s
@@ -73,15 +73,17 @@ public:
     HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius, std::shared_ptr<const Surface> surface,
                      const HapticSettings& settings);
 
-    /// `elapsed` is the time since the last step, s, not negative; a time that is not finite counts as zero.
+    /// Computes the next tick. `elapsed` is the time since the last step, s, not negative; a time that is not finite
+    /// counts as zero.
     Tick step(const OperatorInput& input, double elapsed);
 
+    /// Takes a surface, not null. Returns the old one, so that the caller decides where it is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
     /// Takes a surface with its neighbour list; the old ones stay in `hapticSurface`.
     void setSurface(HapticSurface& hapticSurface);
-    /// See ToolProxy: for a loop in real time.
+    /// For a loop in real time; see ToolProxy::deferPlacement.
     void deferPlacement() { proxy_.deferPlacement(); }
     /// Replaces HapticSettings::tickBudget, for a loop that is not in real time. Positive.
     void setTickBudget(Work work);

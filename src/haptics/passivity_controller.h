@@ -10,8 +10,8 @@ namespace tactooth {
 struct SpringState {
     double deflection = 0;  ///< mm
     double stiffness = 0;   ///< N/mm
-    double bound = 0;       ///< N: the force of the spring is cut off here
-    double strength = 1;    ///< 0..1: the rest of the force is multiplied by it
+    double bound = 0;       ///< the force of the spring is limited to this, N
+    double strength = 1;    ///< factor on the limited force, 0..1
 };
 
 /// Time-domain passivity observer and controller (Hannaford & Ryu 2002). It sums the energy that passes between hand
