@@ -16,7 +16,7 @@ enum class MaterialId : std::uint8_t {};
 /// nothing.
 inline constexpr std::size_t kMaxMaterials = 32;
 
-/// What the program takes a material for. Several materials may have the same role.
+/// What a material means to the program. Several materials may have the same role.
 enum class MaterialRole : std::uint8_t {
     None,
     Enamel,        ///< the crown's shell; a tooth without layers is made of it
