@@ -49,6 +49,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
     HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
     ForcePipeline pipeline(hand.info().limits);
     SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
+    const TickSound tickSound(settings.spindle, settings.materials, instrument.edge);
 
     CutEvents events(piece.tooth().materials());
     Demonstration result;
@@ -72,7 +73,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0)
             result.work = {i, piece.surface(), {spray.particles().begin(), spray.particles().end()}};
-        result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials, instrument.edge), {}});
+        result.sound.push_back({tick.time, tickSound.at(tick), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
     result.events = events.all();
