@@ -66,7 +66,7 @@ double PoseValidator::faultHoldAfter(double elapsed) const {
     return faultHold_ - std::min(faultHold_, timeOf(elapsed));
 }
 
-PoseFault PoseValidator::judge(const PoseReading& reading, double elapsed, bool touching) const {
+PoseFault PoseValidator::check(const PoseReading& reading, double elapsed, bool touching) const {
     const PoseFault found = find(reading, elapsed, touching);
     return found == PoseFault::None && faultHoldAfter(elapsed) > 0 ? fault_ : found;
 }

@@ -66,8 +66,8 @@ GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     for (auto* vertices : {&surface.mesh.vertices, &surface.restPositions}) {
         for (Vec3f& vertex : *vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
     }
-    const bool untangled = repairSelfIntersections(surface.mesh, surface.restPositions);
-    return {largestPiece(surface.mesh), !untangled};
+    const bool repaired = repairSelfIntersections(surface.mesh, surface.restPositions);
+    return {largestPiece(surface.mesh), !repaired};
 }
 
 Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {

@@ -16,8 +16,8 @@ namespace {
 constexpr double kIntoTooth = 9;  // mm below the start: the spring of the stand-in's hand then presses with 1 N or two
 constexpr double kAbove = 4;      // mm, free of the tooth
 constexpr double kAside = 6;      // mm
-constexpr double kFelt = 0.3;     // N
-constexpr double kEnoughCut = 0.02;  // mm^3
+constexpr double kContactForce = 0.3;  // N
+constexpr double kEnoughCut = 0.02;    // mm^3
 
 }  // namespace
 
@@ -69,13 +69,13 @@ void DeviceSession::liftOff() const {
 
 /// A stalled machine stops the force until the hand has lifted off.
 void DeviceSession::lean() const {
-    bool hapticSurface = force() > kFelt;
-    for (int i = 0; i < 20 && !hapticSurface; ++i) {
+    bool isPressed = force() > kContactForce;
+    for (int i = 0; i < 20 && !isPressed; ++i) {
         liftOff();
         moveHand(0, -kIntoTooth);
-        hapticSurface = QTest::qWaitFor([this] { return force() > kFelt; }, 2000);
+        isPressed = QTest::qWaitFor([this] { return force() > kContactForce; }, 2000);
     }
-    QVERIFY2(hapticSurface, qPrintable(state()));
+    QVERIFY2(isPressed, qPrintable(state()));
 }
 
 void DeviceSession::touchTheTooth() const {

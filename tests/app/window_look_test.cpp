@@ -37,7 +37,7 @@ class WindowLookTest : public test::WindowSession {
 private slots:
     void initTestCase();
     void synthesisedSoundsWinOverARecordingThatIsStillRead();
-    void aHintThatHasNoRoomEndsInDots();
+    void aHintThatDoesNotFitEndsInDots();
     void theInsideOfTheToothIsShown();
     void aSecondViewShowsAnotherSideAndAClickGoesThere();
     void aTargetColoursTheTooth();
@@ -65,7 +65,7 @@ void WindowLookTest::initTestCase() {
 
 void WindowLookTest::cleanupTestCase() { closeWindow(); }
 
-void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
+void WindowLookTest::aHintThatDoesNotFitEndsInDots() {
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     const QSize size = window_->size();
     window_->resize(2400, size.height());
@@ -131,7 +131,7 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
 
     auto* eyes = window_->findChild<QComboBox*>("stereo");
     eyes->setCurrentIndex(1);
-    QVERIFY2(!frame->isVisible(), "two eyes have no room for it");
+    QVERIFY2(!frame->isVisible(), "stereo leaves no space for it");
     eyes->setCurrentIndex(0);
     QVERIFY(frame->isVisible());
 

@@ -28,7 +28,7 @@ private slots:
     void initTestCase();
     void everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft();
     void noKeyIsTakenTwice();
-    void aboutTellsTheVersion();
+    void aboutShowsTheVersion();
     void theShortcutSheetNamesEveryKeyOfTheMenus();
     void everyControlIsReachedByTab();
     void theBurIsMovedAndPressedByKeys();
@@ -140,7 +140,7 @@ void WindowMenuTest::noKeyIsTakenTwice() {
     QVERIFY(taken.size() > 20);
 }
 
-void WindowMenuTest::aboutTellsTheVersion() {
+void WindowMenuTest::aboutShowsTheVersion() {
     for (QAction* entry : leaves()) {
         if (entry->text() == "&About Tactooth") entry->trigger();
     }

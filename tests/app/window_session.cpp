@@ -65,7 +65,7 @@ void WindowSession::waitForSteps(int steps) const {
     QTRY_VERIFY_WITH_TIMEOUT(stepped.count() >= steps, kPatience);
 }
 
-void WindowSession::waitForCutter() const {
+void WindowSession::waitForCarving() const {
     constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
     const Simulator& simulator = *window_->model().simulator();
     std::uint64_t updates = simulator.surfaceUpdates();

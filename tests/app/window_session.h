@@ -39,8 +39,8 @@ protected:
     void liftBur(const QPoint& place) const;
     /// Until the window has made so many steps: an event of mouse, key or gamepad has taken effect.
     void waitForSteps(int steps) const;
-    /// Until the cutter has no work left. The bur must be clear of the tooth.
-    void waitForCutter() const;
+    /// Until the carving thread has no work left. The bur must be clear of the tooth.
+    void waitForCarving() const;
     /// Restarts the simulator, which empties the plots, and waits until the window rests.
     void waitForRest() const;
     /// Waits until the view is at rest and has drawn no picture for a second: a slow machine may have one on its way.

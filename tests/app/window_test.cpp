@@ -239,7 +239,7 @@ void WindowTest::aWindowThatRestsIsSeldomComposed() {
     pedal->setChecked(false);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, kPatience);
     waitForRest();
-    // Their absence has no condition to wait for. A busy machine gives the status line news, so one quiet time is
+    // Their absence has no condition to wait for. A busy machine changes the status line, so one quiet time is
     // enough: a window that keeps drawing has none.
     constexpr int kTries = 5;
     int compositions = 2;
@@ -253,7 +253,7 @@ void WindowTest::aWindowThatRestsIsSeldomComposed() {
 }
 
 void WindowTest::theCutToothIsExportedClosed() {
-    waitForCutter();
+    waitForCarving();
     const QString file = QString::fromStdString((folder_ / "cut.stl").string());
     window_->teeth().exportTooth(file);
     const Expected<TriangleMesh> cut = loadMesh(file.toStdString());

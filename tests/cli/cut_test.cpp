@@ -117,7 +117,7 @@ TEST_F(CutCommand, ByLawAStillBurCutsNothingAndATurningOneLessThanTheHandGoes) {
     EXPECT_GT(table().at(50, "fz"), 0.05) << "the tooth pushes back";
 }
 
-TEST_F(CutCommand, TellsWhenATissueWasReached) {
+TEST_F(CutCommand, ReportsWhenATissueWasReached) {
     EXPECT_TRUE(writeStl(test::box(Vec3(-1.5, -1.5, -2.5), Vec3(1.5, 1.5, -0.4)), file("core.stl")));
     const ProgramRun run = cut(block(), drillAt(0, 0.8),
                                {"--feed", "rigid", "--events", out(), "--layer", "enamel=" + block(), "--layer",

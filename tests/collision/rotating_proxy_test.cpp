@@ -46,10 +46,10 @@ Imbalance imbalance(const ProxySolver& solver, const Pose& goal, const MoveResul
     Vec3 shift = centre - goal * solver.tool().centre();
     Vec3 turn = solver.characteristicLength() * rotationBetween(goal.rotation, solver.pose().rotation);
     for (int i = 0; i < move.contactCount; ++i) {
-        const BodyContact& contact = move.contacts[i];
-        EXPECT_GE(contact.share, 0);
-        shift -= contact.share * contact.normal;
-        turn -= contact.share * (contact.point - centre).cross(contact.normal) / solver.characteristicLength();
+        const ProxyContact& contact = move.contacts[i];
+        EXPECT_GE(contact.multiplier, 0);
+        shift -= contact.multiplier * contact.normal;
+        turn -= contact.multiplier * (contact.point - centre).cross(contact.normal) / solver.characteristicLength();
     }
     return {shift.norm(), turn.norm()};
 }

@@ -18,7 +18,7 @@ namespace tactooth {
 ///
 /// With six degrees of freedom the distance is that of Gauss' principle of least constraint: the square of the shift of
 /// the tool's centre, plus the square of the rotation vector times `characteristicLength`. So with turn = from goal to
-/// pose, characteristicLength^2 * turn = sum over the contacts of share * lever x normal; the lever goes from the
+/// pose, characteristicLength^2 * turn = sum over the contacts of multiplier * lever x normal; the lever goes from the
 /// centre to the contact.
 ///
 /// Fixed memory: a move allocates nothing. One thread at a time.

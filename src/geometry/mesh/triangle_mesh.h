@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/util/assert.h"
-#include "geometry/util/expected.h"
 #include "geometry/util/pose.h"
 #include "geometry/util/vec.h"
 
@@ -35,10 +34,6 @@ struct TriangleMesh {
         return (corner(triangle, 1) - corner(triangle, 0)).cross(corner(triangle, 2) - corner(triangle, 0));
     }
 };
-
-/// Checks the invariants of a mesh: every corner of a triangle names a vertex, and every vertex that a triangle uses is
-/// finite. Fails with the number of the first triangle that breaks one. Takes time in proportion to the mesh.
-[[nodiscard]] Expected<void> validate(const TriangleMesh& mesh);
 
 /// The bounding box of all vertices that a triangle uses; empty for an empty mesh.
 [[nodiscard]] Box3 boundingBox(const TriangleMesh& mesh);

@@ -91,7 +91,7 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
     for (HeldDevice* const hand : devices_) {
         if (hand == nullptr) continue;
         const DeviceSample& sample = hand->sample = hand->device->read(elapsed);
-        hand->poseValid = sample.connected && hand->pipeline.judge(readingOf(sample), elapsed) == PoseFault::None;
+        hand->poseValid = sample.connected && hand->pipeline.check(readingOf(sample), elapsed) == PoseFault::None;
         if (!hand->poseValid) continue;
         hand->buttons.press(hand->sample.buttons, controls.buttons);
         hand->atWorkspaceLimit = !controls.clutch && !hand->buttons.clutchHeld() &&

@@ -41,7 +41,7 @@ bool CarvingStage::carve(const Tick& tick) {
         if (cuts) lastCut_ = tick.time;
         if (model_->feed(tool_, tick, materials_)) return addToHash(true);
     }
-    return addToHash(model_->removeLoosePieces(tick));
+    return addToHash(model_->removeDetachedPieces(tick));
 }
 
 bool CarvingStage::edit(Edit edit) {

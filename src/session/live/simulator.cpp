@@ -57,10 +57,10 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
       listing_(servo_.tool(), servo_.surface()),
       publishedSurface_(model_->surface()),
       publishedLoss_(model_->loss()) {
-    std::function<void(double)> pace;
-    if (device.drivesServoRate()) pace = [&device](double longest) { device.waitForTick(longest); };
+    std::function<void(double)> waitForTick;
+    if (device.drivesServoRate()) waitForTick = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
-        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(pace));
+        rateHz, [this](double elapsed) { servoTick(elapsed); }, std::move(waitForTick));
     carvingThread_ = std::jthread([this](const std::stop_token& stop) { runCarving(stop); });
     brickPrefetchThread_ =
         std::jthread([this, pool = model_->pool()](const std::stop_token& stop) { runBrickPrefetch(stop, *pool); });

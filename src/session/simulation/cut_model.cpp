@@ -32,7 +32,7 @@ std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface
 }
 
 CutModel::CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel)
-    : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
+    : tooth_(tooth), volume_(std::move(tooth), voxel), incremental_(volume_) {}
 
 const std::shared_ptr<BrickPool>& CutModel::pool() {
     if (pool_ == nullptr) {
@@ -98,12 +98,12 @@ void CutModel::updateContact(const Tick& tick) {
     if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
 }
 
-bool CutModel::removeLoosePieces(const Tick& tick) {
+bool CutModel::removeDetachedPieces(const Tick& tick) {
     updateContact(tick);
-    return tick.time > touchedAt_ + kLifted && removeLoosePieces();
+    return tick.time > touchedAt_ + kLifted && removeDetachedPieces();
 }
 
-bool CutModel::removeLoosePieces() {
+bool CutModel::removeDetachedPieces() {
     if (!std::exchange(mayBeDetached_, false)) return false;
     const std::uint64_t revision = surface()->revision;
     refreshSurface();
@@ -124,9 +124,9 @@ void CutModel::addFallen(const CarveResult& carve) {
 
 void CutModel::refreshSurface() {
     if (changed_.empty()) return;
-    live_.update(volume_, merged(std::move(changed_)));
+    incremental_.update(volume_, merged(std::move(changed_)));
     changed_.clear();
-    loss_.beside = live_.lostAdjacent();
+    loss_.beside = incremental_.lostAdjacent();
 }
 
 void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {
@@ -154,7 +154,7 @@ bool CutModel::undo() {
 
 void CutModel::reset() {
     volume_.reset();
-    live_.reset();
+    incremental_.reset();
     loss_ = {};
     lossAt_.clear();
     changed_.clear();

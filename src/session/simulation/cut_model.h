@@ -19,7 +19,7 @@ struct CuttingTool {
     double sharpness = 1;
 };
 
-/// Bodies that are felt but never cut: neighbours of the tooth, gums. In the tooth frame.
+/// Bodies that are touched but never cut: neighbours of the tooth, gums. In the tooth frame.
 using Surroundings = std::vector<std::shared_ptr<const SurfacePart>>;
 
 /// `surface` with the bodies around it as further patches; the same one if there are none.
@@ -41,7 +41,7 @@ struct ToothLoss {
     }
 };
 
-/// mm^3: a cube of 0.2 mm. A smaller loose piece is dust.
+/// mm^3: a cube of 0.2 mm. A smaller detached piece is dust.
 inline constexpr double kVisiblePiece = 0.008;
 
 /// A tooth that is cut: its volume, its surface and the removed volumes. One thread cuts; any thread may hold the
@@ -51,17 +51,17 @@ public:
     /// `voxel`: spacing of the cut volume, mm.
     CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
-    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return incremental_.snapshot(); }
     /// The surface for files: see exportedMesh.
     [[nodiscard]] TaggedMesh exported() const { return exportedMesh(*surface(), volume_.lattice().spacing()); }
-    /// The surface that is felt: with the bodies around it as further patches.
+    /// The surface that is touched: with the bodies around it as further patches.
     [[nodiscard]] std::shared_ptr<const Surface> contactSurface() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }
     [[nodiscard]] const ToothLoss& loss() const { return loss_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
     [[nodiscard]] const CutVolume& volume() const { return volume_; }
 
-    /// Puts the tooth among other bodies. Call it before anything is felt.
+    /// Puts the tooth among other bodies. Call it before anything is touched.
     void surroundBy(Surroundings bodies) { surroundings_ = std::move(bodies); }
     [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
 
@@ -76,11 +76,11 @@ public:
     /// true if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
-    /// Removes loose pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
+    /// Removes detached pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
     /// Returns true if the surface has changed.
-    bool removeLoosePieces(const Tick& tick);
+    bool removeDetachedPieces(const Tick& tick);
     /// The same, at once.
-    bool removeLoosePieces();
+    bool removeDetachedPieces();
 
     /// The end of the last `feed`; nothing before the first one and after the bur was lifted.
     [[nodiscard]] const std::optional<Pose>& reached() const { return reached_; }
@@ -116,14 +116,14 @@ private:
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
     std::shared_ptr<BrickPool> pool_;
-    IncrementalSurface live_;
+    IncrementalSurface incremental_;
     Surroundings surroundings_;
     ToothLoss loss_;
     std::vector<ChangedBrick> changed_;  // since the last refresh
     std::vector<ToothLoss> lossAt_;      // the marks
     std::optional<Pose> reached_;
     double lastFeedLength_ = 0;   // of the last feed, mm
-    bool mayBeDetached_ = false;  // something was cut since the last look
+    bool mayBeDetached_ = false;  // something was cut since the last search for pieces
     double touchedAt_ = 0;        // Tick::time of the last contact seen, s
     double workSpent_ = 0;        // of Tick::cutWork, N*m
     double workSeen_ = 0;         // Tick::cutWork at the last feed, N*m

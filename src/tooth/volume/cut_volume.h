@@ -19,9 +19,10 @@
 
 namespace tactooth {
 
-/// Default clearance in voxels: how much wider than the bur the cut is. It leaves room for the chords of the extracted
-/// surface, so that a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um meets
-/// no remains at 0.1, and 1.6 um at 0.04. Use 0 to measure the removed volume itself.
+/// Default clearance in voxels: how much wider than the bur the cut is. It exceeds the distance between the cut and the
+/// triangles that approximate it, so that a bur at rest in its own cut does not touch them. A flat bur of 1 mm in a
+/// slot that it has milled at 50 um touches nothing with 0.1; with 0.04 the triangles reach 1.6 um into the bur. Use 0
+/// to measure the removed volume itself.
 inline constexpr double kDefaultClearance = 0.1;
 
 /// The part of a tooth that burs have removed: a sparse volume of bricks. Bricks are made when a bur comes near. One

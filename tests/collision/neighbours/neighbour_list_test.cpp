@@ -219,12 +219,12 @@ TEST(NeighbourList, AListWithTooLittleRoomCoversLessAndIsComplete) {
     const ContactMargin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
     NeighbourList all(*scene.tool, kCapacity);
     all.buildAll(*scene.surface, at, wanted);
-    const std::size_t room = all.clusters() / 4 / 8 * 8;
-    ASSERT_GT(room, 0U);
-    NeighbourList some(*scene.tool, room);
+    const std::size_t fewClusters = all.clusters() / 4 / 8 * 8;
+    ASSERT_GT(fewClusters, 0U);
+    NeighbourList some(*scene.tool, fewClusters);
     some.buildWithinCapacity(*scene.surface, at, wanted, 0.1, kNoLimit);
     EXPECT_TRUE(some.made());
-    EXPECT_LE(some.clusters(), room);
+    EXPECT_LE(some.clusters(), fewClusters);
     const double reach = some.contactMargin().along.norm() + some.contactMargin().around;
     EXPECT_LT(reach, 0.9);
     EXPECT_GE(reach, 0.1);
@@ -232,9 +232,9 @@ TEST(NeighbourList, AListWithTooLittleRoomCoversLessAndIsComplete) {
     same.buildAll(*scene.surface, at, some.contactMargin());
     EXPECT_EQ(some.clusters(), same.clusters());
 
-    for (const std::size_t capacity : {kCapacity, room}) {  // enough room, or just enough
+    for (const std::size_t capacity : {kCapacity, fewClusters}) {  // more than enough, and too few
         NeighbourList whole(*scene.tool, capacity);
-        whole.buildWithinCapacity(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1, kNoLimit);
+        whole.buildWithinCapacity(*scene.surface, at, wanted, capacity == fewClusters ? 0.9 : 0.1, kNoLimit);
         EXPECT_EQ(whole.clusters(), all.clusters());
         EXPECT_EQ(whole.contactMargin().along, wanted.along);
     }

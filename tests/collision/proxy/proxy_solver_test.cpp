@@ -45,26 +45,26 @@ TEST(ProxySolver, WithASmallBudgetContinuesInTheNextMove) {
     const auto bed = surfaceOf(test::sphere(Vec3(0, 0, -2), 2, 200, 120));
     const test::ExactIntersection oracle(bed->base->mesh(), tool->mesh());
     for (const Work budget : {Work{6'000}, Work{25'000}}) {
-        ProxySolver hurried(tool), patient(tool);
-        hurried.setBudget(budget);
-        for (ProxySolver* solver : {&hurried, &patient}) {
+        ProxySolver limited(tool), unlimited(tool);
+        limited.setBudget(budget);
+        for (ProxySolver* solver : {&limited, &unlimited}) {
             solver->setSurface(bed);
             solver->placeAt(poseAt(0, 0, 0.02));
         }
         int cutShort = 0, stillInARow = 0;
         for (int tick = 1; tick <= 60; ++tick) {
             const Pose goal = poseAt(0.01 * tick, 0.002 * tick, -0.02 - 0.002 * tick);
-            const Vec3 before = hurried.pose().position;
-            cutShort += hurried.moveToward(goal).status == MoveStatus::OutOfBudget ? 1 : 0;
-            stillInARow = hurried.pose().position == before ? stillInARow + 1 : 0;
+            const Vec3 before = limited.pose().position;
+            cutShort += limited.moveToward(goal).status == MoveStatus::OutOfBudget ? 1 : 0;
+            stillInARow = limited.pose().position == before ? stillInARow + 1 : 0;
             EXPECT_LT(stillInARow, 5) << tick;
-            EXPECT_FALSE(oracle.at(hurried.pose())) << tick;
-            EXPECT_EQ(settle(patient, goal).status, MoveStatus::InContact) << tick;
+            EXPECT_FALSE(oracle.at(limited.pose())) << tick;
+            EXPECT_EQ(settle(unlimited, goal).status, MoveStatus::InContact) << tick;
         }
         EXPECT_GT(cutShort, 5) << budget;
         const Pose rest = poseAt(0.6, 0.12, -0.14);
-        EXPECT_EQ(settle(hurried, rest).status, MoveStatus::InContact);
-        EXPECT_NEAR((hurried.pose().position - patient.pose().position).norm(), 0, 1e-5) << budget;
+        EXPECT_EQ(settle(limited, rest).status, MoveStatus::InContact);
+        EXPECT_NEAR((limited.pose().position - unlimited.pose().position).norm(), 0, 1e-5) << budget;
     }
 }
 
@@ -316,7 +316,7 @@ TEST(ProxySolver, OnceSettledStaysWithoutWorkUntilGoalOrSurfaceChange) {
     EXPECT_EQ(again.status, MoveStatus::InContact);
     EXPECT_EQ(again.work, 0);
     EXPECT_EQ(again.contactCount, first.contactCount);
-    EXPECT_EQ(again.contacts[0].share, first.contacts[0].share);
+    EXPECT_EQ(again.contacts[0].multiplier, first.contacts[0].multiplier);
     EXPECT_EQ(solver.pose().position, held.position);
 
     EXPECT_GT(solver.moveToward(poseAt(0.001, 0, -0.2)).work, 0);

@@ -95,12 +95,13 @@ TEST(RotationConstraints, ObeyGaussPrincipleOfLeastConstraint) {
     const Pose end = step.end(context.scene.pose);
     const Vec3 shift = end * centre - goal * centre;
     const Vec3 normal = result.contacts[0].normal;
-    EXPECT_LT((shift - result.contacts[0].share * normal).norm(), 1e-9);
+    EXPECT_LT((shift - result.contacts[0].multiplier * normal).norm(), 1e-9);
     const Eigen::AngleAxisd turn(end.rotation * goal.rotation.conjugate());
     const double length = context.scene.characteristicLength();
     const Vec3 lever = result.contacts[0].point - end * centre;
-    EXPECT_LT((length * length * turn.angle() * turn.axis() - result.contacts[0].share * lever.cross(normal)).norm(),
-              1e-5);
+    EXPECT_LT(
+        (length * length * turn.angle() * turn.axis() - result.contacts[0].multiplier * lever.cross(normal)).norm(),
+        1e-5);
 }
 
 TEST(RotationConstraints, ShortenTheStepToItsAllowance) {

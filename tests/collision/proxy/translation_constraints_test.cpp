@@ -136,7 +136,7 @@ TEST(TranslationConstraints, StoreTheActivePairsAsContacts) {
     EXPECT_EQ(result.contacts[0].tooth, pair.pair.tooth);
     EXPECT_NEAR(result.contacts[0].normal.z(), 1, 1e-9);
     EXPECT_NEAR(result.contacts[0].point.z(), test::kMargin, 1e-9) << "the lowest corner of the tool's triangle";
-    EXPECT_NEAR(result.contacts[0].share, 0.3, 1e-5);
+    EXPECT_NEAR(result.contacts[0].multiplier, 0.3, 1e-5);
 }
 
 TEST(TranslationConstraints, RestartWithTheContactsOfTheIterationBefore) {

@@ -24,7 +24,7 @@ using test::kWall;
 using test::soon;
 using test::StandinHaply;
 
-constexpr double kFelt = 0.3;  // N: surely felt
+constexpr double kContactForce = 0.3;  // N
 
 const test::HdStandinControl& standin() {
     static const auto* const control = static_cast<const test::HdStandinControl*>(
@@ -81,7 +81,7 @@ protected:
             std::this_thread::sleep_for(200ms);
             standin().wantPosition(0, kWall - 4, 0);
             std::this_thread::sleep_for(500ms);
-            return standin().forceOf(pen) > kFelt;
+            return standin().forceOf(pen) > kContactForce;
         });
     }
 };
@@ -128,7 +128,7 @@ TEST_F(TwoDevices, APenAndAnInverse3ExchangeTurbineAndMirror) {
         std::this_thread::sleep_for(200ms);
         both.service.wantPosition(0, 0, 0);
         std::this_thread::sleep_for(500ms);
-        return both.service.force() > kFelt;
+        return both.service.force() > kContactForce;
     }));
     EXPECT_EQ(standin().forceOf(0), 0);
 }

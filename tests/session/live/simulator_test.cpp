@@ -234,7 +234,7 @@ TEST(Simulator, WhatWasCutIsKeptWhenTheDeviceIsLost) {
     EXPECT_TRUE(soon([&] { return total(simulator.removed()) > 1.2 * kept; })) << "and the session goes on";
 }
 
-TEST(Simulator, ASeatedHandStartsWhereTheToolIsAndMovesItFinely) {
+TEST(Simulator, ARegisteredDeviceStartsWhereTheToolIsAndMovesItScaled) {
     SpyDevice device(
         {moment(0, at(100, 50, -30), 0), moment(0.2, at(100, 50, -30), 0), moment(0.3, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;

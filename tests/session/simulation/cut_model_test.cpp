@@ -141,7 +141,7 @@ Surroundings neighbour() {
                                                 std::vector<SurfaceTag>{}, 0)};
 }
 
-TEST(CutModel, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
+TEST(CutModel, BodiesAroundItAreTouchedAndBelongToNoOtherSurface) {
     const auto piece = blockOnTheBench();
     EXPECT_EQ(piece->contactSurface(), piece->surface());
     piece->surroundBy(neighbour());
@@ -154,7 +154,7 @@ TEST(CutModel, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
     EXPECT_GT(tick.wrench.force.z(), 0.2);
 }
 
-TEST(CutModel, ATickTellsWhetherABodyAroundItHoldsTheTool) {
+TEST(CutModel, ATickSaysWhetherABodyAroundItHoldsTheTool) {
     const auto piece = blockOnTheBench();
     piece->surroundBy(neighbour());
     const Instrument bur = test::flatBur();
@@ -289,7 +289,7 @@ TEST(CutModel, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {
 TEST(CutModel, AfterAResetTheFirstCutIsThatOfAFreshPieceBitForBit) {
     const CuttingTool bur = test::flatBur().cutting;
     const auto used = blockOnTheBench();
-    used->feed(bur, pressing(1000), {});  // a long way: the next look would begin as far ahead
+    used->feed(bur, pressing(1000), {});  // a long feed: the next search would begin as far ahead
     used->reset();
     const auto fresh = blockOnTheBench();
     for (CutModel* piece : {used.get(), fresh.get()}) {
@@ -390,48 +390,48 @@ constexpr double kRidge = 3 * 1.1 * 0.4;  // mm^3
 
 TEST(CutModel, WhatHasComeLooseFallsWhenTheBurIsLifted) {
     const auto piece = blockOnTheBench();
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(0, 0)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(0, 0)));
     test::cutARidgeOff(*piece);
     const double ground = total(piece->removed());
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.00, 1)));
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.09, 0)));  // it may be on its way over a gap
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.00, 1)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.09, 0)));  // it may be on its way over a gap
     EXPECT_EQ(piece->loss().pieces, 0U);
-    EXPECT_TRUE(piece->removeLoosePieces(tickAt(1.11, 0)));
+    EXPECT_TRUE(piece->removeDetachedPieces(tickAt(1.11, 0)));
     EXPECT_EQ(piece->loss().pieces, 1U);
     EXPECT_NEAR(total(piece->loss().detached), kRidge, 0.025 * kRidge);
     EXPECT_NEAR(total(piece->loss().ground()), ground, 1e-9);
     EXPECT_EQ(total(piece->removed()), ground + total(piece->loss().detached));
     EXPECT_FALSE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.5, 0)));  // there is nothing more
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.5, 0)));  // there is nothing more
 }
 
 TEST(CutModel, TheTimeOfTheLastContactIsThatOfTheSimulationWhichRuns) {
     const auto piece = blockOnTheBench();
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(100, 1)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(100, 1)));
     test::cutARidgeOff(*piece);
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(0.01, 0)));  // another simulation begins at zero
-    EXPECT_TRUE(piece->removeLoosePieces(tickAt(0.2, 0)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(0.01, 0)));  // another simulation begins at zero
+    EXPECT_TRUE(piece->removeDetachedPieces(tickAt(0.2, 0)));
 }
 
-TEST(CutModel, ALookThatFindsNothingLooseStillTellsOfTheCutThatItShows) {
+TEST(CutModel, ASearchThatFindsNoDetachedPieceStillShowsTheCut) {
     const auto piece = blockOnTheBench();
     piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1));  // not shown yet
-    EXPECT_TRUE(piece->removeLoosePieces());
+    EXPECT_TRUE(piece->removeDetachedPieces());
     EXPECT_FALSE(piece->surface()->patches.empty());
     EXPECT_EQ(total(piece->loss().detached), 0);
-    EXPECT_FALSE(piece->removeLoosePieces());
+    EXPECT_FALSE(piece->removeDetachedPieces());
 }
 
 TEST(CutModel, UndoPutsTheFallenPieceBack) {
     const auto piece = blockOnTheBench();
     piece->mark();
     test::cutARidgeOff(*piece);
-    ASSERT_TRUE(piece->removeLoosePieces());
+    ASSERT_TRUE(piece->removeDetachedPieces());
     ASSERT_TRUE(piece->undo());
     EXPECT_EQ(piece->loss().pieces, 0U);
     EXPECT_EQ(total(piece->loss().detached), 0);
     EXPECT_TRUE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
-    EXPECT_FALSE(piece->removeLoosePieces());
+    EXPECT_FALSE(piece->removeDetachedPieces());
 }
 
 }  // namespace
