@@ -50,6 +50,7 @@ bool isKept(const BlockHeader& header, const TickRange& range) {
 
 /// The ticks of the blocks that are kept; none if they cover no tick of the range that was asked for.
 std::optional<TickRange> coveredTicks(const JournalReader& journal, const TickRange& asked, const TickRange& kept) {
+    if (asked.begin == asked.end) return std::nullopt;
     std::optional<TickRange> covered;
     bool isEmpty = true;
     for (const BlockPlace& block : journal.blocks()) {

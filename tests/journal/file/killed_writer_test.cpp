@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // kill -9 at any moment of a recording: the file opens, and lacks no more than half a second and one sync.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 #include <random>
 
 #include "geometry/util/byte_stream.h"
@@ -21,68 +23,88 @@
 namespace tactooth {
 namespace {
 
-/// Of all processes; the clock of day may be set.
-std::int64_t nowNs() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+/// What the child has appended, in memory that outlives it.
+struct Appended {
+    std::atomic<std::uint64_t> blocks{0};
+    std::atomic<std::int64_t> time{0};  ///< of the last block, ns
+};
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+
+class SharedAppended {
+public:
+    SharedAppended() {
+        void* const place =
+            ::mmap(nullptr, sizeof(Appended), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        EXPECT_NE(place, MAP_FAILED);
+        appended_ = new (place) Appended;
+    }
+    ~SharedAppended() { ::munmap(appended_, sizeof(Appended)); }
+    SharedAppended(const SharedAppended&) = delete;
+    SharedAppended& operator=(const SharedAppended&) = delete;
+
+    [[nodiscard]] Appended& operator*() const { return *appended_; }
+
+private:
+    Appended* appended_;
+};
 
 /// A block that holds the time at which it was appended, and what a second of a session is like.
-JournalBlock stampedBlock(std::uint64_t tick, std::span<const std::byte> filling) {
+JournalBlock stampedBlock(std::uint64_t tick, std::int64_t time, std::span<const std::byte> filling) {
     ByteWriter out;
-    out.put(nowNs());
+    out.put(time);
     out.putAll(filling);
     return {BlockType::Events, tick, 1, out.take()};
 }
 
 /// Appends for ever; each number in the pipe is a count of blocks that are on the disk.
-[[noreturn]] void record(const std::filesystem::path& path, int pipe, unsigned seed) {
+[[noreturn]] void record(const std::filesystem::path& path, int pipe, unsigned seed, Appended& appended) {
     std::mt19937 random(seed);
     std::vector<std::byte> filling(4000);
     auto writer = JournalWriter::create(path, test::kSampleHeader);
     if (!writer) _exit(1);
     for (std::uint64_t tick = 0;;) {
         for (std::byte& byte : filling) byte = static_cast<std::byte>(random() % 8);
-        for (std::uint64_t i = 1 + random() % 20; i > 0; --i) {
-            if (!(*writer)->appendWhenRoom(stampedBlock(tick++, filling))) _exit(2);
+        for (std::uint64_t i = 1 + random() % 60; i > 0; --i) {
+            const std::int64_t now = std::chrono::steady_clock::now().time_since_epoch().count();
+            if (!(*writer)->appendWhenRoom(stampedBlock(tick++, now, filling))) _exit(2);
+            appended.time = now;
+            appended.blocks = tick;
         }
         if (!(*writer)->flush() || ::write(pipe, &tick, sizeof tick) != sizeof tick) _exit(3);
     }
 }
 
-struct Killed {
-    std::uint64_t synced = 0;  ///< blocks that the child knew to be on the disk
-    std::int64_t time = 0;     ///< of the kill
-};
-
-/// Kills the recording when it has told of `reports` flushes.
-Killed killAfter(const std::filesystem::path& path, unsigned reports, unsigned seed) {
+/// Kills the recording when it has told of `reports` flushes; gives the blocks that it knew to be on the disk.
+std::uint64_t killAfter(const std::filesystem::path& path, unsigned reports, unsigned seed, Appended& appended) {
     int ends[2];
     EXPECT_EQ(::pipe(ends), 0);
     const pid_t child = ::fork();
     if (child == 0) {
         ::close(ends[0]);
-        record(path, ends[1], seed);
+        record(path, ends[1], seed, appended);
     }
     ::close(ends[1]);
-    Killed killed;
+    std::uint64_t synced = 0;
     for (unsigned i = 0; i < reports; ++i) {
-        if (::read(ends[0], &killed.synced, sizeof killed.synced) != sizeof killed.synced) break;
+        if (::read(ends[0], &synced, sizeof synced) != sizeof synced) break;
     }
-    killed.time = nowNs();
     ::kill(child, SIGKILL);
     int status = 0;
     EXPECT_EQ(::waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFSIGNALED(status)) << "it ended by itself: " << WEXITSTATUS(status);
     ::close(ends[0]);
-    return killed;
+    return synced;
 }
 
-void expectNearlyAll(const std::filesystem::path& path, const Killed& killed) {
+void expectNearlyAll(const std::filesystem::path& path, std::uint64_t synced, const Appended& appended) {
     constexpr std::int64_t kMostLost = 1'500'000'000;  // ns: a block of half a second, and a second between two syncs
-    if (killed.synced == 0 && !std::filesystem::exists(path)) return;  // killed before there was a file
+    if (appended.blocks == 0 && !std::filesystem::exists(path)) return;  // killed before there was a file
     const auto journal = JournalReader::open(path);
     ASSERT_TRUE(journal) << journal.error().message();
     EXPECT_FALSE(journal->isComplete());
     EXPECT_FALSE(isBeingRecorded(path));
-    ASSERT_GE(journal->blocks().size(), killed.synced);
+    ASSERT_GE(journal->blocks().size(), synced);
+    ASSERT_LE(journal->blocks().size(), appended.blocks + 1);
     std::int64_t last = 0;
     for (std::size_t i = 0; i < journal->blocks().size(); ++i) {
         EXPECT_EQ(journal->blocks()[i].header.firstTick, i);
@@ -90,8 +112,8 @@ void expectNearlyAll(const std::filesystem::path& path, const Killed& killed) {
         ASSERT_TRUE(payload) << payload.error().message();
         last = ByteReader(*payload).get<std::int64_t>();
     }
-    if (killed.synced > 0) {
-        EXPECT_LT(killed.time - last, kMostLost);
+    if (last != 0) {
+        EXPECT_LT(appended.time - last, kMostLost);
     }
 }
 
@@ -105,8 +127,10 @@ TEST(KilledWriter, TheFileOpensAndLacksNoMoreThanItMay) {
     std::mt19937 random(81);
     for (unsigned round = 0; round < kills() && !HasFailure(); ++round) {
         const test::TemporaryFolder folder;
+        const SharedAppended appended;
         const unsigned reports = round % 5 == 0 ? 0 : 1 + random() % 40;
-        expectNearlyAll(folder / "a.ttsession", killAfter(folder / "a.ttsession", reports, round));
+        const std::uint64_t synced = killAfter(folder / "a.ttsession", reports, round, *appended);
+        expectNearlyAll(folder / "a.ttsession", synced, *appended);
     }
 }
 
