@@ -214,7 +214,7 @@ TEST(SessionKernel, RefusesEventsThatCannotFollow) {
     };
     const TickInput up = TickInput::of({at(0, 0, 1)}, 0.001);
     EXPECT_FALSE(SessionKernel(test::blockOnTheBench()).apply(TickEvent{up})) << "nothing has begun";
-    EXPECT_FALSE(begun()->apply(BeginEvent{})) << "no bur";
+    EXPECT_FALSE(begun()->apply(BeginEvent{{nullptr, test::flatBur().cutting}, HapticSettings()})) << "no bur";
     EXPECT_FALSE(begun()->apply(TickEvent{up, 1})) << "no surface was sent";
     EXPECT_FALSE(begun()->apply(CarveEvent{1, false})) << "there is no tick 1 yet";
     EXPECT_FALSE(begun()->apply(ListEvent{1, 0, 0, false}));

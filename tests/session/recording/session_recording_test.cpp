@@ -16,7 +16,7 @@
 #include "session/recording/session_recorder.h"
 #include "session/recording/session_replay.h"
 #include "support/shapes.h"
-#include "support/temporary_folder.h"
+#include "support/test_data.h"
 
 namespace tactooth {
 namespace {
