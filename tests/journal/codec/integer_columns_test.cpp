@@ -21,6 +21,7 @@ std::vector<std::byte> encoded(const std::vector<IntegerColumn>& columns) {
 
 std::vector<int> numbers(const std::vector<std::byte>& bytes) {
     std::vector<int> values;
+    values.reserve(bytes.size());
     for (const std::byte byte : bytes) values.push_back(static_cast<int>(byte));
     return values;
 }

@@ -46,8 +46,8 @@ TEST(Varint, TakesSevenBitsAByteTheLowestFirst) {
 TEST(Varint, EachNumberComesBack) {
     std::mt19937_64 random(3);
     ByteWriter out;
-    std::vector<std::uint64_t> values;
-    for (int i = 0; i < 100000; ++i) values.push_back(random() >> random() % 64);
+    std::vector<std::uint64_t> values(100000);
+    for (std::uint64_t& value : values) value = random() >> random() % 64;
     for (const std::uint64_t value : values) putVarint(out, value);
     ByteReader in(out.bytes());
     for (const std::uint64_t value : values) ASSERT_EQ(getVarint(in), value);

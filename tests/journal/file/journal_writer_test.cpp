@@ -207,18 +207,17 @@ TEST(JournalWriter, LeavesNoFileThatItCannotBegin) {
 TEST(JournalWriter, ManyThreadsMayAppend) {
     const auto disk = std::make_shared<FakeDisk>();
     const auto writer = writerOn(disk);
-    {
-        std::vector<std::jthread> threads;
-        for (int thread = 0; thread < 4; ++thread) {
-            threads.emplace_back([&] {
-                for (int i = 0; i < 200; ++i) {
-                    EXPECT_TRUE(writer->appendWhenRoom(noteAt(i)));
-                    if (i % 50 == 0) {
-                        EXPECT_TRUE(writer->flush());
-                    }
-                }
-            });
+    const auto appendMany = [&] {
+        for (int i = 0; i < 200; ++i) {
+            EXPECT_TRUE(writer->appendWhenRoom(noteAt(i)));
+            if (i % 50 == 0) {
+                EXPECT_TRUE(writer->flush());
+            }
         }
+    };
+    {
+        std::vector<std::jthread> threads(4);
+        for (std::jthread& thread : threads) thread = std::jthread(appendMany);
     }
     EXPECT_TRUE(writer->close(200));
     EXPECT_EQ(typesIn(disk->bytes()).size(), 4 * 200 + 2U);

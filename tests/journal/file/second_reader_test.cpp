@@ -121,9 +121,9 @@ TEST_F(SecondReader, ReadsWhatWasRepairedAndTrimmed) {
 
 TEST_F(SecondReader, ReadsNumbersOfAnySizeInColumns) {
     ByteWriter out;
-    std::vector<std::int64_t> values;
+    std::vector<std::int64_t> values(200);
     std::mt19937_64 random(92);
-    for (int i = 0; i < 200; ++i) values.push_back(static_cast<std::int64_t>(random()) >> random() % 64);
+    for (std::int64_t& value : values) value = static_cast<std::int64_t>(random()) >> random() % 64;
     putColumns(out, std::vector<IntegerColumn>{
                         {Differences::None, values}, {Differences::First, values}, {Differences::Second, values}});
     const std::vector<JournalBlock> blocks{{BlockType::Events, 0, 200, out.take()}};
