@@ -74,7 +74,7 @@ TEST_F(CavityGhostTest, HidesTheWallsThatACutHasReached) {
 
 TEST_F(CavityGhostTest, ShowsThemAgainWhenTheCutIsTakenBack) {
     const std::vector<Vec3> whole = shownBy(ghost_);
-    model_.mark();
+    model_.mark(0);
     cut(-1, 1);
     EXPECT_LT(shownBy(ghost_).size(), whole.size());
     ASSERT_TRUE(model_.undo());

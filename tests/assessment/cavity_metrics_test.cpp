@@ -93,7 +93,7 @@ TEST_F(CavityMetricsTest, WhatIsCutTooWideIsBeyond) {
 }
 
 TEST_F(CavityMetricsTest, TakingBackTakesItAllBack) {
-    model_.mark();
+    model_.mark(0);
     cut(0, 1.5, 2.5);
     EXPECT_GT(progress(metrics_).maxOverPreparation, 0.4);
     ASSERT_TRUE(model_.undo());

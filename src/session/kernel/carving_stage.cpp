@@ -35,9 +35,10 @@ bool CarvingStage::addToHash(bool changed) {
 }
 
 bool CarvingStage::carve(const Tick& tick) {
+    time_ = tick.time;
     if (tick.cutting) {
         const bool cuts = tick.contacts > 0 && tick.speedRpm > 0;
-        if (cuts && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark();
+        if (cuts && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark(tick.time);
         if (cuts) lastCut_ = tick.time;
         if (model_->feed(tool_, tick, materials_)) return addToHash(true);
     }
@@ -45,13 +46,14 @@ bool CarvingStage::carve(const Tick& tick) {
 }
 
 bool CarvingStage::edit(Edit edit) {
+    lastCut_ = -std::numeric_limits<double>::infinity();  // the next cut is a step of its own
     switch (edit) {
         case Edit::Reset:
-            model_->reset();
-            return addToHash(true);
+            return addToHash(model_->reset(time_));
         case Edit::Undo:
-            lastCut_ = -std::numeric_limits<double>::infinity();  // the next cut gets a mark of its own
             return addToHash(model_->undo());
+        case Edit::Redo:
+            return addToHash(model_->redo());
     }
     TACTOOTH_ASSERT(false);
     return false;

@@ -36,6 +36,7 @@ private:
     CuttingTool tool_;
     MaterialTable materials_;
     Fnv1a hash_;
+    double time_ = 0;                                            // Tick::time of the newest tick, s
     double lastCut_ = -std::numeric_limits<double>::infinity();  // Tick::time, s
 };
 

@@ -46,7 +46,7 @@ struct CarveEvent {
 };
 
 /// The user's changes of the tooth, carried out by the carving thread.
-enum class Edit : std::uint8_t { Reset = 0, Undo = 1 };
+enum class Edit : std::uint8_t { Reset = 0, Undo = 1, Redo = 2 };
 struct EditEvent {
     Edit edit = Edit::Reset;
     bool published = false;  ///< whether the surface has changed

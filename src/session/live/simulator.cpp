@@ -56,7 +56,8 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
       carving_(model_, instrument_.cutting, settings.materials),
       listing_(servo_.tool(), servo_.surface()),
       publishedSurface_(model_->surface()),
-      publishedLoss_(model_->loss()) {
+      publishedLoss_(model_->loss()),
+      publishedHistory_(std::make_shared<const CutHistory>(model_->history())) {
     std::function<void(double)> waitForTick;
     if (device.drivesServoRate()) waitForTick = [&device](double longest) { device.waitForTick(longest); };
     loop_ = std::make_unique<ServoLoop>(
@@ -149,12 +150,19 @@ ToothLoss Simulator::loss() const {
     return publishedLoss_;
 }
 
+std::shared_ptr<const CutHistory> Simulator::history() const {
+    const std::lock_guard lock(publishedMutex_);
+    return publishedHistory_;
+}
+
 void Simulator::publishSurface() {
     CarvedSurface cut{model_->contactSurface(), model_->reached()};
+    CutHistory history = model_->history();
     {
         const std::lock_guard lock(publishedMutex_);
         publishedSurface_ = model_->surface();
         publishedLoss_ = model_->loss();
+        if (history != *publishedHistory_) publishedHistory_ = std::make_shared<const CutHistory>(std::move(history));
         surfaceToList_ = Publication{std::move(cut), ++published_};
     }
     cutAvailable_.notify_one();
@@ -166,11 +174,17 @@ std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const 
     return toothFileBytes(*model_, provenance);
 }
 
+void Simulator::request(Edit edit) {
+    const std::lock_guard lock(requestMutex_);
+    requested_.push_back(edit);
+}
+
 std::optional<Edit> Simulator::takeEdit() {
-    if (resetRequested_.exchange(false)) return Edit::Reset;
-    if (undosRequested_.load() == 0) return std::nullopt;
-    undosRequested_.fetch_sub(1);
-    return Edit::Undo;
+    const std::lock_guard lock(requestMutex_);
+    if (requested_.empty()) return std::nullopt;
+    const Edit edit = requested_.front();
+    requested_.pop_front();
+    return edit;
 }
 
 /// One turn of the carving thread. Returns true if the surface has changed.

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -89,11 +90,12 @@ public:
     [[nodiscard]] bool limitsCpuLatency() const { return loop_->limitsCpuLatency(); }
     /// Number of surfaces that the carving thread has published.
     [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
-    /// Restores the whole tooth. Any thread; the carving thread does it at its next turn.
-    void requestReset() { resetRequested_.store(true); }
-    /// Undoes the cut since the bur last began to cut after a pause. Any thread; done like a reset. No effect if
-    /// nothing was cut.
-    void requestUndo() { undosRequested_.fetch_add(1); }
+    /// Any thread; the carving thread carries the requests out in their order, one in each turn. Reset restores the
+    /// whole tooth. Undo takes back the last step: a reset, or the cut since the bur last began to cut after a pause.
+    /// Redo does it again, unless something was cut since. No effect if there is nothing to reset, undo or redo.
+    void request(Edit edit);
+    /// The steps that can be undone and redone. Never null. Any thread.
+    [[nodiscard]] std::shared_ptr<const CutHistory> history() const;
     /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most.
     [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
 
@@ -152,8 +154,6 @@ private:
     std::atomic<bool> deviceAtWorkspaceLimit_{false};
     std::atomic<bool> fadingOut_{false};  // the force fades out
     std::atomic<bool> silent_{true};      // it has faded out
-    std::atomic<bool> resetRequested_{false};
-    std::atomic<int> undosRequested_{0};
     std::atomic<std::uint64_t> surfaceUpdates_{0};
 
     CarvingStage carving_;        // of the carving thread
@@ -163,10 +163,14 @@ private:
     /// Held by the carving thread while it cuts, and by observers of the model; never by the servo thread.
     mutable std::mutex modelMutex_;
 
+    mutable std::mutex requestMutex_;  // of the carving thread and those who ask; never of the servo thread
+    std::deque<Edit> requested_;
+
     // Of the carving thread, the neighbour-list thread and observers; never of the servo thread.
     mutable std::mutex publishedMutex_;
     std::shared_ptr<const Surface> publishedSurface_;
     ToothLoss publishedLoss_;
+    std::shared_ptr<const CutHistory> publishedHistory_;
     std::optional<Publication> surfaceToList_;
     SurfaceNumber published_ = 0;
     std::condition_variable_any cutAvailable_;

@@ -67,7 +67,7 @@ void SessionModel::setCutting(bool cutting) {
 
 void SessionModel::resetTooth() {
     if (simulator_ == nullptr) return;
-    simulator_->requestReset();
+    simulator_->request(Edit::Reset);
     log_.clearEvents(haptics_.materials.registry());
 }
 

@@ -90,7 +90,7 @@ struct Layout<EditEvent> {
     static constexpr std::array kColumns = {Differences::None, Differences::None};
     static Row row(const EditEvent& event) { return {static_cast<std::int64_t>(event.edit), event.published ? 1 : 0}; }
     static std::optional<EditEvent> event(const Row& row) {
-        if (row[0] < 0 || row[0] > static_cast<std::int64_t>(Edit::Undo) || row[1] < 0 || row[1] > 1) return {};
+        if (row[0] < 0 || row[0] > static_cast<std::int64_t>(Edit::Redo) || row[1] < 0 || row[1] > 1) return {};
         return EditEvent{static_cast<Edit>(row[0]), row[1] == 1};
     }
 };

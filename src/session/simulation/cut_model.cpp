@@ -135,31 +135,55 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
     refreshSurface();
 }
 
-void CutModel::mark() {
-    if (!volume_.mark()) return;
-    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the volume has dropped its oldest mark
-    lossAt_.push_back(loss_);
+void CutModel::followSteps() { steps_.follow(volume_.undoable(), volume_.redoable()); }
+
+void CutModel::markStep(const CutStep& step) {
+    followSteps();
+    volume_.mark();
+    followSteps();  // the volume may have forgotten old steps
+    steps_.mark(step, loss_);
+}
+
+void CutModel::mark(double time) { markStep({CutStep::Kind::Stroke, time}); }
+
+CutHistory CutModel::history() {
+    followSteps();
+    return steps_.history();
 }
 
 bool CutModel::undo() {
-    if (marks() == 0) return false;
-    reached_.reset();
-    const std::vector<ChangedBrick> changed = volume_.undo();
-    changed_.insert(changed_.end(), changed.begin(), changed.end());
-    loss_ = lossAt_[marks()];
-    lossAt_.resize(marks());
-    refreshSurface();
+    followSteps();
+    if (volume_.undoable() == 0) return false;
+    restore(volume_.undo(), steps_.undo(loss_));
     return true;
 }
 
-void CutModel::reset() {
+bool CutModel::redo() {
+    followSteps();
+    if (volume_.redoable() == 0) return false;
+    restore(volume_.redo(), steps_.redo(loss_));
+    return true;
+}
+
+void CutModel::restore(const std::vector<ChangedBrick>& changed, const ToothLoss& loss) {
+    reached_.reset();
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    loss_ = loss;
+    refreshSurface();
+}
+
+bool CutModel::reset(double time) {
+    reached_.reset();
+    lastFeedLength_ = 0;
+    mayBeDetached_ = false;
+    if (volume_.cutBricks().empty()) return false;
+    markStep({CutStep::Kind::Reset, time});
     volume_.reset();
     incremental_.reset();
     loss_ = {};
-    lossAt_.clear();
     changed_.clear();
-    reached_.reset();
-    lastFeedLength_ = 0;
+    markStep({CutStep::Kind::Stroke, time});
+    return true;
 }
 
 }  // namespace tactooth

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <chrono>
 #include <random>
@@ -59,10 +60,10 @@ Script randomScript(unsigned seed) {
     script.settings.freedom = random() % 2 == 0 ? Freedom::Translation : Freedom::TranslationAndRotation;
     script.settings.spindle = spindlePresets()[random() % spindlePresets().size()];
     if (random() % 3 == 0) script.settings.force.stiffness = 2.0;
-    const int edits = static_cast<int>(random() % 4);
+    const int edits = static_cast<int>(random() % 6);
     for (int i = 0; i < edits; ++i) {
         script.edits.emplace_back(script.seconds * (i + part(random)) / edits,
-                                  random() % 3 == 0 ? Edit::Reset : Edit::Undo);
+                                  std::array{Edit::Reset, Edit::Undo, Edit::Redo}[random() % 3]);
     }
     script.cutting = random() % 8 != 0;
     return script;
@@ -90,8 +91,7 @@ LiveSession runLive(const Script& script, const std::shared_ptr<CutModel>& model
             std::this_thread::sleep_for(5ms);
             time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             for (; edits < script.edits.size() && script.edits[edits].first < time; ++edits) {
-                if (script.edits[edits].second == Edit::Undo) simulator.requestUndo();
-                if (script.edits[edits].second == Edit::Reset) simulator.requestReset();
+                simulator.request(script.edits[edits].second);
                 controls.forceScale = 1 / static_cast<double>(1 + edits);
                 simulator.setControls(controls);
             }

@@ -343,7 +343,7 @@ TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
     simulator.setControls({});
     std::this_thread::sleep_for(50ms);
-    simulator.requestReset();
+    simulator.request(Edit::Reset);
     EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
     EXPECT_TRUE(simulator.surface()->patches.empty());
 }
@@ -370,13 +370,13 @@ TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
     ASSERT_TRUE(soon([&] { return simulator.surface()->patches.empty() == false; }));
     std::this_thread::sleep_for(2500ms);
     const double both = total(simulator.removed());
-    simulator.requestUndo();
+    simulator.request(Edit::Undo);
     ASSERT_TRUE(soon([&] { return total(simulator.removed()) < both; }));
     const double one = total(simulator.removed());
     EXPECT_GT(one, 0.1 * both);
-    simulator.requestUndo();
+    simulator.request(Edit::Undo);
     EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
-    simulator.requestUndo();
+    simulator.request(Edit::Undo);
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(total(simulator.removed()), 0);
     EXPECT_EQ(visibleMesh(*simulator.surface()).mesh.triangles.size(), 12U) << "the block as it came";
@@ -413,7 +413,7 @@ TEST(Simulator, StopsCleanlyInAnyState) {
         {
             Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
             simulator.setControls(cutting());
-            if (i % 3 == 1) simulator.requestReset();
+            if (i % 3 == 1) simulator.request(Edit::Reset);
             std::this_thread::sleep_for(i % 5 * 12ms);
         }
         ASSERT_EQ(device.force(), 0);

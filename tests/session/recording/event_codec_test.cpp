@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 
@@ -31,7 +32,7 @@ SessionEvent randomEvent(std::mt19937& random) {
         case 3:
             return ListEvent{number(), number() % 5, number() % 3, yes()};
         case 4:
-            return EditEvent{yes() ? Edit::Reset : Edit::Undo, yes()};
+            return EditEvent{std::array{Edit::Reset, Edit::Undo, Edit::Redo}[number() % 3], yes()};
         case 5: {
             ForceEvent event;
             if (yes()) event.parameters.overrides.stiffness = 0.1 * (number() % 50);

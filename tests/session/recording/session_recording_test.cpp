@@ -76,7 +76,7 @@ Recorded record(const fs::path& file, double secondsEach) {
             controls.cutting = true;
             simulator.setControls(controls);
             std::this_thread::sleep_for(std::chrono::duration<double>(secondsEach));
-            if (bur == 0) simulator.requestUndo();
+            if (bur == 0) simulator.request(Edit::Undo);
         }
         (*recorder)->end();
     }

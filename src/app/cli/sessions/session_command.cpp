@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 /// What a walk over all events counts.
 struct EventCounts {
     double seconds = 0;
-    std::uint64_t ticks = 0, burs = 0, carves = 0, undos = 0, resets = 0;
+    std::uint64_t ticks = 0, burs = 0, carves = 0, undos = 0, redos = 0, resets = 0;
 
     void add(const SessionEvent& event) {
         if (const auto* tick = std::get_if<TickEvent>(&event)) ++ticks, seconds += tick->input.seconds();
@@ -27,6 +27,7 @@ struct EventCounts {
         const auto* carve = std::get_if<CarveEvent>(&event);
         carves += carve != nullptr && carve->published ? 1 : 0;
         const auto* edit = std::get_if<EditEvent>(&event);
+        redos += edit != nullptr && edit->edit == Edit::Redo ? 1 : 0;
         undos += edit != nullptr && edit->edit == Edit::Undo ? 1 : 0;
         resets += edit != nullptr && edit->edit == Edit::Reset ? 1 : 0;
     }
@@ -34,19 +35,22 @@ struct EventCounts {
 
 Json infoOf(const SessionRecording& recording, const EventCounts& counts) {
     const JournalReader& journal = recording.journal();
-    Json json = {
-        {"case", recording.facts().title},
-        {"date", recording.facts().date},
-        {"seconds", counts.seconds},
-        {"ticks", counts.ticks},
-        {"bytes", journal.bytes()},
-        {"complete", journal.isComplete()},
-        {"cut_off_at", nullptr},
-        {"build", recording.facts().commit},
-        {"compiler", recording.facts().compiler},
-        {"machine", recording.facts().machine},
-        {"events",
-         {{"burs", counts.burs}, {"cuts", counts.carves}, {"undos", counts.undos}, {"resets", counts.resets}}}};
+    Json json = {{"case", recording.facts().title},
+                 {"date", recording.facts().date},
+                 {"seconds", counts.seconds},
+                 {"ticks", counts.ticks},
+                 {"bytes", journal.bytes()},
+                 {"complete", journal.isComplete()},
+                 {"cut_off_at", nullptr},
+                 {"build", recording.facts().commit},
+                 {"compiler", recording.facts().compiler},
+                 {"machine", recording.facts().machine},
+                 {"events",
+                  {{"burs", counts.burs},
+                   {"cuts", counts.carves},
+                   {"undos", counts.undos},
+                   {"redos", counts.redos},
+                   {"resets", counts.resets}}}};
     if (journal.cutOffAt()) json["cut_off_at"] = *journal.cutOffAt();
     return json;
 }
@@ -60,8 +64,9 @@ void printInfo(const Json& json) {
           displayText(json["compiler"].get<std::string>()));
     print("machine:   {}\n", displayText(json["machine"].get<std::string>()));
     const Json& events = json["events"];
-    print("events:    {} burs, {} updates of the cut, {} undos, {} resets\n", events["burs"].get<std::uint64_t>(),
-          events["cuts"].get<std::uint64_t>(), events["undos"].get<std::uint64_t>(),
+    print("events:    {} burs, {} updates of the cut, {} undos, {} redos, {} resets\n",
+          events["burs"].get<std::uint64_t>(), events["cuts"].get<std::uint64_t>(),
+          events["undos"].get<std::uint64_t>(), events["redos"].get<std::uint64_t>(),
           events["resets"].get<std::uint64_t>());
     if (json["complete"].get<bool>()) {
         print("complete:  yes\n");

@@ -62,7 +62,7 @@ void MainWindow::connectDrill() {
     });
     connect(panels_.drill->resetAction(), &QAction::triggered, this, [this] { model_.resetTooth(); });
     connect(panels_.drill->undoAction(), &QAction::triggered, this, [this] {
-        if (model_.simulator() != nullptr) model_.simulator()->requestUndo();
+        if (model_.simulator() != nullptr) model_.simulator()->request(Edit::Undo);
     });
     connect(panels_.force, &ForcePanel::changed, this, [this] {
         model_.controls.force = panels_.force->overrides();
