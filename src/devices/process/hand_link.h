@@ -90,6 +90,10 @@ struct HandLink {
     std::atomic<HandStatus> status{HandStatus::Starting};
     std::atomic<std::uint32_t> endRequested{0};    ///< by the program: close the device and end
     std::atomic<std::uint32_t> inputSuspended{0};  ///< see HapticDevice::suspendInput
+    /// The loop of the hand process has a higher real-time priority than a servo. So both may share a processor, where
+    /// they wake each other several times faster than from one processor to another, and the loop still comes first.
+    std::atomic<std::uint32_t> mayShareProcessor{0};
+    std::atomic<std::int32_t> servoProcessor{-1};  ///< that the program's servo thread keeps to; -1: to none
     DeviceDescription description;                 ///< written before `status`
     HandText failure;                              ///< likewise
 

@@ -40,7 +40,7 @@ private:
 template <class T>
 class SlotWriter {
 public:
-    explicit SlotWriter(SharedSlots<T>& slots) : slots_(&slots) {}
+    explicit SlotWriter(SharedSlots<T>& memory) : slots_(&memory) {}
 
     /// Replaces a value that has not been read yet.
     void write(const T& value) {
@@ -61,7 +61,7 @@ private:
 template <class T>
 class SlotReader {
 public:
-    explicit SlotReader(SharedSlots<T>& slots) : slots_(&slots) {}
+    explicit SlotReader(SharedSlots<T>& memory) : slots_(&memory) {}
 
     /// Fetches the newest value. True if one was written since the last call.
     bool refresh() {
