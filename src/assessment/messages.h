@@ -27,7 +27,7 @@ inline constexpr MessageText kDecaySite{
     "decay_site", "'site' must be occlusal, mesial, distal, buccal or lingual",
     "'site' は occlusal、mesial、distal、buccal、lingual のいずれかでなければなりません"};
 inline constexpr MessageText kNoOcclusalSide{"no_occlusal_side",
-                                             "a front tooth has no occlusal side; choose another site",
+                                             "an anterior tooth has no occlusal side; choose another site",
                                              "前歯には咬合面がありません。別の部位を選んでください"};
 inline constexpr MessageText kKeyOfBuiltinTooth{"key_of_builtin_tooth",
                                                 "%1 belongs to a built-in tooth, one by its number",

@@ -11,9 +11,6 @@
 
 namespace tactooth {
 
-/// "pen:NAME" is the pen with that name in the vendor's setup program.
-inline constexpr std::string_view kNamedPen = "pen:";
-
 /// "replay:FILE" is a device that follows the trajectory of a file. openDevice does not open it; openDeviceOrReplay of
 /// the session does.
 inline constexpr std::string_view kReplay = "replay:";

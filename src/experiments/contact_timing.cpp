@@ -24,23 +24,23 @@ std::shared_ptr<const Surface> plainSurface(TriangleMesh mesh) {
 }
 
 ContactTiming timeContact(const std::shared_ptr<const Surface>& surface, const std::shared_ptr<const ToolShape>& tool,
-                          std::span<const Pose> hand, int repeat, Freedom freedom) {
-    std::vector<double> micros(hand.size(), std::numeric_limits<double>::infinity());
-    std::vector<MoveResult> results(hand.size());
+                          std::span<const Pose> devicePath, int repeat, Freedom freedom) {
+    std::vector<double> micros(devicePath.size(), std::numeric_limits<double>::infinity());
+    std::vector<MoveResult> results(devicePath.size());
     for (int run = 0; run < repeat; ++run) {
-        ProxySolver body(tool, freedom);
-        body.setSurface(surface);
-        body.placeAt(hand.front());
-        for (std::size_t i = 0; i < hand.size(); ++i) {
+        ProxySolver solver(tool, freedom);
+        solver.setSurface(surface);
+        solver.placeAt(devicePath.front());
+        for (std::size_t i = 0; i < devicePath.size(); ++i) {
             const double start = threadMicros();
-            results[i] = body.moveToward(hand[i]);
+            results[i] = solver.moveToward(devicePath[i]);
             micros[i] = std::min(micros[i], threadMicros() - start);
         }
     }
     ContactTiming timing;
-    timing.ticks = hand.size();
+    timing.ticks = devicePath.size();
     std::vector<double> inContact;
-    for (std::size_t i = 0; i < hand.size(); ++i) {
+    for (std::size_t i = 0; i < devicePath.size(); ++i) {
         timing.iterationLimitHits += results[i].status == MoveStatus::OutOfIterations ? 1 : 0;
         timing.overlapping += results[i].status == MoveStatus::Overlapping ? 1 : 0;
         timing.largest = std::max(timing.largest, micros[i]);

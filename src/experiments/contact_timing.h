@@ -33,10 +33,10 @@ struct ContactTiming {
     std::size_t overlapping = 0;         ///< ticks whose start was not free
 };
 
-/// Moves `tool` along `hand` (the first pose free, one pose a millisecond) `repeat` times and takes the least time of
-/// each tick, so that interruptions do not count.
+/// Moves `tool` along `devicePath` (the first pose free, one pose a millisecond) `repeat` times and takes the least
+/// time of each tick, so that interruptions do not count.
 [[nodiscard]] ContactTiming timeContact(const std::shared_ptr<const Surface>& surface,
-                                        const std::shared_ptr<const ToolShape>& tool, std::span<const Pose> hand,
+                                        const std::shared_ptr<const ToolShape>& tool, std::span<const Pose> devicePath,
                                         int repeat, Freedom freedom = Freedom::Translation);
 
 /// A surface of one part, without tags.

@@ -14,8 +14,8 @@
 #include "geometry/util/parallel_for.h"
 #include "instruments/bur_shape.h"
 #include "instruments/tool_trajectory.h"
-#include "session/io/softened_materials.h"
 #include "session/scripts/cut_run.h"
+#include "session/scripts/softened_materials.h"
 
 namespace tactooth {
 namespace {
@@ -52,17 +52,17 @@ public:
         (void)model_.pool();
     }
 
-    CutTiming run(std::span<const Pose> hand) {
-        played_ = hand.size();
-        for (std::size_t i = 0; i < hand.size(); ++i) play(static_cast<double>(i) * kTick, hand[i]);
+    CutTiming run(std::span<const Pose> devicePath) {
+        played_ = devicePath.size();
+        for (std::size_t i = 0; i < devicePath.size(); ++i) play(static_cast<double>(i) * kTick, devicePath[i]);
         return result();
     }
 
 private:
-    void play(double now, const Pose& hand) {
+    void play(double now, const Pose& device) {
         while (!coming_.empty() && coming_.front().from <= now) useNewSurface(now);
         const double start = threadMicros();
-        const Tick tick = simulation_->step({hand, 1, true}, kTick);
+        const Tick tick = simulation_->step({device, 1, true}, kTick);
         const double micros = threadMicros() - start;
         if (tick.contacts > 0) tickMicros_.push_back(micros);
         timing_.deepest = std::max(timing_.deepest, tick.depth);
@@ -72,7 +72,7 @@ private:
         if (now >= prefetchFreeAt_) stepBrickPrefetch(now, tick);
     }
 
-    /// Its bricks are found by the cutter from the next tick on: to make some at once takes less.
+    /// The carving uses the new bricks from the next tick on: to make a few takes less than a tick.
     void stepBrickPrefetch(double now, const Tick& tick) {
         const double start = threadMicros();
         (void)model_.pool()->makeAround(tool_->envelope, tick.proxy);
@@ -81,7 +81,7 @@ private:
         prefetchFreeAt_ = now + 1e-6 * took;
     }
 
-    /// Goes on with this tick as soon as it is done with the one before.
+    /// Carves for this tick as soon as the carve before is done.
     void stepCarving(double now, const Tick& tick) {
         const double begin = std::max(now, carvingFreeAt_);
         if (begin >= now + kTick) return;
@@ -100,7 +100,7 @@ private:
         }
     }
 
-    /// Looks after the tool at each tick, and is woken by a cut.
+    /// Follows the tool at each tick, and builds a list for each cut.
     void stepNeighbourLists(double now, const Tick& tick) {
         if (neighbourListFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
             watch(now, tick);
@@ -179,7 +179,7 @@ private:
     std::optional<HapticSimulation> simulation_;
     std::optional<HapticSurfaceBuilder> surfaceBuilder_;
 
-    // Times in s: when a thing is there, when the carve began that it comes of, and the last tick that knew of.
+    // Times in s: when a result is ready, when its carve began, and the last tick that the carve includes.
     struct Cut {
         std::shared_ptr<const Surface> surface;
         Pose reached;
@@ -193,16 +193,16 @@ private:
         double cutBegun;
         double cutTick;
     };
-    std::deque<Cut> cuts_;  // that there is no list for yet
-    Cut newestCut_;         // that the lister knows of
+    std::deque<Cut> cuts_;  // without a neighbour list so far
+    Cut newestCut_;         // that has a neighbour list
     std::shared_ptr<const Surface> newest_;
-    std::deque<Coming> coming_;  // that the servo has not felt yet
+    std::deque<Coming> coming_;  // not used by the servo yet
     double carvingFreeAt_ = 0;   // s
     double neighbourListFreeAt_ = 0;
     double prefetchFreeAt_ = 0;
     double lastCutTick_ = 0;
-    double touchedUpTo_ = 0;      // the beginning of the last carve that the servo has felt
-    std::deque<double> working_;  // ticks in which the bur worked and that have not been felt yet
+    double touchedUpTo_ = 0;      // the beginning of the last carve whose surface the servo uses
+    std::deque<double> working_;  // ticks whose cut is not in the surface that the servo uses
 
     std::vector<double> tickMicros_, touchMillis_, carvedMillis_, updateMillis_, listMillis_;
     double carvingMillis_ = 0;
@@ -227,9 +227,9 @@ CutTiming timeCutting(const std::shared_ptr<const LayeredTooth>& tooth, const Cu
     path.strokes = cut.strokes;
     path.turn = kTurn;
     path.maxRotation = kMaxTurn;
-    const std::vector<Pose> hand = toolTrajectory(tooth->outer()->mesh(), path);
+    const std::vector<Pose> devicePath = toolTrajectory(tooth->outer()->mesh(), path);
     const ThreadLimit cores(static_cast<std::size_t>(cut.cores));
-    return CutTimingSimulation(tooth, cut).run(hand);
+    return CutTimingSimulation(tooth, cut).run(devicePath);
 }
 
 }  // namespace tactooth

@@ -22,8 +22,8 @@ struct CutCase {
 };
 
 /// The cost in processor time, or in wall time for a carving thread with several cores. The servo, carving,
-/// neighbour-list and brick-prefetch threads are simulated as if each had cores of its own: an update is felt at the
-/// first tick after the time that it and its list took.
+/// neighbour-list and brick-prefetch threads are simulated as if each had cores of its own: the servo uses an
+/// update at the first tick after the time that it and its list took.
 struct CutTiming {
     std::size_t ticks = 0;                ///< while the bur touched
     double p50 = 0, p99 = 0;              ///< of a tick, us

@@ -21,11 +21,11 @@ constexpr int kRepeat = 3;      // for the time of a force
 constexpr double kStart = 0.1;  // mm: depth from which the hand moves on
 
 /// A moment of the standard path with the bur pressed in, not far from the middle of its way.
-Pose pressedPose(std::span<const Pose> hand, std::span<const Tick> ticks) {
+Pose pressedPose(std::span<const Pose> devicePath, std::span<const Tick> ticks) {
     for (std::size_t i = 2 * ticks.size() / 5; i < ticks.size(); ++i) {
-        if (ticks[i].contacts > 0 && ticks[i].depth > kStart) return hand[i];
+        if (ticks[i].contacts > 0 && ticks[i].depth > kStart) return devicePath[i];
     }
-    return hand[hand.size() / 2];
+    return devicePath[devicePath.size() / 2];
 }
 
 struct Noticed {
@@ -34,17 +34,17 @@ struct Noticed {
 };
 
 /// Moves the hand further in, against the force, step by step.
-Noticed moveFurther(HapticSimulation simulation, Pose hand, double step) {
+Noticed moveFurther(HapticSimulation simulation, Pose device, double step) {
     constexpr double kTick = 1e-3;  // s
     constexpr int kSettle = 10;     // ticks in which the hand stands still
     Tick before;
-    for (int i = 0; i < kSettle; ++i) before = simulation.step({hand, 0, false}, kTick);
+    for (int i = 0; i < kSettle; ++i) before = simulation.step({device, 0, false}, kTick);
     const double start = before.depth;
     const Vec3 inward = -before.normal;
     Noticed noticed;
     for (int i = 0; i < kSteps; ++i) {
-        hand.position += step * inward;
-        const Tick now = simulation.step({hand, 0, false}, kTick);
+        device.position += step * inward;
+        const Tick now = simulation.step({device, 0, false}, kTick);
         noticed.steps += now.depth > before.depth ? 1 : 0;
         before = now;
     }
@@ -66,11 +66,11 @@ struct AtResolution {
 
 AtResolution measureAt(const TriangleMesh& mesh, const std::shared_ptr<const ToolShape>& bur) {
     const auto surface = plainSurface(mesh);
-    const std::vector<Pose> hand = toolTrajectory(mesh, standardToolPath(kSlowSpeed));
-    const std::vector<Tick> ticks = touchPath(bur, surface, hand, kRepeat);
-    const Pose pressed = pressedPose(hand, ticks);
+    const std::vector<Pose> devicePath = toolTrajectory(mesh, standardToolPath(kSlowSpeed));
+    const std::vector<Tick> ticks = touchPath(bur, surface, devicePath, kRepeat);
+    const Pose pressed = pressedPose(devicePath, ticks);
     HapticSimulation arrived = enamelSimulation(bur, surface);
-    for (const Pose& pose : hand) {
+    for (const Pose& pose : devicePath) {
         (void)arrived.step({pose, 0, false}, 1e-3);
         if (pose.position == pressed.position) break;
     }

@@ -65,8 +65,8 @@ Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
     const double contact = distanceToContact(surface, bur, start);
     double deepest = 0;
     for (const double speed : {kSlowSpeed, kFastSpeed}) {
-        const std::vector<Pose> hand = thereAndBack(start, contact, speed);
-        const std::vector<Tick> ticks = touchPath(bur, surface, hand, 1);
+        const std::vector<Pose> devicePath = thereAndBack(start, contact, speed);
+        const std::vector<Tick> ticks = touchPath(bur, surface, devicePath, 1);
         const std::string at = numberText(speed / 10) + " cm/s";
         ExperimentPlot distance{"Way along y, " + at,
                                 "time, ms",

@@ -12,8 +12,8 @@
 #include "instruments/bur_shape.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/tool_trajectory.h"
-#include "session/io/softened_materials.h"
 #include "session/scripts/cut_run.h"
+#include "session/scripts/softened_materials.h"
 
 namespace tactooth {
 namespace {
@@ -90,16 +90,16 @@ public:
           simulation_(shape, radius, piece.contactSurface(), HapticSettings()),
           surfaceBuilder_(simulation_.tool(), piece.contactSurface()) {}
 
-    Tick step(const Pose& hand, double& micros) {
+    Tick step(const Pose& device, double& micros) {
         const double start = threadMicros();
-        const Tick tick = simulation_.step({hand, 0, false}, kTick);
+        const Tick tick = simulation_.step({device, 0, false}, kTick);
         micros = threadMicros() - start;
         updateHapticSurface(model_, tick, false, surfaceBuilder_, simulation_);
         return tick;
     }
-    Tick step(const Pose& hand) {
+    Tick step(const Pose& device) {
         double micros = 0;
-        return step(hand, micros);
+        return step(device, micros);
     }
 
 private:
@@ -111,11 +111,11 @@ private:
 SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
     SlotTiming timing{.motion = motion};
     const Vec3 shaft = start.rotation * Vec3::UnitZ();
-    for (int i = ticksIn(kSettle); i > 0; --i) {  // from above, where there is room
+    for (int i = ticksIn(kSettle); i > 0; --i) {  // from above, where it is free
         const double above = kLift * static_cast<double>(i) / ticksIn(kSettle);
-        Pose hand = moved(start, motion, 0);
-        hand.position += above * shaft;
-        tool.step(hand);
+        Pose device = moved(start, motion, 0);
+        device.position += above * shaft;
+        tool.step(device);
     }
     std::vector<double> micros;
     std::vector<Vec3> forces;
@@ -143,13 +143,13 @@ SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
     timing.p999 = quantile(micros, 0.999);
     timing.largest = quantile(micros, 1);
 
-    Pose hand = moved(start, motion, kTick * ticksIn(kSettle + kMeasure));
+    Pose device = moved(start, motion, kTick * ticksIn(kSettle + kMeasure));
     Tick tick;
     for (int i = 0; i < ticksIn(kLift / kLiftSpeed); ++i) {
-        hand.position += kLiftSpeed * kTick * shaft;
-        tick = tool.step(hand);
+        device.position += kLiftSpeed * kTick * shaft;
+        tick = tool.step(device);
     }
-    timing.leaves = tick.contacts == 0 && tick.wrench.force.isZero(0) && tick.proxy.position == hand.position;
+    timing.leaves = tick.contacts == 0 && tick.wrench.force.isZero(0) && tick.proxy.position == device.position;
     return timing;
 }
 

@@ -31,7 +31,7 @@ std::vector<Place> placesOf(const TenPatches& piece) {
 }
 
 /// The hand comes from 1.5 mm above, presses the tip 0.4 mm below the surface, moves 0.5 mm aside, and leaves; one pose
-/// a millisecond. `shift` (mm) puts the ticks elsewhere on the same way.
+/// a millisecond. `shift` (mm) puts the ticks elsewhere on the same path.
 std::vector<Pose> touchAt(const Place& place, double speed, double shift) {
     constexpr double kAbove = 1.5, kBelow = 0.4, kAside = 0.5;  // mm
     const Vec3 aside = kAside * place.outward.unitOrthogonal();
@@ -58,15 +58,15 @@ struct PatchTick {
 };
 
 std::vector<PatchTick> follow(const TenPatches& piece, const std::shared_ptr<const Surface>& surface,
-                              const std::shared_ptr<const ToolShape>& bur, std::span<const Pose> hand) {
-    ProxySolver body(bur);
-    body.setSurface(surface);
-    body.placeAt(hand.front());
+                              const std::shared_ptr<const ToolShape>& bur, std::span<const Pose> devicePath) {
+    ProxySolver solver(bur);
+    solver.setSurface(surface);
+    solver.placeAt(devicePath.front());
     std::vector<PatchTick> ticks;
-    for (const Pose& pose : hand) {
-        const MoveResult result = body.moveToward(pose);
+    for (const Pose& pose : devicePath) {
+        const MoveResult result = solver.moveToward(pose);
         const Vec3 exact = nearestFreeTip(piece, bur->mesh(), pose);
-        const Vec3 ours = body.pose().position;
+        const Vec3 ours = solver.pose().position;
         ticks.push_back({(exact - pose.position).norm(), (ours - pose.position).norm(), kPerMm * (ours - exact).norm(),
                          result.status == MoveStatus::OutOfIterations});
     }
@@ -123,8 +123,8 @@ Experiment measureTenPatches(const TestTeeth& testTeeth) {
             double error = 0, deepest = 0;
             std::size_t count = 0, touching = 0, iterationLimitHits = 0;
             for (int touch = 0; touch < kTouches; ++touch) {
-                const auto hand = touchAt(place, kSpeeds[s], static_cast<double>(touch) / kTouches);
-                const auto ticks = follow(piece, surface, testTeeth.bur(), hand);
+                const auto devicePath = touchAt(place, kSpeeds[s], static_cast<double>(touch) / kTouches);
+                const auto ticks = follow(piece, surface, testTeeth.bur(), devicePath);
                 for (const PatchTick& tick : ticks) {
                     error = std::max(error, tick.error);
                     deepest = std::max(deepest, tick.exact);

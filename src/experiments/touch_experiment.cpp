@@ -65,8 +65,8 @@ Reliability watchProxy(const std::shared_ptr<const Surface>& surface, const std:
     Reliability found;
     ContactQuery query(bur, surface);
     for (const double speed : {10.0, 66.0, 100.0, 250.0, 500.0, 1000.0}) {
-        const std::vector<Pose> hand = toolTrajectory(surface->base->mesh(), standardToolPath(speed));
-        for (const Tick& tick : touchPath(bur, surface, hand, 1)) {
+        const std::vector<Pose> devicePath = toolTrajectory(surface->base->mesh(), standardToolPath(speed));
+        for (const Tick& tick : touchPath(bur, surface, devicePath, 1)) {
             if (tick.contacts == 0) continue;
             ++found.touching;
             found.inside += query.isFree(tick.proxy) ? 0 : 1;

@@ -22,14 +22,14 @@ HapticSimulation enamelSimulation(const std::shared_ptr<const ToolShape>& bur,
 }
 
 std::vector<Tick> touchPath(const std::shared_ptr<const ToolShape>& bur, const std::shared_ptr<const Surface>& surface,
-                            std::span<const Pose> hand, int repeat) {
-    std::vector<Tick> ticks(hand.size());
+                            std::span<const Pose> devicePath, int repeat) {
+    std::vector<Tick> ticks(devicePath.size());
     for (int run = 0; run < repeat; ++run) {
         HapticSimulation simulation = enamelSimulation(bur, surface);
-        for (std::size_t i = 0; i < hand.size(); ++i) {
+        for (std::size_t i = 0; i < devicePath.size(); ++i) {
             const double before = run == 0 ? 0 : ticks[i].micros;
             const double start = threadMicros();
-            ticks[i] = simulation.step({hand[i], 0, false}, kTick);
+            ticks[i] = simulation.step({devicePath[i], 0, false}, kTick);
             const double micros = threadMicros() - start;
             ticks[i].micros = run == 0 ? micros : std::min(before, micros);
         }

@@ -16,8 +16,8 @@ namespace tactooth {
 /// The ticks along a path of one pose a millisecond. `Tick::micros` is the least processor time of `repeat`
 /// equal runs.
 [[nodiscard]] std::vector<Tick> touchPath(const std::shared_ptr<const ToolShape>& bur,
-                                          const std::shared_ptr<const Surface>& surface, std::span<const Pose> hand,
-                                          int repeat);
+                                          const std::shared_ptr<const Surface>& surface,
+                                          std::span<const Pose> devicePath, int repeat);
 
 /// Time that a tick in contact takes, us.
 struct ForceTiming {

@@ -11,7 +11,8 @@
 // points: the force never pulls, and the material blends at a border. Friction has the same stiffness, so that a proxy
 // held by friction pulls straight from the device to the proxy.
 //
-// Positions, velocities and shares may be NaN here; the asserts let NaN pass, and the force pipeline finds the fault.
+// Positions, velocities and multipliers may be NaN here; the asserts let NaN pass, and the force pipeline finds the
+// fault.
 
 namespace tactooth {
 namespace {
@@ -25,32 +26,34 @@ constexpr double kBlendSlew = 50;
 
 }  // namespace
 
-ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& contact,
-                                                           const MaterialTable& materials) {
+ContactForce::ContactForce(const MaterialTable& materials) : materials_(materials) {
+    for (const MaterialId id : materials.registry().ids()) hardest_ = std::max(hardest_, materials[id].stiffness);
+    TACTOOTH_ASSERT(hardest_ >= 0);
+}
+
+ContactForce::SurfaceProperties ContactForce::propertiesOf(const ContactState& contact) const {
     TACTOOTH_ASSERT(!contact.held.empty());
     SurfaceProperties sums{0, 0, 0};
-    double weight = 0;
+    double weights = 0;
     for (const ContactPoint& held : contact.held) {
-        TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < materials.registry().size());
-        TACTOOTH_ASSERT(!(held.share < 0));
-        const Material& material = materials[held.material];
-        const double share = std::max(held.share, 1e-12);  // a contact without depth still has a material
-        sums.stiffness += share * material.stiffness;
-        sums.damping += share * material.damping;
-        sums.friction += share * material.friction;
-        weight += share;
+        TACTOOTH_ASSERT(static_cast<std::size_t>(held.material) < materials_.registry().size());
+        TACTOOTH_ASSERT(!(held.multiplier < 0));
+        const Material& material = materials_[held.material];
+        const double weight = std::max(held.multiplier, 1e-12);  // a contact without depth still has a material
+        sums.stiffness += weight * material.stiffness;
+        sums.damping += weight * material.damping;
+        sums.friction += weight * material.friction;
+        weights += weight;
     }
-    TACTOOTH_ASSERT(!(weight <= 0));
-    return {sums.stiffness / weight, sums.damping / weight, sums.friction / weight};
+    TACTOOTH_ASSERT(!(weights <= 0));
+    return {sums.stiffness / weights, sums.damping / weights, sums.friction / weights};
 }
 
 /// Stiffness that is rendered, before `scale_`, N/mm.
-double ContactForce::stiffnessOf(const SurfaceProperties& properties, const MaterialTable& materials) const {
+double ContactForce::stiffnessOf(const SurfaceProperties& properties) const {
     if (!std::isfinite(maxStiffness_)) return overrides_.stiffness.value_or(properties.stiffness);
-    double hardest = 0;
-    for (const MaterialId id : materials.registry().ids()) hardest = std::max(hardest, materials[id].stiffness);
     const double softened =
-        hardest > maxStiffness_ ? properties.stiffness * maxStiffness_ / hardest : properties.stiffness;
+        hardest_ > maxStiffness_ ? properties.stiffness * maxStiffness_ / hardest_ : properties.stiffness;
     const double spring = overrides_.stiffness.value_or(softened);
     const double bounded = scale_ > 0 ? std::min(spring, maxStiffness_ / scale_) : spring;
     TACTOOTH_ASSERT(!(scale_ * bounded > maxStiffness_ * (1 + 1e-9)));
@@ -89,7 +92,7 @@ ContactForce::SurfaceProperties ContactForce::blended(const ContactState& contac
             old.friction + blend * (target.friction - old.friction)};
 }
 
-Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materials) {
+Wrench ContactForce::at(const ContactState& contact) {
     normalForce_ = stiffness_ = deflection_ = 0;
     const double depth = contact.offset.norm();
     if (contact.held.empty() || !(depth > 0)) {
@@ -97,9 +100,9 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
         friction_.reset();
         return {};
     }
-    properties_ = blended(contact, propertiesOf(contact, materials));
+    properties_ = blended(contact, propertiesOf(contact));
 
-    const double stiffness = stiffnessOf(*properties_, materials);
+    const double stiffness = stiffnessOf(*properties_);
     stiffness_ = scale_ * stiffness;
     TACTOOTH_ASSERT(!(stiffness_ < 0));
     const double damping = overrides_.damping.value_or(properties_->damping);
@@ -108,7 +111,7 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
     const Vec3 normal = contact.offset / depth;
     Vec3 moment = Vec3::Zero();  // effect of the force on a rotation, as `normal` is its effect on a displacement
     for (const ContactPoint& held : contact.held) {
-        moment += held.share / depth * (held.point - contact.device - contact.offset).cross(held.normal);
+        moment += held.multiplier / depth * (held.point - contact.device - contact.offset).cross(held.normal);
     }
     const double approach = -contact.velocity.dot(normal);
     const double penetrationRate = approach - contact.spin.dot(moment);
@@ -120,12 +123,12 @@ Wrench ContactForce::at(const ContactState& contact, const MaterialTable& materi
 
     Wrench wrench;
     wrench.force = normalForce_ * normal + friction;
-    double shares = 0;
-    for (const ContactPoint& held : contact.held) shares += held.share;
-    TACTOOTH_ASSERT(!(shares < 0));
+    double sum = 0;
+    for (const ContactPoint& held : contact.held) sum += held.multiplier;
+    TACTOOTH_ASSERT(!(sum < 0));
     for (const ContactPoint& held : contact.held) {
         const Vec3 part =
-            held.share / depth * normalForce_ * held.normal + (shares > 0 ? held.share / shares : 0) * friction;
+            held.multiplier / depth * normalForce_ * held.normal + (sum > 0 ? held.multiplier / sum : 0) * friction;
         wrench.torque += (held.point - contact.device - contact.offset).cross(part);
     }
     if (!wrench.force.allFinite() || !wrench.torque.allFinite()) {  // which blend and friction would keep

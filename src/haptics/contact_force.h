@@ -14,11 +14,11 @@
 
 namespace tactooth {
 
-/// A point where the tooth holds the proxy.
+/// A point where the tooth holds the proxy, in the tooth's frame.
 struct ContactPoint {
     Vec3 point = Vec3::Zero();   ///< mm
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth
-    double share = 0;            ///< mm, not negative; proxy - device = sum of share * normal
+    double multiplier = 0;       ///< mm, not negative; proxy - device = sum of multiplier * normal
     MaterialId material{};
     bool isAdjacent = false;  ///< a body of the surroundings holds the proxy
 };
@@ -40,6 +40,8 @@ struct ForceOverrides {
     std::optional<double> stiffness;  ///< N/mm
     std::optional<double> damping;    ///< N*s/mm
     std::optional<double> friction;   ///< Coulomb coefficient; 0: only spring and damper
+
+    friend bool operator==(const ForceOverrides&, const ForceOverrides&) = default;
 };
 
 /// The force law: a spring and a damper in parallel (Kelvin-Voigt) between device and proxy, which never pull, and dry
@@ -49,6 +51,8 @@ struct ForceOverrides {
 /// fault. The memory of the law is then reset.
 class ContactForce {
 public:
+    explicit ContactForce(const MaterialTable& materials = MaterialTable());
+
     /// `scale` multiplies the whole force; finite and not negative.
     void setScale(double scale);
     void setOverrides(const ForceOverrides& overrides);
@@ -57,7 +61,8 @@ public:
     /// together, so that the harder of two stays the harder one.
     void setMaxStiffness(double maxStiffness);
 
-    [[nodiscard]] Wrench at(const ContactState& contact, const MaterialTable& materials);
+    /// The force of a tick, N, and its torque about the proxy's tip, N*mm, in the tooth's frame.
+    [[nodiscard]] Wrench at(const ContactState& contact);
 
     /// Force along the normal of the proxy at the last call, N; not negative.
     [[nodiscard]] double normalForce() const { return normalForce_; }
@@ -70,10 +75,12 @@ private:
     struct SurfaceProperties {
         double stiffness, damping, friction;
     };
-    [[nodiscard]] double stiffnessOf(const SurfaceProperties& properties, const MaterialTable& materials) const;
+    [[nodiscard]] double stiffnessOf(const SurfaceProperties& properties) const;
     [[nodiscard]] SurfaceProperties blended(const ContactState& contact, const SurfaceProperties& target) const;
-    [[nodiscard]] static SurfaceProperties propertiesOf(const ContactState& contact, const MaterialTable& materials);
+    [[nodiscard]] SurfaceProperties propertiesOf(const ContactState& contact) const;
 
+    MaterialTable materials_;
+    double hardest_ = 0;  // largest stiffness of a material, N/mm
     ForceOverrides overrides_;
     double scale_ = 1;
     double maxStiffness_ = std::numeric_limits<double>::infinity();

@@ -30,12 +30,12 @@ struct CuttingContact {
 /// of milliseconds.
 class CuttingForce {
 public:
-    /// Force in N, `dt` seconds after the last call.
+    /// The force, N, in the tooth's frame, `dt` s after the last call.
     [[nodiscard]] Vec3 at(const CuttingContact& contact, double dt);
 
-    /// Vibration frequency of a bur, Hz. It is the rotation frequency, lowered by as many octaves as the free speed of
-    /// the drive is above what a hand feels and a device can render. So the pitch falls when the bur slows down under
-    /// load.
+    /// Vibration frequency of a bur, Hz: its rotation frequency, halved as often as it takes to bring that of the
+    /// drive's free speed below 250 Hz, which a hand feels and a device can render. So the frequency falls when the bur
+    /// slows down under load.
     [[nodiscard]] static double vibrationFrequency(double speedRpm, double freeSpeedRpm);
 
 private:

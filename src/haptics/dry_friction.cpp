@@ -12,13 +12,13 @@
 // is that of a proxy's friction cone (N. Melder, W. S. Harwin, "Extending the Friction Cone Algorithm for Arbitrary
 // Polygon Based Haptic Objects", HAPTICS 2004).
 //
-// Ours differs in two points. The deflection follows the normal of the surface. A turning rim tears the tool off,
+// Ours differs in two points. The deflection follows the normal of the surface. A turning rim relaxes the deflection,
 // because the direction of sliding is then that of the rim and not that of the hand.
 
 namespace tactooth {
 namespace {
 
-constexpr double kTearOff = 0.05;  // mm of rim travel after which the deflection is down to 1/e
+constexpr double kRelaxationTravel = 0.05;  // mm of rim travel after which the deflection is down to 1/e
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Vec3 DryFriction::at(const Vec3& proxy, const Vec3& normal, double stiffness, do
     deflection_ += proxy - last_.value_or(proxy);
     last_ = proxy;
     deflection_ -= deflection_.dot(normal) * normal;
-    deflection_ *= std::exp(-rimTravel / kTearOff);
+    deflection_ *= std::exp(-rimTravel / kRelaxationTravel);
     const double maxDeflection = stiffness > 0 ? maxFriction / stiffness : 0;
     const double length = deflection_.norm();
     if (length > maxDeflection) deflection_ *= maxDeflection / length;

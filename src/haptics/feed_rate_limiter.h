@@ -6,15 +6,15 @@
 
 namespace tactooth {
 
-/// Limits the feed of a cutting bur to the rate of its cut. A new surface makes room at once for all that was cut since
-/// the last surface. A bur that jumped into that room would knock at the rate of the surfaces. The limiter lets the bur
-/// take about as long as the cut took, so that force and feed are steady.
+/// Limits the feed of a cutting bur to the rate of its cut. A new surface frees at once the space of all that was cut
+/// since the last surface. A bur that jumped into that space would vibrate at the rate of the surfaces. The limiter
+/// lets the bur take about as long as the cut took, so that force and feed are steady.
 class FeedRateLimiter {
 public:
-    /// A new surface leaves the bur room for `distance`, mm.
+    /// Reports a new surface into which the bur may advance by `distance`, mm.
     void allow(double distance);
 
-    /// Call it each tick: `dt` s have passed.
+    /// Reports the end of a tick of `dt` s.
     void pass(double dt);
 
     /// The goal of a cutting bur in a tick of `dt` s. The bur moves toward the device at the rate of the cut, or as
@@ -22,7 +22,8 @@ public:
     /// as the device does. `deviceStep` is the step of the device in this tick, mm.
     [[nodiscard]] Pose goal(const Pose& device, const Pose& bur, const Vec3& deviceStep, double dt) const;
 
-    /// Distance that a tick without work left could not go, mm: the next tick adds it.
+    /// Adds to the next goal the distance, mm, that the bur could not move in this tick because its work budget ran
+    /// out.
     void carryOver(double distance);
 
 private:

@@ -13,8 +13,8 @@ namespace tactooth {
 /// The force that the simulation computed for one tick, in the device's frame.
 struct ForceCommand {
     Wrench wrench;
-    Vec3 hand = Vec3::Zero();      ///< position of the device's tip, mm
-    Quat turn = Quat::Identity();  ///< rotation of the hand that holds the device
+    Vec3 hand = Vec3::Zero();      ///< position that the device reports, of its tip, mm
+    Quat turn = Quat::Identity();  ///< orientation that the device reports
     double age = 0;                ///< s since position and rotation were measured
     bool isFresh = true;           ///< false: the same reading as a tick before
     Vec3 driveForce =
@@ -30,7 +30,7 @@ struct ForceCommand {
 /// The force of a tick, for a device whose frame is the tooth's.
 [[nodiscard]] ForceCommand forceCommandFrom(const Tick& tick);
 
-/// Why the force is what it is.
+/// The state of the force output.
 enum class ForceState {
     On,
     Off,              ///< switched off, or the proxy has no pose
@@ -47,9 +47,10 @@ class ForcePipeline {
 public:
     explicit ForcePipeline(const ForceLimits& limits, const PoseLimits& poseLimits = {});
 
-    /// The fault of a reading, as far as it is known before the simulation follows it.
-    [[nodiscard]] PoseFault judge(const PoseReading& reading, double elapsed) const {
-        return validator_.judge(reading, elapsed, false);
+    /// The fault of a reading of the device, `elapsed` s after the last one, as far as it is known before the
+    /// simulation follows it.
+    [[nodiscard]] PoseFault check(const PoseReading& reading, double elapsed) const {
+        return validator_.check(reading, elapsed, false);
     }
 
     /// `elapsed` is the time since the last call, s. Bad input is a fault: it gives zero force in the same call.

@@ -16,10 +16,11 @@ namespace {
 
 // Hz: above the 10 Hz of a hand, below the noise of an encoder step of 55 um at 1 kHz.
 constexpr double kVelocityCutoff = 100;
-constexpr double kMaxDistance = 1e6;  // mm from the tooth: a pose beyond is a fault of the device
 
-/// False also for a pose that is not finite.
-bool isPlausible(const Pose& hand) { return isRigid(hand) && hand.position.cwiseAbs().maxCoeff() < kMaxDistance; }
+/// Whether a device can have this pose. False also for a pose that is not finite.
+bool isPlausible(const Pose& device) {
+    return isRigid(device) && device.position.cwiseAbs().maxCoeff() < kMaxCoordinate;
+}
 
 /// The input with a rotation of unit length. A device may be off by more than rounding; rounding itself stays as it is.
 OperatorInput withUnitRotation(OperatorInput input) {
@@ -34,7 +35,7 @@ OperatorInput withUnitRotation(OperatorInput input) {
 HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius,
                                    std::shared_ptr<const Surface> surface, const HapticSettings& settings)
     : proxy_(std::move(tool), std::move(surface), settings.mode, settings.freedom),
-      materials_(settings.materials),
+      force_(settings.materials),
       spindle_(settings.spindle),
       burRadius_(burRadius),
       freedom_(settings.freedom),
@@ -62,28 +63,28 @@ void HapticSimulation::setSurface(HapticSurface& hapticSurface) {
 Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
     feedLimiter_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kMinCuttingRpm && following_;
-    const Pose& hand = input.deviceInTooth;
+    const Pose& device = input.deviceInTooth;
     proxy_.setBudget(cuts ? tickBudget_ : kUnlimitedWork);
-    return cuts ? feedLimiter_.goal(hand, proxy_.pose(), hand.position - lastDevice_.position, dt) : hand;
+    return cuts ? feedLimiter_.goal(device, proxy_.pose(), device.position - lastDevice_.position, dt) : device;
 }
 
-void HapticSimulation::filterVelocity(const Pose& hand, double dt) {
-    TACTOOTH_ASSERT(isPlausible(hand));
+void HapticSimulation::filterVelocity(const Pose& device, double dt) {
+    TACTOOTH_ASSERT(isPlausible(device));
     if (!following_ || dt <= 0) {
         velocity_.setZero();
         spin_.setZero();
-        lastDevice_ = hand;
+        lastDevice_ = device;
         following_ = true;
         return;
     }
     const double filterGain = 1 - std::exp(-2 * std::numbers::pi * kVelocityCutoff * dt);
     TACTOOTH_ASSERT(filterGain >= 0 && filterGain <= 1);
-    velocity_ += filterGain * ((hand.position - lastDevice_.position) / dt - velocity_);
+    velocity_ += filterGain * ((device.position - lastDevice_.position) / dt - velocity_);
     if (freedom_ == Freedom::TranslationAndRotation) {
-        const Quat turn = hand.rotation * lastDevice_.rotation.conjugate();
+        const Quat turn = device.rotation * lastDevice_.rotation.conjugate();
         spin_ += filterGain * ((turn.w() < 0 ? -2 : 2) / dt * turn.vec() - spin_);  // for small angles
     }
-    lastDevice_ = hand;
+    lastDevice_ = device;
 }
 
 /// Speed of the bur's rim, mm/s.
@@ -132,24 +133,24 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
         tick.normal = state.offset / tick.depth;
         TACTOOTH_ASSERT(isUnit(tick.normal));
         TACTOOTH_ASSERT(state.contactPointCount > 0);
-        tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::share)->material;
+        tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::multiplier)->material;
     }
     for (const ContactPoint& held : state.contactPoints()) {
         if (held.isAdjacent) tick.around = held.material;
     }
     const ContactState contact{state.deviceTip,       state.offset, velocity_, state.travel,
                                state.contactPoints(), spin_,        dt,        rimSpeed() * dt};
-    tick.wrench = force_.at(contact, materials_);
+    tick.wrench = force_.at(contact);
     tick.stiffness = force_.stiffness();
     tick.deflection = force_.deflection();
     lever_.setZero();
-    double shares = 0;
+    double sum = 0;
     for (const ContactPoint& held : state.contactPoints()) {
-        lever_ += held.share * (held.point - state.proxy.position);
-        shares += held.share;
+        lever_ += held.multiplier * (held.point - state.proxy.position);
+        sum += held.multiplier;
     }
-    TACTOOTH_ASSERT(!(shares < 0));
-    if (shares > 0) lever_ /= shares;
+    TACTOOTH_ASSERT(!(sum < 0));
+    if (sum > 0) lever_ /= sum;
 }
 
 Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {

@@ -22,26 +22,27 @@ struct OperatorInput {
 
 /// All results of one tick, for the device, the recorder, the plots and the sound. Lengths in mm, forces in N.
 struct Tick {
-    double time = 0;  ///< s since the start of the simulation
-    Pose hand;
-    Pose proxy;
-    double depth = 0;
+    std::uint32_t number = 0;    ///< of the tick since the start, from 1; the caller fills it in; 0: not counted
+    double time = 0;             ///< s since the start of the simulation
+    Pose hand;                   ///< device pose: of the tool as the device asks for it, in the tooth's frame
+    Pose proxy;                  ///< of the proxy, in the tooth's frame
+    double depth = 0;            ///< distance between the two
     Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
     double speed = 0;            ///< of the device's tip, mm/s
     Wrench wrench;               ///< computed; the force pipeline comes after it
     Vec3 driveForce =
-        Vec3::Zero();       ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
-    double stiffness = 0;   ///< of the contact spring, N/mm; 0 without contact
-    double deflection = 0;  ///< of the contact spring, inwards and against friction, mm
-    int contacts = 0;
-    bool placed = false;
-    bool cutting = false;
-    double pedal = 0;
+        Vec3::Zero();         ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
+    double stiffness = 0;     ///< of the contact spring, N/mm; 0 without contact
+    double deflection = 0;    ///< of the contact spring, inwards and against friction, mm
+    int contacts = 0;         ///< triangles that hold the proxy
+    bool placed = false;      ///< false: the device pose is faulty, or no free pose is known; there is no force
+    bool cutting = false;     ///< as OperatorInput::cutting
+    double pedal = 0;         ///< 0 up .. 1 down
     double speedRpm = 0;      ///< of the bur
     double load = 0;          ///< torque on the bur, N*mm
-    double removalPower = 0;  ///< tangential force times rim speed
+    double removalPower = 0;  ///< tangential force times rim speed, W
     double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material{};    ///< that holds the tool most; undefined without contact
+    MaterialId material{};    ///< of the contact point with the largest multiplier; undefined without contact
     std::optional<MaterialId> around;   ///< of a body of the surroundings, if one holds the tool
     std::uint32_t contactOnsets = 0;    ///< number of contact onsets so far
     double impactSpeed = 0;             ///< along the normal at the last contact onset, mm/s
@@ -73,30 +74,32 @@ public:
     HapticSimulation(std::shared_ptr<const ToolShape> tool, double burRadius, std::shared_ptr<const Surface> surface,
                      const HapticSettings& settings);
 
-    /// `elapsed` is the time since the last step, s, not negative; a time that is not finite counts as zero.
+    /// Computes the next tick. `elapsed` is the time since the last step, s, not negative; a time that is not finite
+    /// counts as zero.
     Tick step(const OperatorInput& input, double elapsed);
 
+    /// Takes a surface, not null. Returns the old one, so that the caller decides where it is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
         return proxy_.setSurface(std::move(surface));
     }
     /// Takes a surface with its neighbour list; the old ones stay in `hapticSurface`.
     void setSurface(HapticSurface& hapticSurface);
-    /// See ToolProxy: for a loop in real time.
+    /// For a loop in real time; see ToolProxy::deferPlacement.
     void deferPlacement() { proxy_.deferPlacement(); }
     /// Replaces HapticSettings::tickBudget, for a loop that is not in real time. Positive.
     void setTickBudget(Work work);
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return proxy_.surface(); }
     [[nodiscard]] ContactForce& force() { return force_; }
 
 private:
-    void filterVelocity(const Pose& hand, double dt);
+    void filterVelocity(const Pose& device, double dt);
     void touch(const OperatorInput& input, double dt, Tick& tick);
     [[nodiscard]] Pose targetOf(const OperatorInput& input, double dt);
     [[nodiscard]] double rimSpeed() const;
     void stepBur(const OperatorInput& input, double dt, Tick& tick);
 
     ToolProxy proxy_;
-    MaterialTable materials_;
     ContactForce force_;
     FeedRateLimiter feedLimiter_;
     CuttingForce cuttingForce_;

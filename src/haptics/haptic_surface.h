@@ -15,9 +15,9 @@ namespace tactooth {
 /// A surface for the servo thread, with the neighbour list of the tool in it.
 struct HapticSurface {
     std::shared_ptr<const Surface> surface;
-    NeighbourList near;
-    Vec3 reach = Vec3::Zero();       ///< how far the cut lets the tool's tip go, mm
-    std::optional<Pose> place = {};  ///< a free pose, for a tool that has no pose yet
+    NeighbourList near;              ///< of the tool in that surface
+    Vec3 reach = Vec3::Zero();       ///< farthest position of the tool's tip that the cut allows, tooth's frame, mm
+    std::optional<Pose> place = {};  ///< a free pose of the tool, for a proxy that has no pose yet
 };
 
 /// Builds the neighbour list of a new surface before the servo thread uses it. In a cavity that it has just cut, a bur
@@ -34,11 +34,12 @@ public:
     /// its own list so far. After such a rebuild the last list is of no use any more.
     void watch(double time, const Pose& toolInTooth, std::uint32_t ownListRebuilds = 0);
 
-    /// For a tool at `from` that goes on toward `to`, or with its measured velocity, until the next list. The
-    /// separating planes on the path toward `to` are computed ahead, too. This object owns the result.
+    /// Builds the list of a surface for a tool at `from` that moves on toward `to`, or with its measured velocity,
+    /// until the next list. Finds the separating planes on the path toward `to` in advance, too. This object owns the
+    /// result.
     [[nodiscard]] HapticSurface* make(std::shared_ptr<const Surface> surface, const Pose& from, const Pose& to);
-    /// The last surface with a new list around the last watched pose. Null while the tool stays well within the last
-    /// list.
+    /// Builds a new list of the last surface around the last watched pose. Null while the tool stays well within the
+    /// margin of the last list.
     [[nodiscard]] HapticSurface* rebuild();
     /// For a device that is inside the tooth: the surface with the free pose nearest to the device, which takes
     /// milliseconds to find. Null if the device is free, and if no free pose is found.
@@ -59,7 +60,7 @@ private:
     // The measured motion of the tool.
     double time_ = -1;  // s; negative: no call yet
     Pose pose_;
-    double pause_ = 0;              // low-passed time between two calls, s
+    double pause_ = 0;              // low-passed time between two calls of watch, s
     Vec3 velocity_ = Vec3::Zero();  // low-passed, mm/s
     double spin_ = 0;               // low-passed chord of the rotation a second, as in ContactMargin
     std::uint32_t ownListRebuilds_ = 0;

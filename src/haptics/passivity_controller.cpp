@@ -79,18 +79,18 @@ bool PassivityController::isValid() const {
     return std::isfinite(energy_) && std::isfinite(reserve_) && std::isfinite(damping_) && speed_.allFinite();
 }
 
-Vec3 PassivityController::damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed) {
+Vec3 PassivityController::damp(const Vec3& device, const Vec3& rendered, const SpringState& spring, double elapsed) {
     if (!std::exchange(started_, true) || !(elapsed > 0)) {
-        lastDevice_ = hand;
+        lastDevice_ = device;
         lastDeflection_ = spring.deflection;
         lastStiffness_ = spring.stiffness;
         return Vec3::Zero();
     }
-    const Vec3 displacement = hand - lastDevice_;
+    const Vec3 displacement = device - lastDevice_;
     // Both states of the spring with the present bound and strength: the work of a ramp is intended and is not a leak.
     energy_ += -rendered.dot(displacement) -
                (stored(spring, spring.deflection, spring.stiffness) - stored(spring, lastDeflection_, lastStiffness_));
-    lastDevice_ = hand;
+    lastDevice_ = device;
     lastDeflection_ = spring.deflection;
     lastStiffness_ = spring.stiffness;
 

@@ -10,8 +10,8 @@ namespace tactooth {
 struct SpringState {
     double deflection = 0;  ///< mm
     double stiffness = 0;   ///< N/mm
-    double bound = 0;       ///< N: the force of the spring is cut off here
-    double strength = 1;    ///< 0..1: the rest of the force is multiplied by it
+    double bound = 0;       ///< the force of the spring is limited to this, N
+    double strength = 1;    ///< factor on the limited force, 0..1
 };
 
 /// Time-domain passivity observer and controller (Hannaford & Ryu 2002). It sums the energy that passes between hand
@@ -26,9 +26,9 @@ public:
     /// for a part of the leak.
     explicit PassivityController(double friction = 0);
 
-    /// One tick in contact. `hand` is the present position of the hand, mm; `rendered` is the force since the last
+    /// One tick in contact. `device` is the present position of the device, mm; `rendered` is the force since the last
     /// tick, N. Returns the force to add, N. If the sums are not finite, it returns NaN and starts anew.
-    [[nodiscard]] Vec3 damp(const Vec3& hand, const Vec3& rendered, const SpringState& spring, double elapsed);
+    [[nodiscard]] Vec3 damp(const Vec3& device, const Vec3& rendered, const SpringState& spring, double elapsed);
 
     /// Forgets everything. Call it at a tick without contact.
     void reset();

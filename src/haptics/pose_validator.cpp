@@ -11,8 +11,6 @@
 namespace tactooth {
 namespace {
 
-constexpr double kMaxDistance = 1e6;  // mm
-
 constexpr double kMinSpan = 0.9e-3;  // s: over a shorter time, the jitter of a clock gives any speed
 constexpr double kMaxGap = 0.003;    // s between two readings: after a longer gap the distance says less than the speed
 constexpr double kFaultHold = 0.1;   // s of valid readings until the device counts as valid again
@@ -38,7 +36,7 @@ PoseValidator::PoseValidator(const PoseLimits& limits) : limits_(limits) {
 
 PoseFault PoseValidator::find(const PoseReading& reading, double elapsed, bool touching) const {
     if (!reading.position.allFinite() || !reading.rotation.coeffs().allFinite()) return PoseFault::NotANumber;
-    if (reading.position.cwiseAbs().maxCoeff() > kMaxDistance) return PoseFault::Jump;
+    if (reading.position.cwiseAbs().maxCoeff() > kMaxCoordinate) return PoseFault::Jump;
     if (!isUnit(reading.rotation)) return PoseFault::InvalidRotation;
     if (!(reading.age <= limits_.maxAge) || !(reading.age >= kMinAge)) return PoseFault::Stale;
     if (!following_ || !reading.isFresh) return PoseFault::None;
@@ -68,7 +66,7 @@ double PoseValidator::faultHoldAfter(double elapsed) const {
     return faultHold_ - std::min(faultHold_, timeOf(elapsed));
 }
 
-PoseFault PoseValidator::judge(const PoseReading& reading, double elapsed, bool touching) const {
+PoseFault PoseValidator::check(const PoseReading& reading, double elapsed, bool touching) const {
     const PoseFault found = find(reading, elapsed, touching);
     return found == PoseFault::None && faultHoldAfter(elapsed) > 0 ? fault_ : found;
 }

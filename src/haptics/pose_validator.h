@@ -48,15 +48,15 @@ struct PoseReading {
     bool isFresh = true;  ///< false: the same reading as a tick before
 };
 
-/// Judges the readings of a device, tick by tick. After a fault, the device must give valid readings for 0.1 s before
+/// Checks the readings of a device, tick by tick. After a fault, the device must give valid readings for 0.1 s before
 /// it counts as valid again. Meanwhile the limits of a tool in contact apply. Times are those of the measurements. A
 /// quaternion and its negative are the same rotation. It allocates, locks and logs nothing.
 class PoseValidator {
 public:
     explicit PoseValidator(const PoseLimits& limits = {});
 
-    /// The result that `take` would give.
-    [[nodiscard]] PoseFault judge(const PoseReading& reading, double elapsed, bool touching) const;
+    /// The result that `take` would give. `elapsed`, s, and `touching` as there.
+    [[nodiscard]] PoseFault check(const PoseReading& reading, double elapsed, bool touching) const;
 
     /// Takes the reading of a tick that came `elapsed` s after the last one. `touching`: the tool is in contact at this
     /// reading.

@@ -45,8 +45,9 @@ public:
     /// The limits are finite and not negative; `continuousForce` and `power` may be infinite.
     explicit SafetyLimiter(const ForceLimits& limits);
 
-    /// `elapsed` is the time since the last call, s; `speed` is that of the hand, mm/s. The faster the hand, the less
-    /// force keeps within the power. The bound on power comes last, and may reduce a force faster than the slew rate.
+    /// Limits a wrench. `elapsed` is the time since the last call, s; `speed` is that of the hand, mm/s. The faster the
+    /// hand moves, the less force the bound on power allows. The bound on power comes last, and may reduce a force
+    /// faster than the slew rate.
     [[nodiscard]] SafeWrench limit(const Wrench& wanted, double elapsed, bool enabled, double speed);
 
     /// The share `left` (0..1) of an earlier wrench of this limiter, for a force that has to end sooner than the slew

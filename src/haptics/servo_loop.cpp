@@ -48,8 +48,8 @@ void limitRate(timespec last, const std::stop_token& stop) {
 
 }  // namespace
 
-ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> pace)
-    : rateHz_(rateHz), tick_(std::move(tick)), pace_(std::move(pace)) {
+ServoLoop::ServoLoop(double rateHz, std::function<void(double)> tick, std::function<void(double)> waitForDevice)
+    : rateHz_(rateHz), tick_(std::move(tick)), waitForDevice_(std::move(waitForDevice)) {
     TACTOOTH_ASSERT(std::isfinite(rateHz) && rateHz > 0);
     TACTOOTH_ASSERT(tick_ != nullptr);
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -67,8 +67,8 @@ void ServoLoop::run(const std::stop_token& stop) {
     timespec last = due;
     while (!stop.stop_requested()) {
         advance(due, period);
-        if (pace_) {
-            pace_(kMaxWait);
+        if (waitForDevice_) {
+            waitForDevice_(kMaxWait);
             if (seconds(now(), last) < kMinTickPeriod) limitRate(last, stop);
         } else {
             while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) != 0 && !stop.stop_requested()) {
@@ -76,14 +76,14 @@ void ServoLoop::run(const std::stop_token& stop) {
         }
         const timespec started = now();
         TACTOOTH_ASSERT(seconds(started, last) >= 0);
-        if (!pace_) timing_.lateness.add(1e6 * seconds(started, due));
+        if (!waitForDevice_) timing_.lateness.add(1e6 * seconds(started, due));
         timing_.jitter.add(1e6 * std::abs(seconds(started, last) - 1 / rateHz_));
         tick_(seconds(started, last));
         last = started;
         const timespec done = now();
         timing_.tick.add(1e6 * seconds(done, started));
         timing_.ticks.fetch_add(1, std::memory_order_relaxed);
-        if (pace_) due = done;  // the device sets its own pace
+        if (waitForDevice_) due = done;  // the device sets the rate
         while (seconds(done, due) * rateHz_ > 1) {
             advance(due, period);
             timing_.missed.fetch_add(1, std::memory_order_relaxed);

@@ -216,8 +216,8 @@ ProxyState ToolProxy::follow(const Pose& deviceInTooth, const Pose& goal, double
     const bool paused = move.status == MoveStatus::Reached && goal.position != deviceInTooth.position;
     if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < held; ++i) {
-        const BodyContact& contact = move.contacts[i];
-        state.held[i] = {contact.point, contact.normal, contact.share};
+        const ProxyContact& contact = move.contacts[i];
+        state.held[i] = {contact.point, contact.normal, contact.multiplier};
         fillContactPoint(state.held[i], contact.part, contact.tooth);
     }
     if (held > 0) {

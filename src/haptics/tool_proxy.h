@@ -23,12 +23,12 @@ enum class ContactMode {
 /// The state of the proxy at one tick.
 struct ProxyState {
     Pose proxy;  ///< pose of the tool in the tooth; in penalty mode the device pose moved out by the depth
-    /// Position of the device's tip, if the device had rotated with the proxy, mm. With three degrees of freedom it is
-    /// the device's tip itself.
+    /// Position of the device's tip, mm, if the device were rotated about the tool's centre to the orientation of the
+    /// proxy. With three degrees of freedom it is the device's tip itself.
     Vec3 deviceTip = Vec3::Zero();
     Vec3 offset = Vec3::Zero();  ///< from there to the proxy's tip, mm
     double travel = 0;           ///< displacement of the proxy since the last tick, mm
-    double late = 0;             ///< distance that is left because the work budget ran out, mm
+    double late = 0;             ///< distance to the goal that is left because the work budget ran out, mm
     bool placed = false;         ///< false: no free pose is known, and there must be no force
     int contacts = 0;            ///< triangles that hold the proxy (penalty: pairs that intersect)
     int contactPointCount = 0;
@@ -39,8 +39,9 @@ struct ProxyState {
     }
 };
 
-/// Moves the proxy after the device. The proxy never enters the tooth, from the first tick on: also when the device
-/// starts inside, and when cutting changes the surface under the tool.
+/// Lets the proxy follow the device. The proxy never enters the tooth, from the first tick on: also when the device
+/// starts inside the tooth, and when cutting changes the surface around the tool. Poses are those of the tool in the
+/// tooth's frame.
 class ToolProxy {
 public:
     static constexpr double kTick = 0.001;  ///< s, default of `follow`
@@ -48,8 +49,8 @@ public:
     ToolProxy(std::shared_ptr<const ToolShape> tool, std::shared_ptr<const Surface> surface, ContactMode mode,
               Freedom freedom = Freedom::Translation);
 
-    /// `goal` is where the tool may go in this tick, if that is not all the way to the device; `dt` is the time since
-    /// the last tick, s. Both poses are rigid; the caller handles faulty readings.
+    /// Moves the proxy by one tick. `goal` is how far the tool may move toward the device in this tick; `dt` is the
+    /// time since the last tick, s. Both poses are rigid; the caller handles faulty readings.
     ProxyState follow(const Pose& deviceInTooth, const Pose& goal, double dt = kTick);
     ProxyState follow(const Pose& deviceInTooth) { return follow(deviceInTooth, deviceInTooth); }
 
@@ -64,16 +65,16 @@ public:
     /// Takes the newest surface, not null. Returns the old one, so that the caller can free it outside of the servo
     /// thread.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface);
-    /// The same with the neighbour list of HapticSurfaceBuilder. The previous surface and list stay in `hapticSurface`.
-    /// The present ones are kept in case that the new surface has caught the tool. A tool without a pose takes that of
-    /// `hapticSurface`. Returns false if the surface is not new; then only its list is taken.
+    /// The same with the neighbour list of HapticSurfaceBuilder. The surface and list before the present ones are left
+    /// in `hapticSurface`; the present ones are kept, in case that the new surface encloses the tool. A tool without a
+    /// pose takes that of `hapticSurface`. Returns false if the surface is not new; then only its list is taken.
     bool setSurface(HapticSurface& hapticSurface);
 
     /// From now on, a tool whose device starts inside the tooth waits for a HapticSurface with a pose: the search for a
     /// free pose takes longer than a tick. Until then no tick is placed.
     void deferPlacement() { placesItself_ = false; }
 
-    /// Forgets the history: the next tick finds a new pose.
+    /// Gives up the pose of the proxy: the next tick finds a new one.
     void release() { placed_ = false; }
 
 private:
@@ -100,7 +101,7 @@ private:
     bool placesItself_ = true;
     bool placed_ = false;
     bool newSurface_ = false;   // a new surface has come since the last tick
-    HapticSurface other_;       // the surface before this one, or the newest one while it waits
+    HapticSurface other_;       // the surface before the present one, or the newest one while it cannot be used yet
     bool isAtOldPose_ = false;  // the tool has not moved since the surface before
     std::optional<double>
         waitTime_;         // s that the newest surface has waited until the tool is free in it; none: it is in use

@@ -9,6 +9,7 @@
 #include "collision/solid/self_intersection_repair.h"
 #include "geometry/field/isosurface.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/byte_stream.h"
 #include "geometry/util/disjoint_sets.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/messages.h"
@@ -16,7 +17,6 @@
 #include "instruments/mouth/tooth_arrangement.h"
 #include "instruments/mouth/valid_gingiva.h"
 #include "instruments/mouth_layout.h"
-#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {
@@ -66,8 +66,8 @@ GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     for (auto* vertices : {&surface.mesh.vertices, &surface.restPositions}) {
         for (Vec3f& vertex : *vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
     }
-    const bool untangled = repairSelfIntersections(surface.mesh, surface.restPositions);
-    return {largestPiece(surface.mesh), !untangled};
+    const bool repaired = repairSelfIntersections(surface.mesh, surface.restPositions);
+    return {largestPiece(surface.mesh), !repaired};
 }
 
 Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {
@@ -100,11 +100,6 @@ Pose lowerJawPose(JawPose jaw) {
     const Vec3 slide(0, 5, -3);         // mm that the condyles move forward and down when the mouth opens
     const Quat turn(Eigen::AngleAxisd(-kOpening, Vec3::UnitX()));
     return {hinge + slide - turn * hinge, turn};
-}
-
-TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose) {
-    for (Vec3f& vertex : mesh.vertices) vertex = (pose * vertex.cast<double>()).cast<float>();
-    return mesh;
 }
 
 Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {

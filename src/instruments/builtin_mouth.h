@@ -50,15 +50,12 @@ struct BuiltinMouth {
 /// Makes a tooth: makeTooth, or a function with a cache.
 using ToothGenerator = std::function<BuiltinTooth(const ToothRequest&)>;
 
-/// Makes a mouth. The same request gives the same bits, on any number of threads. `maker` is called from several
+/// Makes a mouth. The same request gives the same bits, on any number of threads. `generator` is called from several
 /// threads at once. Fails with a sentence if no valid gingiva can be made.
 [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request,
                                                const ToothGenerator& generator = makeTooth);
 
-/// The pose of the lower jaw.
+/// The pose of the lower jaw in the mouth frame, relative to its closed position.
 [[nodiscard]] Pose lowerJawPose(JawPose jaw);
-
-/// `mesh` in another frame, rotated by the quaternion itself: its last bits differ from those of `transformed`.
-[[nodiscard]] TriangleMesh rigidlyMoved(TriangleMesh mesh, const Pose& pose);
 
 }  // namespace tactooth

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/byte_stream.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
 #include "instruments/modelling/fold_check.h"
-#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {

@@ -149,12 +149,12 @@ TenPatches makeTenPatches() {
     return piece;
 }
 
-Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& hand) {
-    TACTOOTH_ASSERT(isRigid(hand));
+Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& device) {
+    TACTOOTH_ASSERT(isRigid(device));
     TACTOOTH_ASSERT(!tool.vertices.empty());
     std::array<HalfSpace, TenPatches::kPatches> spaces = piece.freeSpace;
     for (HalfSpace& space : spaces) {  // half-spaces of the tip instead of the whole tool
-        const Vec3 direction = hand.rotation.conjugate() * space.normal;
+        const Vec3 direction = device.rotation.conjugate() * space.normal;
         double lowest = std::numeric_limits<double>::infinity();
         for (const Vec3f& v : tool.vertices) lowest = std::min(lowest, direction.dot(v.cast<double>()));
         space.offset -= lowest;
@@ -164,15 +164,15 @@ Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pos
         return std::ranges::all_of(spaces,
                                    [&](const HalfSpace& s) { return s.normal.dot(tip) >= s.offset - kRounding; });
     };
-    if (isFree(hand.position)) return hand.position;
+    if (isFree(device.position)) return device.position;
     // The answer touches one, two or three half-spaces: of all candidates, the nearest that is free.
     Vec3 best = Vec3::Constant(std::numeric_limits<double>::infinity());
     const auto consider = [&](std::initializer_list<std::size_t> numbers) {
         std::vector<HalfSpace> chosen;
         for (const std::size_t number : numbers) chosen.push_back(spaces[number]);
         Vec3 tip;
-        if (!nearestOnAll(chosen, hand.position, tip) || !isFree(tip)) return;
-        if ((tip - hand.position).squaredNorm() < (best - hand.position).squaredNorm()) best = tip;
+        if (!nearestOnAll(chosen, device.position, tip) || !isFree(tip)) return;
+        if ((tip - device.position).squaredNorm() < (best - device.position).squaredNorm()) best = tip;
     };
     for (std::size_t i = 0; i < spaces.size(); ++i) {
         consider({i});

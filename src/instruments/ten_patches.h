@@ -30,6 +30,6 @@ struct TenPatches {
 /// Position of the tip of `tool` as close as possible to that of the device pose without entering the block, with the
 /// orientation of the device. It is the exact answer from the ten half-spaces, as long as no part of the tool is beyond
 /// the block's top. `tool` has its tip at its origin.
-[[nodiscard]] Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& hand);
+[[nodiscard]] Vec3 nearestFreeTip(const TenPatches& piece, const TriangleMesh& tool, const Pose& device);
 
 }  // namespace tactooth

@@ -16,9 +16,8 @@ namespace {
 constexpr double kIntoTooth = 9;  // mm below the start: the spring of the stand-in's hand then presses with 1 N or two
 constexpr double kAbove = 4;      // mm, free of the tooth
 constexpr double kAside = 6;      // mm
-constexpr double kFelt = 0.3;     // N
-constexpr double kEnoughCut = 0.02;  // mm^3
-constexpr int kTimeout = 20000;      // ms; only a broken program takes so long
+constexpr double kContactForce = 0.3;  // N
+constexpr double kEnoughCut = 0.02;    // mm^3
 
 }  // namespace
 
@@ -40,18 +39,18 @@ void DeviceSession::chooseDevice(const char* list, const QString& name) const {
 void DeviceSession::waitUntilRead() const {
     constexpr long kOnTheWay = 5;  // exchanges
     const long before = exchanges();
-    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kPatience);
     for (int step = 0; step < 3;
          ++step) {  // steps of the window: one sends, one receives, and one may have been under way
         const double time = window_->model().log().newest().time;
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > time, kTimeout);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > time, kPatience);
     }
 }
 
 void DeviceSession::waitForHand() const {
     constexpr long kArrives = 250;  // exchanges: its spring is critically damped at 50/s
     const long before = exchanges();
-    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kArrives, kPatience);
     waitUntilRead();
 }
 
@@ -70,33 +69,33 @@ void DeviceSession::liftOff() const {
 
 /// A stalled machine stops the force until the hand has lifted off.
 void DeviceSession::lean() const {
-    bool hapticSurface = force() > kFelt;
-    for (int i = 0; i < 20 && !hapticSurface; ++i) {
+    bool isPressed = force() > kContactForce;
+    for (int i = 0; i < 20 && !isPressed; ++i) {
         liftOff();
         moveHand(0, -kIntoTooth);
-        hapticSurface = QTest::qWaitFor([this] { return force() > kFelt; }, 2000);
+        isPressed = QTest::qWaitFor([this] { return force() > kContactForce; }, 2000);
     }
-    QVERIFY2(hapticSurface, qPrintable(state()));
+    QVERIFY2(isPressed, qPrintable(state()));
 }
 
 void DeviceSession::touchTheTooth() const {
     lean();
-    QTRY_VERIFY(window_->model().log().newest().contacts > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
     QCOMPARE(removed(), 0.0);
     const auto isOn = [this] {
         if (!state().contains("The force is on")) lean();
         return state().contains("The force is on");
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(isOn(), qPrintable(state()), kTimeout);
+    QTRY_VERIFY2_WITH_TIMEOUT(isOn(), qPrintable(state()), kPatience);
 }
 
 void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().cutting, kPatience);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 300'000, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 300'000, kPatience);
     const double before = removed();
     QElapsedTimer since;
     since.start();
@@ -105,11 +104,11 @@ void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
         moveHand(0.8 * std::sin(3 * t), -kIntoTooth);
         return t > seconds && removed() > before + kEnoughCut;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isCut(), kTimeout + static_cast<int>(1000 * seconds));
+    QTRY_VERIFY_WITH_TIMEOUT(isCut(), kPatience + static_cast<int>(1000 * seconds));
     pedal->setChecked(false);
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().cutting, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().cutting, kPatience);
 }
 
 void DeviceSession::takeTheMirrorByButton(int button) const {
@@ -118,15 +117,15 @@ void DeviceSession::takeTheMirrorByButton(int button) const {
     const Vec3 tool = toolTip(), mirror = mirrorMotion();
     clickButton(button);
     moveHand(kAside, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((mirrorMotion() - mirror).norm() > 4, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT((mirrorMotion() - mirror).norm() > 4, kPatience);
     QVERIFY((toolTip() - tool).norm() < 0.5);
     waitForHand();
     clickButton(button);
     moveHand(0, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kPatience);
     waitForHand();
     moveHand(kAside, kAbove);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() < 1, kTimeout);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() < 1, kPatience);
     waitForHand();
 }
 
@@ -137,16 +136,16 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     const std::size_t events = window_->model().log().events().all().size();
     const double began = window_->model().log().newest().time;
     setFault(fault);
-    QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kTimeout);
-    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kTimeout);
+    QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kPatience);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kPatience);
     if (longestForce) {
         const double now = window_->model().log().newest().time;  // a late force would come now
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > now + 0.05, kTimeout);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > now + 0.05, kPatience);
         QVERIFY2(lastForceSinceFault() <= *longestForce, qPrintable(QString::number(lastForceSinceFault())));
         QCOMPARE(force(), 0.0);
     }
     setFault(0);
-    QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kTimeout);
+    QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kPatience);
     QCOMPARE(dismissMessages(), QString());  // they would take the keys and the pedal
     QCOMPARE(removed(), before);
     QVERIFY(window_->model().simulator() == session && window_->model().log().newest().time > began);

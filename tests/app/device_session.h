@@ -42,7 +42,7 @@ protected:
     void waitForHand() const;
     void clickButton(int button) const;
     void liftOff() const;
-    /// Leans on the tooth, repeatedly, until a force is felt.
+    /// Leans on the tooth, repeatedly, until there is a force.
     void lean() const;
 
     // Behaviour of each device.

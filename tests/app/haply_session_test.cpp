@@ -60,15 +60,15 @@ void HaplySessionTest::initTestCase() {
     settings.hand.device = "inverse3";  // as with --device inverse3
     window_->apply(settings);
     waitForTooth();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
 }
 
 void HaplySessionTest::theArmTakesTheTool() {
-    QTRY_VERIFY2(state().contains("Haply Inverse3 049D: The force is on"), qPrintable(state()));
+    QTRY_VERIFY2_WITH_TIMEOUT(state().contains("Haply Inverse3 049D: The force is on"), qPrintable(state()), kPatience);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentData(), QVariant("inverse3"));
     const double before = toolTip().z();
     moveHand(0, 5);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(toolTip().z() - before - 5) < 0.1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(toolTip().z() - before - 5) < 0.1, kPatience);
     QCOMPARE(dismissMessages(), QString());
 }
 
@@ -81,9 +81,9 @@ void HaplySessionTest::theGripTurnsTheBur() {
     };
     const double half = 0.25;  // rad
     service_.setGrip({std::cos(half), std::sin(half), 0, 0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(leansBy(std::cos(2 * half)), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(leansBy(std::cos(2 * half)), kPatience);
     service_.setGrip({1, 0, 0, 0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(leansBy(1), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(leansBy(1), kPatience);
 }
 
 void HaplySessionTest::buttonCHoldsTheBur() {
@@ -97,7 +97,7 @@ void HaplySessionTest::buttonCHoldsTheBur() {
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.1);
     moveHand(0, 15);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool - Vec3(0, 0, 5)).norm() < 0.1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool - Vec3(0, 0, 5)).norm() < 0.1, kPatience);
     setButtons(4);  // to intact enamel: a long device could fall into the cut
     waitUntilRead();
     moveHand(2.5, 9);
@@ -114,7 +114,7 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     if (longSession() == nullptr) return;  // each takes as long as its sentence is shown
     QTest::newRow("slow") << HaplyFault::Slow << "answers too slowly" << true;
     QTest::newRow("no answer") << HaplyFault::Mute << "has stopped answering" << true;
-    QTest::newRow("no message") << HaplyFault::Malformed << "what is no message" << true;
+    QTest::newRow("no message") << HaplyFault::Malformed << "messages that cannot be read" << true;
     QTest::newRow("other version") << HaplyFault::Version << "install version 3" << true;
     QTest::newRow("other units") << HaplyFault::Units << "not in metres" << true;
     QTest::newRow("unplugged") << HaplyFault::Gone << "is gone" << true;
@@ -123,11 +123,11 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     QTest::newRow("twenty answers a message") << HaplyFault::Twenty << "sends more answers" << true;
     QTest::newRow("20,000 answers a second") << HaplyFault::Flood << "sends more answers" << true;
     QTest::newRow("four numbers that are no turn")
-        << HaplyFault::InvalidRotation << "a direction that is none" << false;
-    QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "direction has jumped" << false;
-    QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "place has jumped" << false;
-    QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "place has jumped" << false;
-    QTest::newRow("place is no number") << HaplyFault::NotANumber << "does not know where it is" << false;
+        << HaplyFault::InvalidRotation << "an orientation that is not valid" << false;
+    QTest::newRow("turned to and fro") << HaplyFault::FlippingTurn << "orientation has jumped" << false;
+    QTest::newRow("jitter of 4.9 mm") << HaplyFault::Jitter << "position has jumped" << false;
+    QTest::newRow("drift of 3 m/s") << HaplyFault::Drift << "position has jumped" << false;
+    QTest::newRow("place is no number") << HaplyFault::NotANumber << "has lost its position" << false;
     QTest::newRow("no power") << HaplyFault::NoPower << "plug in its power supply" << false;
     QTest::newRow("calibration lost") << HaplyFault::NotCalibrated << "is not calibrated" << false;
     QTest::newRow("not ready") << HaplyFault::NotReady << "is not ready" << false;
@@ -144,9 +144,9 @@ void HaplySessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
 
 void HaplySessionTest::backToTheMouseTheConnectionIsClosed() {
     chooseDevice("devices", "mouse");
-    QTRY_COMPARE_WITH_TIMEOUT(service_.connections(), 0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(service_.connections(), 0, kPatience);
     QCOMPARE(force(), 0.0);
-    QTRY_VERIFY(state().contains("mouse"));
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("mouse"), kPatience);
     waitForTooth();  // the simulator restarts
     QVERIFY(removed() > 0.02);
 }
@@ -170,7 +170,7 @@ void HaplySessionTest::aServiceThatCannotBeUsedLeavesTheMouseAndSaysWhatToDo() {
     service_.setFault(fault);
     window_->devices().openFirst(device);
     QString said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains(sentence), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains(sentence), kPatience);
     QCOMPARE(window_->findChild<QComboBox*>("devices")->currentData(), QVariant("mouse"));
     QVERIFY(window_->model().devices().first() == nullptr);
 }

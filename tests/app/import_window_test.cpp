@@ -50,7 +50,9 @@ private:
     [[nodiscard]] QPushButton* importButton() const {
         return dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Ok);
     }
-    [[nodiscard]] QString importNotes() const { return dialog()->findChild<QTextBrowser*>("remarks")->toPlainText(); }
+    [[nodiscard]] QString importNotes() const {
+        return dialog()->findChild<QTextBrowser*>("importNotes")->toPlainText();
+    }
     void waitForImportNotes(const QString& words);
     void waitForToothNamed(const std::string& name);
 
@@ -72,13 +74,13 @@ void ImportWindowTest::drop(const std::vector<std::filesystem::path>& files) {
 
 void ImportWindowTest::waitForImportNotes(const QString& words) {
     QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importButton()->isEnabled() && importNotes().contains(words),
-                             60000);
+                             kLoadPatience);
 }
 
 void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
         !window_->isBusy() && window_->model().simulator() != nullptr && window_->model().tooth()->name == name,
-        120000);
+        kLoadPatience);
 }
 
 void ImportWindowTest::initTestCase() {
@@ -105,7 +107,7 @@ void ImportWindowTest::aChoiceIsFollowed() {
     dialog()->findChild<QCheckBox*>("upsideDown")->click();
     waitForImportNotes("Turned upside down, as chosen.");
     dialog()->findChild<QCheckBox*>("upsideDown")->click();
-    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !importNotes().contains("upside down"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !importNotes().contains("upside down"), kLoadPatience);
     auto* units = dialog()->findChild<QComboBox*>("units");
     units->setCurrentIndex(units->findText("inch"));
     waitForImportNotes("Scaled by 25.40000, as chosen");
@@ -117,7 +119,7 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     auto* keep = dialog()->findChild<QCheckBox*>("keepCase");
     keep->click();
     // A full-quality picture that is still to come could block the event loop too.
-    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), kPatience);
     importButton()->click();
     int turns = 0;  // of the event loop, which the work must not block
     double part = 0;
@@ -147,8 +149,8 @@ void ImportWindowTest::theImportCanBeCancelled() {
     waitForImportNotes("Units taken as cm");
     importButton()->click();
     dialog()->findChild<QDialogButtonBox*>("importButtons")->button(QDialogButtonBox::Cancel)->click();
-    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->teeth().isImporting(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->teeth().isImporting(), kPatience);
     waitForSteps(2);
     QCOMPARE(window_->model().tooth()->name, std::string(kBuiltinTeeth.front().name));
     QVERIFY(window_->findChild<QMessageBox*>() == nullptr);
@@ -158,11 +160,11 @@ void ImportWindowTest::aSurfaceThatCannotBeReadIsRefused() {
     const auto file = folder_ / "garbage.stl";
     std::ofstream(file) << "this is no surface at all";
     drop({file});
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
     auto* box = window_->findChild<QMessageBox*>();
     QVERIFY2(box->text().contains("garbage.stl"), qPrintable(box->text()));
     delete box;
-    QTRY_VERIFY(dialog() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
 }
 
 void ImportWindowTest::theSameLayerOfTwoTeethIsRefused() {
@@ -170,10 +172,10 @@ void ImportWindowTest::theSameLayerOfTwoTeethIsRefused() {
         QVERIFY(writeStl(test::box(Vec3(-4, -4, -12), Vec3(4, 4, 8)), folder_ / name).has_value());
     }
     drop({folder_ / "L6_enamel.stl", folder_ / "L7_enamel.stl"});
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
     const QString said = dismissMessage();
     QVERIFY2(said.contains("L7_enamel.stl: the tooth has this surface already"), qPrintable(said));
-    QTRY_VERIFY(dialog() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
 }
 
 void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
@@ -182,12 +184,12 @@ void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
     const auto file = folder_ / "open.stl";
     QVERIFY(writeStl(open, file).has_value());
     drop({file});
-    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importNotes().contains("too wide to be filled unasked"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() != nullptr && importNotes().contains("too wide to be filled unasked"), kPatience);
     QVERIFY(!importButton()->isEnabled());
     dialog()->findChild<QComboBox*>("holes")->setCurrentIndex(1);
     waitForImportNotes("1 holes were filled");
     dialog()->reject();
-    QTRY_VERIFY(dialog() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
 }
 
 void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
@@ -218,7 +220,7 @@ bool ImportWindowTest::saveScreenshot(const QString& file, const QString& scan) 
     waitForToothNamed(std::string(kBuiltinTeeth.front().name));
     drop({scan.isEmpty() ? scan_ : std::filesystem::path(scan.toStdString())});
     QElapsedTimer since;
-    for (since.start(); since.elapsed() < 60000 && !importButton()->isEnabled();) QTest::qWait(50);
+    for (since.start(); since.elapsed() < kLoadPatience && !importButton()->isEnabled();) QTest::qWait(50);
     QPixmap picture = window_->grab();
     dialog()->render(&picture, dialog()->pos() - window_->pos());
     const bool saved = picture.save(file);

@@ -90,7 +90,7 @@ void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::fun
 /// Holds the button until the effect is visible, as a user does: a busy machine draws late.
 void PadSessionTest::holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done) {
     pad_->button(button, true);
-    const bool isDone = QTest::qWaitFor(done, 10000);
+    const bool isDone = QTest::qWaitFor(done, kPatience);
     pad_->button(button, false);
     QVERIFY(isDone);
     waitForPad();
@@ -102,7 +102,7 @@ void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     const double height = tool().position.z();
     holdUntil(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, [&] { return tool().position.z() > height + kLift; });
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, kPatience);
 }
 
 QAction* PadSessionTest::entry(const QString& text) const {
@@ -116,7 +116,7 @@ QAction* PadSessionTest::entry(const QString& text) const {
 void PadSessionTest::choose(const QAction* entry) {
     QVERIFY(entry != nullptr);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, kPatience);
     const auto isSeen = [entry] { return menu() != nullptr && menu()->actions().contains(entry); };
     for (int i = 0; i < 16 && !isSeen(); ++i) {
         pressAndSee(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, [before = menu()] { return menu() != before; });
@@ -130,7 +130,7 @@ void PadSessionTest::choose(const QAction* entry) {
     QVERIFY(isSeen());
     QCOMPARE(menu()->activeAction(), entry);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY(menu() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() == nullptr, kPatience);
 }
 
 void PadSessionTest::initTestCase() {
@@ -143,7 +143,7 @@ void PadSessionTest::initTestCase() {
     settings.hand.device = "gamepad";
     window_->apply(settings);
     window_->welcome();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
     waitForTooth();
     QApplication::setActiveWindow(
         window_->findChild<WelcomeDialog*>());  // a bare X server has no window manager to do it
@@ -154,12 +154,12 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     QVERIFY(dialog != nullptr && dialog->isVisible());
     const Pose before = tool();
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
-    QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("openMine"));
+    QTRY_COMPARE_WITH_TIMEOUT(dialog->focusWidget(), dialog->findChild<QPushButton*>("openMine"), kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_UP);
-    QTRY_COMPARE(dialog->focusWidget(), dialog->findChild<QPushButton*>("practise"));
+    QTRY_COMPARE_WITH_TIMEOUT(dialog->focusWidget(), dialog->findChild<QPushButton*>("practise"), kPatience);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
-    QTRY_VERIFY(window_->isActiveWindow());  // otherwise Qt closes menus that open late
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<WelcomeDialog*>() == nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isActiveWindow(), kPatience);  // otherwise Qt closes menus that open late
     waitForSteps(10);
     QVERIFY(!isCutting());
     QVERIFY((tool().position - before.position).norm() < 0.01);
@@ -168,7 +168,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
 
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
     QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
     QCOMPARE(removed(), 0.0);
     liftOff();
@@ -176,13 +176,13 @@ void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
 
 void PadSessionTest::theToothIsCut() {
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY_WITH_TIMEOUT(isCutting(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(isCutting(), kPatience);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 200'000, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 200'000, kPatience);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
     QElapsedTimer since;
     since.start();
-    while (removed() < 0.02 && since.elapsed() < 20000) {
+    while (removed() < 0.02 && since.elapsed() < kPatience) {
         stick(SDL_CONTROLLER_AXIS_LEFTX, 0.3 * std::sin(1e-3 * static_cast<double>(since.elapsed()) * 6));
         QTest::qWait(30);
     }
@@ -194,19 +194,20 @@ void PadSessionTest::theMenuTakesTheCutBack() {
     const double before = removed();
     const bool cutting = isCutting();
     choose(entry("Undo cut"));
-    QTRY_VERIFY_WITH_TIMEOUT(removed() < before, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() < before, kPatience);
     QCOMPARE(isCutting(), cutting);  // button A was for the menu
 }
 
 void PadSessionTest::aMenuShowsTheToothFromAbove() {
     choose(entry("Occlusal"));
-    QTRY_VERIFY(std::abs(view().orbitCamera().direction().elevation - std::numbers::pi / 2) < 1e-6);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(view().orbitCamera().direction().elevation - std::numbers::pi / 2) < 1e-6,
+                             kPatience);
 }
 
 void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     waitForSteps(10);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, kPatience);
     waitForSteps(10);
     const Pose before = tool();
     const bool cutting = isCutting();
@@ -221,7 +222,7 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     QVERIFY(menu() != nullptr);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm with the menu open").arg(moved())));
     press(SDL_CONTROLLER_BUTTON_B);  // outside menus it takes the mirror
-    QTRY_VERIFY(menu() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() == nullptr, kPatience);
     waitForSteps(10);
     QVERIFY2(moved() < 0.01, qPrintable(QString("%1 mm after it").arg(moved())));
     QVERIFY(tool().rotation.angularDistance(before.rotation) < 0.01);
@@ -229,14 +230,14 @@ void PadSessionTest::whileAMenuIsOpenTheToolStaysAndNothingToggles() {
     QCOMPARE(view().orbitCamera().direction().azimuth, eye.azimuth);
     // The pad moves the tool again, and it is still the turbine.
     stick(SDL_CONTROLLER_AXIS_LEFTX, 1);
-    QTRY_VERIFY(moved() > 1);
+    QTRY_VERIFY_WITH_TIMEOUT(moved() > 1, kPatience);
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
 }
 
 /// A busy window receives several presses at once.
 void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, kPatience);
     const QList<QAction*> menus = window_->menuBar()->actions();
     QCOMPARE(menu()->menuAction(), menus[0]);
     for (int i = 0; i < 3; ++i) {
@@ -245,37 +246,37 @@ void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
         QThread::msleep(40);
     }
-    QTRY_VERIFY(menu() != nullptr && menu()->menuAction() == menus[3]);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr && menu()->menuAction() == menus[3], kPatience);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() == nullptr, kPatience);
 }
 
 void PadSessionTest::startClosesMenusAndBackLeavesPanels() {
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, 2);  // Built-in teeth
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY(menu() != nullptr && menu()->title().contains("teeth"));
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr && menu()->title().contains("teeth"), kPatience);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() == nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_BACK);
-    QTRY_VERIFY(hint().contains("B: back to the tooth"));
+    QTRY_VERIFY_WITH_TIMEOUT(hint().contains("B: back to the tooth"), kPatience);
     press(SDL_CONTROLLER_BUTTON_BACK);
-    QTRY_VERIFY(hint().contains("Start: menus"));
+    QTRY_VERIFY_WITH_TIMEOUT(hint().contains("Start: menus"), kPatience);
     QCOMPARE(window_->focusWidget(), &view());
 }
 
 void PadSessionTest::anArrowThatIsHeldGoesOn() {
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     const QAction* first = menu()->activeAction();
     pad_->button(SDL_CONTROLLER_BUTTON_DPAD_DOWN, true);
-    QTRY_VERIFY_WITH_TIMEOUT(menu()->actions().indexOf(menu()->activeAction()) > 4, 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(menu()->actions().indexOf(menu()->activeAction()) > 4, kPatience);
     pad_->button(SDL_CONTROLLER_BUTTON_DPAD_DOWN, false);
     QVERIFY(menu()->activeAction() != first);
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(menu() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(menu() == nullptr, kPatience);
 }
 
 void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
@@ -299,13 +300,13 @@ void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
 void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
     const std::string before = window_->model().bur()->name;
     press(SDL_CONTROLLER_BUTTON_BACK);
-    QTRY_COMPARE(window_->focusWidget()->objectName(), QString("burs"));
+    QTRY_COMPARE_WITH_TIMEOUT(window_->focusWidget()->objectName(), QString("burs"), kPatience);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() != nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().bur()->name != before, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() == nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().bur()->name != before, kPatience);
 }
 
 void PadSessionTest::aParameterIsChangedInAPanel() {
@@ -318,32 +319,32 @@ void PadSessionTest::aParameterIsChangedInAPanel() {
     QVERIFY(isMotionScaling());
     QVERIFY(!window_->focusWidget()->visibleRegion().isEmpty());  // it was behind another tab
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 3);
-    QTRY_VERIFY(window_->model().controls.motionScaling > before);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().controls.motionScaling > before, kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_LEFT, 3);
-    QTRY_VERIFY(std::abs(window_->model().controls.motionScaling - before) < 1e-9);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(window_->model().controls.motionScaling - before) < 1e-9, kPatience);
     press(SDL_CONTROLLER_BUTTON_B);
-    QTRY_COMPARE(window_->focusWidget(), &view());
+    QTRY_COMPARE_WITH_TIMEOUT(window_->focusWidget(), &view(), kPatience);
 }
 
 void PadSessionTest::aDialogIsReadAndLeft() {
     choose(entry("&Mouse and keys"));
-    QTRY_VERIFY(window_->findChild<TextDialog*>() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<TextDialog*>() != nullptr, kPatience);
     QVERIFY(window_->findChild<TextDialog*>()->text().contains("Gamepad: Start, Back"));
     press(SDL_CONTROLLER_BUTTON_B);
-    QTRY_VERIFY(window_->findChild<TextDialog*>() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<TextDialog*>() == nullptr, kPatience);
 }
 
 void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
     choose(entry("&Save tooth…"));
-    QTRY_VERIFY(window_->findChild<QFileDialog*>() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() != nullptr, kPatience);
     QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     press(SDL_CONTROLLER_BUTTON_START);
-    QTRY_VERIFY(window_->findChild<QFileDialog*>() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
 }
 
 void PadSessionTest::withTheMouseThePadOpensNothing() {
     window_->devices().openFirst("mouse");
-    QTRY_VERIFY(window_->model().devices().first() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() == nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_START);
     waitForSteps(10);
     QVERIFY(menu() == nullptr);

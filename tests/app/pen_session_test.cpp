@@ -29,7 +29,7 @@ class PenSessionTest : public test::DeviceSession {
 private slots:
     void initTestCase();
     void cleanup() { setFault(0); }
-    void aMouseHasNoRoomThatFits();
+    void aMouseHasNoWorkspaceToFit();
     void eachHandMayChooseAPenByItsName();
     void anUncalibratedPenAsksForItsInkwell();
     void thePenTouchesTheTooth() { touchTheTooth(); }
@@ -37,7 +37,7 @@ private slots:
     void itsWhiteButtonTakesTheMirror() { takeTheMirrorByButton(0); }
     void theClutchHoldsTheBur();
     void fitToTheToothItIsFinerAndMovesNothing();
-    void atTheEndOfItsRoomTheClutchIsNamed();
+    void atTheWorkspaceLimitTheClutchIsNamed();
     void theOtherPenHoldsTheMirror();
     void eachFaultMidPressIsSaidAndKeepsTheSession_data();
     void eachFaultMidPressIsSaidAndKeepsTheSession();
@@ -55,7 +55,7 @@ private:
     void setFault(int fault) const override { standin_->setFault(fault); }
     [[nodiscard]] long lastForceSinceFault() const override { return standin_->lastForceSinceFault(); }
 
-    [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitFineness"); }
+    [[nodiscard]] QCheckBox& fit() const { return *window_->findChild<QCheckBox*>("fitMotionScaling"); }
     [[nodiscard]] QDoubleSpinBox& motionScaling() const;
 
     const test::HdStandinControl* standin_ = nullptr;
@@ -84,17 +84,17 @@ QDoubleSpinBox& PenSessionTest::motionScaling() const {
     for (QDoubleSpinBox* box : window_->findChildren<QDoubleSpinBox*>()) {
         if (box->accessibleName() == "Fineness") return *box;
     }
-    qFatal("the window has no fineness");
+    qFatal("the window has no motion scaling");
 }
 
-void PenSessionTest::aMouseHasNoRoomThatFits() {
+void PenSessionTest::aMouseHasNoWorkspaceToFit() {
     const auto* note = window_->findChild<QLabel*>("fitNote");
     QVERIFY(note->isHidden());
     fit().setChecked(true);
-    QTRY_VERIFY(!note->isHidden() && note->text().contains("1 : 1"));
+    QTRY_VERIFY_WITH_TIMEOUT(!note->isHidden() && note->text().contains("1 : 1"), kPatience);
     QVERIFY(!motionScaling().isEnabled());
     fit().setChecked(false);
-    QTRY_VERIFY(note->isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(note->isHidden(), kPatience);
     QVERIFY(motionScaling().isEnabled());
     QCOMPARE(motionScaling().value(), 1.0);
 }
@@ -113,12 +113,12 @@ void PenSessionTest::eachHandMayChooseAPenByItsName() {
 void PenSessionTest::anUncalibratedPenAsksForItsInkwell() {
     standin_->setFault(static_cast<int>(HdFault::NeedsInkwell));
     chooseDevice("devices", "pen");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("inkwell"), kPatience);
     QCOMPARE(force(), 0.0);
-    QTRY_VERIFY(hint().contains("inkwell"));
+    QTRY_VERIFY_WITH_TIMEOUT(hint().contains("inkwell"), kPatience);
     standin_->setFault(static_cast<int>(HdFault::None));
-    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!state().contains("inkwell"), kPatience);
     QVERIFY(!hint().contains("inkwell"));
     QCOMPARE(dismissMessages(), QString());  // a message would stop the hand at work
     QVERIFY2(state().contains("Touch (stand-in)"), qPrintable(state()));
@@ -150,17 +150,17 @@ void PenSessionTest::theClutchHoldsTheBur() {
     clutch->setChecked(false);
     waitUntilRead();
     moveHand(0, 4);
-    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT((toolTip() - tool).norm() > 4, kPatience);
 }
 
 void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
     waitForHand();
     const Vec3 tool = toolTip();
     fit().setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().motionScaling() > 1.5, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().motionScaling() > 1.5, kPatience);
     waitUntilRead();
     QVERIFY((toolTip() - tool).norm() < 0.05);
-    QTRY_COMPARE(motionScaling().value(), window_->model().motionScaling());
+    QTRY_COMPARE_WITH_TIMEOUT(motionScaling().value(), window_->model().motionScaling(), kPatience);
     QVERIFY(!motionScaling().isEnabled());
     QVERIFY(window_->findChild<QLabel*>("fitNote")->isHidden());
     QCOMPARE(window_->settings().hand.motionScaling, kAutoScaling);
@@ -170,13 +170,13 @@ void PenSessionTest::fitToTheToothItIsFinerAndMovesNothing() {
 }
 
 /// Its workspace ends 80 mm to the right.
-void PenSessionTest::atTheEndOfItsRoomTheClutchIsNamed() {
-    const QString told = "end of the device's room";
-    QVERIFY(!hint().contains(told));
+void PenSessionTest::atTheWorkspaceLimitTheClutchIsNamed() {
+    const QString sentence = "end of the device's workspace";
+    QVERIFY(!hint().contains(sentence));
     moveHand(79, 10);
-    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(told) && hint().contains("(X)"), qPrintable(hint()), 10000);
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence) && hint().contains("(X)"), qPrintable(hint()), kPatience);
     moveHand(0, 4);
-    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(told), qPrintable(hint()), 10000);
+    QTRY_VERIFY2_WITH_TIMEOUT(!hint().contains(sentence), qPrintable(hint()), kPatience);
     waitForHand();
     const Vec3 tool = toolTip();
     const double fitted = motionScaling().value();
@@ -194,18 +194,18 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
     const double before = removed();
     chooseDevice("secondDevices", "pen:Left");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
     const auto* second = window_->findChild<QLabel*>("secondDeviceState");
-    QTRY_COMPARE(second->text(), QString("Touch (stand-in) 'Left': ready"));
+    QTRY_COMPARE_WITH_TIMEOUT(second->text(), QString("Touch (stand-in) 'Left': ready"), kPatience);
     QVERIFY(!second->isHidden());
     lean();
     QCOMPARE(standin_->forceOf(1), 0.0);
     QCOMPARE(removed(), before);
     liftOff();
     chooseDevice("secondDevices", "none");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
 }
 
 void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
@@ -216,7 +216,7 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
     if (qEnvironmentVariableIsSet("TACTOOTH_SESSION_SECONDS")) return;  // the short session tests the others
     QTest::newRow("unplugged") << HdFault::Unplugged << "has stopped answering" << true;
     QTest::newRow("device, motors alive") << HdFault::DeviceFault << "reports a fault" << true;
-    QTest::newRow("place is no number") << HdFault::NanPose << "is no number" << true;
+    QTest::newRow("place is no number") << HdFault::NanPose << "is not a number" << true;
     QTest::newRow("jump of 50 mm") << HdFault::Jump << "has jumped" << true;
     QTest::newRow("calibration lost") << HdFault::NeedsInkwell << "inkwell" << true;
     QTest::newRow("warm motors") << HdFault::WarmMotors << "motors are warm" << false;
@@ -233,9 +233,9 @@ void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession() {
 
 void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
     chooseDevice("devices", "mouse");
-    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, kPatience);
     QCOMPARE(force(), 0.0);
-    QTRY_VERIFY(state().contains("mouse"));
+    QTRY_VERIFY_WITH_TIMEOUT(state().contains("mouse"), kPatience);
     waitForTooth();  // the simulator restarts
     QVERIFY(removed() > 0.02);
 }
@@ -246,7 +246,7 @@ void PenSessionTest::aPenThatIsNotThereLeavesTheMouseAndSaysWhatToDo() {
     QCOMPARE(devices->currentText(), QString("Haptic pen Third"));
     QString said;
     QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("one that is set up (Default Device, Left, Right)"),
-                             20000);
+                             kPatience);
     QCOMPARE(devices->currentIndex(), 0);
     QVERIFY(window_->model().devices().first() == nullptr);
 }
@@ -259,7 +259,7 @@ void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {
     settings.hand.secondDevice = "pen:Fourth";
     window_->apply(settings);
     QString said;
-    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("Fourth") && said.contains("Third"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT((said += dismissMessages()).contains("Fourth") && said.contains("Third"), kPatience);
     QCOMPARE(window_->settings().hand.device, std::string("pen:Third"));
     QCOMPARE(window_->settings().hand.secondDevice, std::string("pen:Fourth"));
     auto* devices = window_->findChild<QComboBox*>("devices");

@@ -33,7 +33,7 @@ using ::testing::HasSubstr;
 
 constexpr double kLongestStart = 100;  // s, on a busy machine
 
-/// A phase of the start, told by a thread that the program then has. None: it has just begun.
+/// A phase of the start, shown by a thread that the program then has. None: it has just begun.
 using StartPhase = std::optional<std::string>;
 const StartPhase kBegun;
 const StartPhase kConnected = "QXcbEventQueue";  // to the display; there is no window yet
@@ -134,7 +134,7 @@ private:
 };
 
 /// Once the window works. Qt itself may crash where the display ends while it connects; no device is open then.
-TEST(WindowWithoutDisplay, LetsTheHandGoAndSaysSo) {
+TEST(WindowWithoutDisplay, ReleasesTheDeviceAndSaysSo) {
     const TemporaryFolder home;
     OwnDisplay display;
     ASSERT_NE(display.name(), "");
@@ -145,7 +145,8 @@ TEST(WindowWithoutDisplay, LetsTheHandGoAndSaysSo) {
     display.takeAway();
     const ProgramRun run = program.wait();
     EXPECT_EQ(run.signal, 0) << "no crash: " << run.err;
-    EXPECT_THAT(run.err, HasSubstr("tactooth: the display is gone; the hand was let go, and the settings are kept.\n"));
+    EXPECT_THAT(run.err,
+                HasSubstr("tactooth: the display is gone; the device was released, and the settings are kept.\n"));
 }
 
 TEST(WindowSettingsFile, OneThatIsNotTomlIsKeptBesideTheNewOne) {

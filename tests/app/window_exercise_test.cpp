@@ -58,25 +58,25 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_Down);
     QVERIFY(task->text().contains("1.5 mm deep"));
-    QTRY_VERIFY_WITH_TIMEOUT(ghost->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(ghost->isChecked(), kLoadPatience);
     QVERIFY(window_->windowTitle().contains("Pit in the molar"));
     QCOMPARE(QString::fromStdString(window_->model().bur()->name),
              window_->findChild<QComboBox*>("burs")->currentText());
-    QTRY_VERIFY(cleared->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(cleared->isEnabled(), kPatience);
     QCOMPARE(cleared->value(), 0);
     QCOMPARE(fact("Time"), "0:00");
 
     window_->model().manipulator().setPressDepth(2);
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, kPatience);
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.2, 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.2, kPatience);
     liftBur(middle());
     QTest::keyRelease(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);
-    QTRY_VERIFY(fact("enamel removed") != "0.00 mm\u00b3");
-    QTRY_VERIFY(fact("Over-preparation") != "0.00 mm\u00b3" || cleared->value() > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(fact("enamel removed") != "0.00 mm\u00b3", kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(fact("Over-preparation") != "0.00 mm\u00b3" || cleared->value() > 0, kPatience);
     const auto report = folder_ / "report.csv";
     window_->exercise().exportReport(QString::fromStdString(report.string()));
     std::ifstream file(report);
@@ -85,12 +85,12 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QVERIFY(text.find("first contact,1,times") != std::string::npos);
 
     QTest::mouseClick(window_->findChild<QToolButton*>("startAgain"), Qt::LeftButton);
-    QTRY_COMPARE(removed(), 0.0);
-    QTRY_COMPARE(fact("Over-preparation"), "0.00 mm\u00b3");
-    QTRY_COMPARE(fact("Time"), "0:00");
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(fact("Over-preparation"), "0.00 mm\u00b3", kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(fact("Time"), "0:00", kPatience);
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_Up);
-    QTRY_VERIFY(!cleared->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(!cleared->isEnabled(), kPatience);
     QVERIFY(!ghost->isEnabled());
     loadMolar();
 }
@@ -107,12 +107,12 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QVERIFY(dialog != nullptr && dialog->isVisible());
     dialog->selectFile(QString::fromStdString(file.string()));
     QMetaObject::invokeMethod(dialog, "accept");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), kLoadPatience);
     QCOMPARE(choice->count(), before + 1);
     QCOMPARE(choice->currentText(), "Distal pit");
     QCOMPARE(window_->findChild<QLabel*>("task")->text(), "Deep down.");
-    QTRY_VERIFY(QString::fromStdString(window_->model().bur()->name).contains("245"));
+    QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(window_->model().bur()->name).contains("245"), kPatience);
     QVERIFY(window_->settings().recent.find("own.toml") != std::string::npos);
 
     // After a change of the file it still has one entry in the list.
@@ -120,11 +120,11 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
                     "name = \"Distal pit, deeper\"\ntask = \"Deeper.\"\ntooth = 46\nbur = \"245\"\n"
                     "[cavity]\ndepth = 1.6\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
     window_->exercise().open(QString::fromStdString(file.string()));
-    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), kLoadPatience);
     QCOMPARE(choice->count(), before + 1);
     QCOMPARE(choice->currentText(), "Distal pit, deeper");
     loadMolar();
-    QTRY_COMPARE(choice->currentIndex(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(choice->currentIndex(), 0, kPatience);
 }
 
 void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
@@ -137,7 +137,7 @@ void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {
     test::writeText(file,
                     "name = \"Bad\"\ntask = \"None.\"\ntooth = \"gone.stl\"\nbur = \"330\"\nideal = \"gone.stl\"\n");
     window_->exercise().open(QString::fromStdString(file.string()));
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
     QVERIFY(dismissMessage().contains("gone.stl"));
     QCOMPARE(window_->windowTitle(), title);
     QCOMPARE(window_->findChild<QComboBox*>("exercise")->currentIndex(), 0);
@@ -148,13 +148,13 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     MainWindow* window = &holder.open(window_->settings());
     window->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, kLoadPatience);
     const Box3 box = window->model().tooth()->box();
     const auto file = folder_ / "kept.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
     window->exercise().openTarget(QString::fromStdString(file.string()));
     const auto find = [&](const char* name) { return holder.window().findChild<QCheckBox*>(name); };
-    QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), kLoadPatience);
     find("ghost")->click();
     window->findChild<QComboBox*>("section")->setCurrentIndex(2);
     auto* view = window->findChild<ToothView*>("toothView");
@@ -165,25 +165,25 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     };
     const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
     choose(2);
-    QTRY_COMPARE(title(), QStringLiteral("ファイル(&F)"));
-    QTRY_VERIFY(find("ghost")->isChecked());
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QStringLiteral("ファイル(&F)"), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), kPatience);
     QVERIFY(!find("coloured")->isChecked() && find("coloured")->isEnabled());
     QCOMPARE(holder.window().findChild<QComboBox*>("section")->currentIndex(), 2);
     const auto* now = holder.window().findChild<ToothView*>("toothView");
     QVERIFY((now->camera().cameraInWorld.position - eye).norm() < 1e-9);
 
     holder.window().exercise().start(exercises()[0]);
-    QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("臼歯")), 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("臼歯")), kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), kLoadPatience);
     choose(1);
-    QTRY_COMPARE(title(), "&File");
-    QTRY_VERIFY(find("ghost")->isChecked());
+    QTRY_COMPARE_WITH_TIMEOUT(title(), "&File", kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), kPatience);
     QCOMPARE(holder.window().findChild<QComboBox*>("exercise")->currentIndex(), 1);
     const auto report = folder_ / "kept.csv";
     holder.window().exercise().exportReport(QString::fromStdString(report.string()));
     QVERIFY(test::readText(report).find("task,\"Pit in the molar\"") != std::string::npos);
     choose(0);
-    QTRY_COMPARE(holder.window().settings().language, std::string());
+    QTRY_COMPARE_WITH_TIMEOUT(holder.window().settings().language, std::string(), kPatience);
 }
 
 }  // namespace tactooth

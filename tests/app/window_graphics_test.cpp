@@ -4,11 +4,16 @@
 // OpenGL that goes, is too old or not there; a window that nobody uses; panels behind tabs by keys.
 #include <QApplication>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QMainWindow>
+#include <QOpenGLContext>
+#include <QPointer>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTabBar>
+#include <algorithm>
 #include <ctime>
+#include <limits>
 
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
@@ -36,22 +41,23 @@ void WindowGraphicsTest::initTestCase() {
 
 void WindowGraphicsTest::cleanupTestCase() { closeWindow(); }
 
-/// Another window gives the picture another context: all objects on the graphics card are lost.
+/// Another window gives the picture another context: all objects on the graphics card are lost. The new context may lie
+/// at the address of the old one.
 void WindowGraphicsTest::aLostContextIsMadeAnewWithTheSamePicture() {
-    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest(), kPatience);
     const QImage before = view().grabFramebuffer();
     const std::uint64_t drawn = view().pictures();
-    const QOpenGLContext* context = view().context();
+    const QPointer<QOpenGLContext> old = view().context();
     auto* picture = &view();
     QSignalSpy failed(picture, &ToothView::failed);
     QMainWindow other;
     other.resize(picture->size());
     other.setCentralWidget(window_->takeCentralWidget());
     other.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&other));
-    QTRY_VERIFY(picture->context() != context);
-    QTRY_VERIFY(picture->pictures() > drawn);
-    QTRY_VERIFY_WITH_TIMEOUT(picture->isAtRest(), 30000);
+    QVERIFY(QTest::qWaitForWindowExposed(&other, kPatience));
+    QTRY_VERIFY_WITH_TIMEOUT(old.isNull() && picture->context() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(picture->pictures() > drawn, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(picture->isAtRest(), kPatience);
     const QImage after = picture->grabFramebuffer();
     window_->setCentralWidget(other.takeCentralWidget());
     QCOMPARE(failed.count(), 0);
@@ -81,7 +87,7 @@ void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo() {
     environment.insert("XDG_CONFIG_HOME", QString::fromStdString((folder_ / "config").string()));
     program.setProcessEnvironment(environment);
     program.start(TACTOOTH_PROGRAM, {});
-    QVERIFY(program.waitForFinished(60000));
+    QVERIFY(program.waitForFinished(kLoadPatience));
     QCOMPARE(program.exitStatus(), QProcess::NormalExit);
     QCOMPARE(program.exitCode(), 2);
     const QString said = QString::fromUtf8(program.readAllStandardError());
@@ -95,24 +101,32 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
     QSignalSpy composed(&view(), &QOpenGLWidget::frameSwapped);
     for (int i = 0; i < 5; ++i) {
         view().update();  // as after a menu over it
-        QVERIFY(composed.wait(10000));
+        QVERIFY(composed.wait(kPatience));
     }
     QCOMPARE(view().pictures(), drawn);
     view().setView(StandardView::Distal);
-    QTRY_VERIFY(view().pictures() > drawn);
+    QTRY_VERIFY_WITH_TIMEOUT(view().pictures() > drawn, kPatience);
 }
 
 /// The processor time of all threads. On a quiet machine it is 4 % of a core, half of it the servo's; on one that also
-/// builds on its two cores, up to 9.
+/// builds on its two cores, up to 9. A hypervisor may count in the time that it gives to others: one second below the
+/// bound is enough, since a window that keeps drawing exceeds it in each of them.
 void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
     waitForRest();
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
-    const double before = used();
-    constexpr int kSeconds = 2;
-    QTest::qWait(1000 * kSeconds);
-    const double share = (used() - before) / kSeconds;
-    qInfo("%.1f %% of a core", 100 * share);
-    QVERIFY2(share < 0.15, qPrintable(QString::number(share)));
+    constexpr double kBound = 0.15;  // of a core
+    constexpr int kTries = 5;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kTries && least >= kBound; ++i) {
+        const double before = used();
+        QElapsedTimer elapsed;
+        elapsed.start();
+        QTest::qWait(1000);
+        const double share = 1000 * (used() - before) / static_cast<double>(elapsed.elapsed());
+        qInfo("%.1f %% of a core", 100 * share);
+        least = std::min(least, share);
+    }
+    QVERIFY2(least < kBound, qPrintable(QString::number(least)));
 }
 
 void WindowGraphicsTest::panelsBehindTabsAreReachedByKeys() {

@@ -37,7 +37,7 @@ class WindowLookTest : public test::WindowSession {
 private slots:
     void initTestCase();
     void synthesisedSoundsWinOverARecordingThatIsStillRead();
-    void aHintThatHasNoRoomEndsInDots();
+    void aHintThatDoesNotFitEndsInDots();
     void theInsideOfTheToothIsShown();
     void aSecondViewShowsAnotherSideAndAClickGoesThere();
     void aTargetColoursTheTooth();
@@ -65,11 +65,11 @@ void WindowLookTest::initTestCase() {
 
 void WindowLookTest::cleanupTestCase() { closeWindow(); }
 
-void WindowLookTest::aHintThatHasNoRoomEndsInDots() {
+void WindowLookTest::aHintThatDoesNotFitEndsInDots() {
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
     const QSize size = window_->size();
     window_->resize(2400, size.height());
-    QTRY_COMPARE(hint->shown(), hint->text());
+    QTRY_COMPARE_WITH_TIMEOUT(hint->shown(), hint->text(), kPatience);
     QVERIFY(!hint->text().isEmpty());
     for (int width = 2400; width > 600 && hint->shown() == hint->text(); width -= 50) {
         window_->resize(width, size.height());
@@ -85,7 +85,7 @@ void WindowLookTest::synthesisedSoundsWinOverARecordingThatIsStillRead() {
     auto* sounds = window_->findChild<QComboBox*>("sounds");
     window_->sounds().open(QString::fromStdString(folder_ / "late.wav"));
     emit sounds->activated(0);  // before the window has polled the result
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->sounds().isReading(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->sounds().isReading(), kPatience);
     QCOMPARE(sounds->currentText(), QString("Synthesised"));
     QVERIFY(window_->settings().ownSounds.empty());
 }
@@ -120,7 +120,7 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
     QVERIFY(!frame->isVisible());
     const QImage alone = view().grabFramebuffer();
     key(Qt::Key_3, Qt::ControlModifier);
-    QTRY_VERIFY(frame->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(frame->isVisible(), kPatience);
     QCOMPARE(frame->text(), QString("Lingual"));
     const double ratio = view().devicePixelRatioF();
     const QRect corner(frame->pos() * ratio, frame->size() * ratio);
@@ -131,7 +131,7 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
 
     auto* eyes = window_->findChild<QComboBox*>("stereo");
     eyes->setCurrentIndex(1);
-    QVERIFY2(!frame->isVisible(), "two eyes have no room for it");
+    QVERIFY2(!frame->isVisible(), "stereo leaves no space for it");
     eyes->setCurrentIndex(0);
     QVERIFY(frame->isVisible());
 
@@ -139,7 +139,7 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
     QVERIFY(view().camera().cameraInWorld.position.y() < -10);  // buccal is +y
     QVERIFY(!window_->model().manipulator().isPressing());
     key(Qt::Key_0, Qt::ControlModifier);
-    QTRY_VERIFY(!frame->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!frame->isVisible(), kPatience);
     key(Qt::Key_0);
 }
 
@@ -150,7 +150,7 @@ void WindowLookTest::aTargetColoursTheTooth() {
     QVERIFY(!coloured->isEnabled());
     const QImage before = view().grabFramebuffer();
     window_->exercise().openTarget(QString::fromStdString(file.string()));
-    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), kLoadPatience);
     QVERIFY(view().grabFramebuffer() != before);
     QTest::mouseClick(coloured, Qt::LeftButton, {}, QPoint(8, coloured->height() / 2));
     QVERIFY(!coloured->isChecked());
@@ -169,7 +169,7 @@ void WindowLookTest::theGhostOfATargetIsSwitchedByClickAndKey() {
     const auto file = folder_ / "cavity.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());
     window_->exercise().openTarget(QString::fromStdString(file.string()));
-    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), kLoadPatience);
     QVERIFY(ghost->isEnabled() && entry->isEnabled() && !ghost->isChecked());
     const QImage colours = view().grabFramebuffer();
     QTest::mouseClick(ghost, Qt::LeftButton, {}, QPoint(8, ghost->height() / 2));
@@ -192,7 +192,7 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
     QVERIFY(writeStl(test::sphere(Vec3::Zero(), 40, 40, 30), file).has_value());
     window_->exercise().openTarget(QString::fromStdString(file.string()));
     auto* coloured = window_->findChild<QCheckBox*>("coloured");
-    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(coloured->isChecked(), kLoadPatience);
     auto* ghost = window_->findChild<QCheckBox*>("ghost");
     QVERIFY(!ghost->isEnabled());
     QVERIFY2(ghost->toolTip().contains("no cavity"), qPrintable(ghost->toolTip()));
@@ -202,7 +202,7 @@ void WindowLookTest::aTargetWithoutACavityHasNoGhost() {
 void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     auto* pause = window_->findChild<QToolButton*>("pausePlots");
     auto* stretch = window_->findChild<QSpinBox*>("plotStretch");
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, 20000);  // there is something to show
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > 1, kPatience);  // there is something to show
     QTest::mouseClick(pause, Qt::LeftButton);
     QVERIFY(pause->isChecked());
     stretch->setValue(4);
@@ -230,7 +230,7 @@ QAction* WindowLookTest::action(const QString& text) const {
 void WindowLookTest::aHeavySceneIsSaidWithoutTakingTheKeys() {
     window_->model().install(DeviceSlot::First, std::make_unique<test::SlowDevice>());
     const auto* hint = window_->findChild<ElidedLabel*>("hint");
-    QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(hint->text().contains("heavy for this machine"), kPatience);
     QCOMPARE(QApplication::activeModalWidget(), nullptr);
     window_->model().install(DeviceSlot::First, nullptr);
 }
@@ -242,12 +242,12 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     const auto ticks = [facts] {
         return QLocale().toULongLong(facts->text().section(' ', 0, 0));  // "12,345 ticks, ..."
     };
-    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, kPatience);
     QVERIFY(facts->text().contains("Device: mouse"));
     const auto all = ticks();
     QVERIFY(all <= window_->model().simulator()->timing().ticks);
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, kPatience);
     auto* panel = window_->findChild<TimingPanel*>();
     panel->reset();  // as at a restart of the simulator
     panel->show(*window_->model().simulator(), "mouse", 1000);
@@ -259,7 +259,7 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
     window_->teeth().openTooth({.outer = file, .layers = {}});
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kPatience);
     loadMolar();
     auto* recent = window_->findChild<QMenu*>("recent");
     emit recent->aboutToShow();
@@ -268,7 +268,7 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     for (QAction* each : recent->actions()) ball = each->text() == "ball.stl" ? each : ball;
     QVERIFY(ball != nullptr);
     ball->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kPatience);
     waitForTooth();
     QVERIFY(window_->settings().recent.find("ball.stl") != std::string::npos);
 }
@@ -277,10 +277,10 @@ void WindowLookTest::darkColoursAndBack() {
     const auto lightness = [&] { return window_->palette().color(QPalette::Window).lightness(); };
     QVERIFY(lightness() > 200);
     key(Qt::Key_D, Qt::ControlModifier);
-    QTRY_VERIFY(lightness() < 80);
+    QTRY_VERIFY_WITH_TIMEOUT(lightness() < 80, kPatience);
     QVERIFY(window_->settings().dark);
     key(Qt::Key_D, Qt::ControlModifier);
-    QTRY_VERIFY(lightness() > 200);
+    QTRY_VERIFY_WITH_TIMEOUT(lightness() > 200, kPatience);
 }
 
 void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
@@ -290,28 +290,28 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     MainWindow* window = &holder.open(settings);
     window->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, kLoadPatience);
     const CutModel* piece = window->model().tooth()->piece.get();
     const auto languages = [&] { return holder.window().findChild<QMenu*>("language")->actions(); };
     const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
     QCOMPARE(languages().size(), 3);
     QCOMPARE(title(), "&File");
     languages()[2]->trigger();
-    QTRY_COMPARE(title(), QStringLiteral("ファイル(&F)"));
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QStringLiteral("ファイル(&F)"), kPatience);
     QVERIFY(holder.window().isVisible());
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own texts
     QVERIFY(languages()[2]->isChecked());
     QCOMPARE(holder.window().settings().language, std::string("ja"));
-    QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, kLoadPatience);
     QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all of its cuts
-    QTRY_VERIFY(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")));
-    QTRY_VERIFY(!holder.window().isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!holder.window().isBusy(), kPatience);
     QCOMPARE(holder.window().settings().bur, std::string("245"));
     languages()[1]->trigger();
-    QTRY_COMPARE(title(), "&File");
+    QTRY_COMPARE_WITH_TIMEOUT(title(), "&File", kPatience);
     QCOMPARE(holder.window().model().tooth()->piece.get(), piece);
     languages()[0]->trigger();
-    QTRY_COMPARE(holder.window().settings().language, std::string());
+    QTRY_COMPARE_WITH_TIMEOUT(holder.window().settings().language, std::string(), kPatience);
 }
 
 void WindowLookTest::aJapaneseWindowSpeaksJapanese() {
@@ -336,7 +336,7 @@ void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
         window_->welcome();
         auto* dialog = window_->findChild<WelcomeDialog*>();
         QTest::mouseClick(dialog->findChild<QPushButton*>(name), Qt::LeftButton);
-        QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<WelcomeDialog*>() == nullptr, kPatience);
     };
     choose("practise");
     choose("openMine");
@@ -344,10 +344,10 @@ void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
     QVERIFY(dialog != nullptr);
     QVERIFY2(dialog->windowTitle().contains("scan"), qPrintable(dialog->windowTitle()));
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY(window_->findChild<QFileDialog*>() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
     window_->welcome();
     QTest::keyClick(window_->findChild<WelcomeDialog*>(), Qt::Key_Escape);
-    QTRY_VERIFY(window_->findChild<WelcomeDialog*>() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<WelcomeDialog*>() == nullptr, kPatience);
 }
 
 void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
@@ -355,10 +355,10 @@ void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {
     action("Watch the &demonstration")->trigger();
     auto* tour = window_->findChild<GuidedTour*>();
     QVERIFY(tour->isRunning());
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
     QTest::mouseClick(&view(), Qt::RightButton, {}, middle());
     QVERIFY(!tour->isRunning());
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") < 0.01, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") < 0.01, kPatience);
 }
 
 }  // namespace tactooth

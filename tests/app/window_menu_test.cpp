@@ -28,7 +28,7 @@ private slots:
     void initTestCase();
     void everyEntryOfEveryMenuCanBeClickedAndEveryDialogBeLeft();
     void noKeyIsTakenTwice();
-    void aboutTellsTheVersion();
+    void aboutShowsTheVersion();
     void theShortcutSheetNamesEveryKeyOfTheMenus();
     void everyControlIsReachedByTab();
     void theBurIsMovedAndPressedByKeys();
@@ -73,7 +73,7 @@ void WindowMenuTest::leaveDialogs(const QString& after) const {
 
 void WindowMenuTest::clickThrough(QMenu& menu, const std::function<void()>& open, const QString& path) {
     open();
-    QTRY_VERIFY2(menu.isVisible(), qPrintable(path));
+    QTRY_VERIFY2_WITH_TIMEOUT(menu.isVisible(), qPrintable(path), kPatience);
     const QList<QAction*> entries = menu.actions();
     for (QAction* entry : entries) {
         if (entry->isSeparator() || !entry->isEnabled()) continue;
@@ -98,7 +98,7 @@ void WindowMenuTest::clickThrough(QMenu& menu, const std::function<void()>& open
         int triggered = 0;
         const auto counting = connect(entry, &QAction::triggered, this, [&] { ++triggered; });
         clickEntry();
-        QTRY_VERIFY2(triggered == 1, qPrintable(here));
+        QTRY_VERIFY2_WITH_TIMEOUT(triggered == 1, qPrintable(here), kPatience);
         disconnect(counting);
         leaveDialogs(here);
         clicked_.insert(here);
@@ -140,7 +140,7 @@ void WindowMenuTest::noKeyIsTakenTwice() {
     QVERIFY(taken.size() > 20);
 }
 
-void WindowMenuTest::aboutTellsTheVersion() {
+void WindowMenuTest::aboutShowsTheVersion() {
     for (QAction* entry : leaves()) {
         if (entry->text() == "&About Tactooth") entry->trigger();
     }
@@ -157,7 +157,7 @@ void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
     QVERIFY(dialog != nullptr && dialog->isVisible());
     const QString sheet = dialog->text();
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY(window_->findChild<TextDialog*>() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<TextDialog*>() == nullptr, kPatience);
     for (QAction* entry : leaves()) {
         const QString keys = entry->shortcut().toString();
         if (keys.isEmpty() || keys == "F1" || keys == "Ctrl+Q") continue;
@@ -191,18 +191,18 @@ void WindowMenuTest::theBurIsMovedAndPressedByKeys() {
     view().setFocus();
     const Vec3 before = window_->model().manipulator().pose().position;
     for (int i = 0; i < 6; ++i) QTest::keyClick(&view(), Qt::Key_Left);
-    QTRY_VERIFY((window_->model().manipulator().pose().position - before).norm() > 0.05);
+    QTRY_VERIFY_WITH_TIMEOUT((window_->model().manipulator().pose().position - before).norm() > 0.05, kPatience);
     QTest::keyPress(&view(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
     QTest::keyRelease(&view(), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, kPatience);
 }
 
 /// The window in front receives the release of a key: the bur must neither turn nor press on.
 void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
     view().setFocus();
     QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_COMPARE(window_->model().controls.pedal, 1.0);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().controls.pedal, 1.0, kPatience);
     QTest::keyPress(&view(), Qt::Key_Return);
     QVERIFY(window_->model().manipulator().isPressing());
     QEvent deactivated(QEvent::WindowDeactivate);
@@ -210,7 +210,7 @@ void WindowMenuTest::keysThatAreHeldAreLetGoWhenAnotherWindowComesInFront() {
     QFocusEvent unfocused(QEvent::FocusOut, Qt::ActiveWindowFocusReason);
     QApplication::sendEvent(&view(), &unfocused);
     QVERIFY(!window_->model().manipulator().isPressing());
-    QTRY_COMPARE(window_->model().controls.pedal, 0.0);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().controls.pedal, 0.0, kPatience);
     pressBurOn(middle());
     QApplication::sendEvent(&view(), &unfocused);
     QVERIFY(window_->model().manipulator().isPressing());  // the mouse button is still down, and its release comes here
@@ -230,17 +230,17 @@ void WindowMenuTest::aToothIsCutAndLookedAtByKeysAlone() {
     key(Qt::Key_F);
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, kPatience);
     QTest::keyPress(&view(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.01, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.01, kPatience);
     QTest::keyRelease(&view(), Qt::Key_Return);
     QTest::keyRelease(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, 20000);  // until then the bur may still cut
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, kPatience);  // until then the bur may still cut
     const double cut = removed();
     key(Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY_WITH_TIMEOUT(removed() < cut, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() < cut, kPatience);
     key(Qt::Key_R, Qt::ControlModifier);
-    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, kPatience);
     key(Qt::Key_T);
 }
 
@@ -248,12 +248,12 @@ void WindowMenuTest::waterAndSuctionAreSwitchedByKeys() {
     const auto flying = [&] { return window_->model().animation().particles().size(); };
     key(Qt::Key_C);
     QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, kPatience);
     key(Qt::Key_W);
     QVERIFY(!action("water")->isChecked());
-    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{0}, 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(flying(), std::size_t{0}, kPatience);
     key(Qt::Key_W);
-    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(flying() > 30, kPatience);
     QTest::keyRelease(&view(), Qt::Key_Space);
     key(Qt::Key_T);
     const QImage without = view().grabFramebuffer();
@@ -305,7 +305,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     const int usual = window_->fontMetrics().height();
     const QSize size = window_->size();
     window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
-    QTRY_VERIFY(window_->fontMetrics().height() > 1.8 * usual);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->fontMetrics().height() > 1.8 * usual, kPatience);
     waitForSteps(5);
     QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
     const QRect whole(QPoint(0, 0), window_->size());
@@ -333,7 +333,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     QTest::keyClick(sheet, Qt::Key_Escape);
     window_->grab().save(QString::fromStdString((folder_ / "large.png").string()));
     window_->findChild<QMenu*>("textSize")->actions().front()->trigger();
-    QTRY_COMPARE(window_->fontMetrics().height(), usual);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->fontMetrics().height(), usual, kPatience);
     window_->resize(size);
 }
 

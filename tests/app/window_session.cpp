@@ -19,7 +19,7 @@ void WindowSession::openWindow() {
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     window_->teeth().loadBur(*findBur("4"));
     window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), kPatience));
 }
 
 void WindowSession::openWindowWithSettings() {
@@ -28,7 +28,7 @@ void WindowSession::openWindowWithSettings() {
 }
 
 void WindowSession::waitForTooth() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().simulator() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().simulator() != nullptr, kLoadPatience);
 }
 
 void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
@@ -57,15 +57,15 @@ void WindowSession::liftBur(const QPoint& place) const {
         return window_->model().log().newest().contacts == 0 &&
                (hand - window_->model().log().newest().proxy.position).norm() < kNear;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isClear(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(isClear(), kPatience);
 }
 
 void WindowSession::waitForSteps(int steps) const {
     QSignalSpy stepped(&window_->loop(), &StepLoop::stepped);
-    QTRY_VERIFY_WITH_TIMEOUT(stepped.count() >= steps, 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(stepped.count() >= steps, kPatience);
 }
 
-void WindowSession::waitForCutter() const {
+void WindowSession::waitForCarving() const {
     constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
     const Simulator& simulator = *window_->model().simulator();
     std::uint64_t updates = simulator.surfaceUpdates();
@@ -76,7 +76,7 @@ void WindowSession::waitForCutter() const {
         updates = simulator.surfaceUpdates();
         return now > since + kQuiet;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), kPatience);
 }
 
 bool WindowSession::waitForQuietPicture() const {
@@ -91,13 +91,13 @@ bool WindowSession::waitForQuietPicture() const {
             }
             return unchanged.elapsed() > 1000;
         },
-        30000);
+        kPatience);
 }
 
 void WindowSession::waitForRest() const {
     window_->model().setSpindle(window_->model().haptics().spindle);
     waitForSteps(2);
-    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting(), kPatience);
 }
 
 QString WindowSession::dismissMessage() const {
@@ -115,7 +115,7 @@ void WindowSession::closeWindow() {
 
 void WindowSession::loadMolar() {
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("molar"), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("molar"), kLoadPatience);
     waitForTooth();
 }
 

@@ -16,6 +16,12 @@ namespace tactooth::test {
 /// The real window with the built-in molar and a round bur, worked by mouse and key events.
 class WindowSession : public QObject {
 protected:
+    /// How long a test waits for a picture, a program or a thread before it fails, ms. A slow machine with software
+    /// OpenGL needs seconds; only a broken program needs this long.
+    static constexpr int kPatience = 30'000;
+    /// The same for a tooth, a mouth or an import.
+    static constexpr int kLoadPatience = 120'000;
+
     void openWindow();
     /// The same, and applies its own settings as those of a file.
     void openWindowWithSettings();
@@ -33,12 +39,12 @@ protected:
     void liftBur(const QPoint& place) const;
     /// Until the window has made so many steps: an event of mouse, key or gamepad has taken effect.
     void waitForSteps(int steps) const;
-    /// Until the cutter has no work left. The bur must be clear of the tooth.
-    void waitForCutter() const;
+    /// Until the carving thread has no work left. The bur must be clear of the tooth.
+    void waitForCarving() const;
     /// Restarts the simulator, which empties the plots, and waits until the window rests.
     void waitForRest() const;
     /// Waits until the view is at rest and has drawn no picture for a second: a slow machine may have one on its way.
-    /// False if that takes longer than 30 s.
+    /// False if that takes longer than kPatience.
     [[nodiscard]] bool waitForQuietPicture() const;
     /// Closes the message in front and returns its text; empty if there is none.
     [[nodiscard]] QString dismissMessage() const;

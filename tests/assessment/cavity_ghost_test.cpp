@@ -74,7 +74,7 @@ TEST_F(CavityGhostTest, HidesTheWallsThatACutHasReached) {
 
 TEST_F(CavityGhostTest, ShowsThemAgainWhenTheCutIsTakenBack) {
     const std::vector<Vec3> whole = shownBy(ghost_);
-    model_.mark();
+    model_.mark(0);
     cut(-1, 1);
     EXPECT_LT(shownBy(ghost_).size(), whole.size());
     ASSERT_TRUE(model_.undo());
@@ -82,8 +82,8 @@ TEST_F(CavityGhostTest, ShowsThemAgainWhenTheCutIsTakenBack) {
 }
 
 TEST_F(CavityGhostTest, StepByStepShowsTheSameAsAtOnce) {
-    const std::pair<double, double> ways[] = {{-1, -0.8}, {-0.8, 0.5}, {1, 0.9}, {0.9, 0.5}};
-    for (const auto& [from, to] : ways) {
+    const std::pair<double, double> strokes[] = {{-1, -0.8}, {-0.8, 0.5}, {1, 0.9}, {0.9, 0.5}};
+    for (const auto& [from, to] : strokes) {
         cut(from, to);
         CavityGhost fresh(target_, *tooth_->outer());
         EXPECT_EQ(shownBy(ghost_), shownBy(fresh));

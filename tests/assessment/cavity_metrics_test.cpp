@@ -93,7 +93,7 @@ TEST_F(CavityMetricsTest, WhatIsCutTooWideIsBeyond) {
 }
 
 TEST_F(CavityMetricsTest, TakingBackTakesItAllBack) {
-    model_.mark();
+    model_.mark(0);
     cut(0, 1.5, 2.5);
     EXPECT_GT(progress(metrics_).maxOverPreparation, 0.4);
     ASSERT_TRUE(model_.undo());
@@ -104,8 +104,8 @@ TEST_F(CavityMetricsTest, TakingBackTakesItAllBack) {
 }
 
 TEST_F(CavityMetricsTest, StepByStepIsTheSameAsAtOnce) {
-    const std::array<std::pair<double, double>, 3> ways = {{{-1, -0.8}, {-0.8, 0.5}, {1, 0.9}}};
-    for (const auto& [from, to] : ways) {
+    const std::array<std::pair<double, double>, 3> strokes = {{{-1, -0.8}, {-0.8, 0.5}, {1, 0.9}}};
+    for (const auto& [from, to] : strokes) {
         cut(from, to, 3.2 - 0.3 * from);
         CavityMetrics fresh = metricsOf(target_, *tooth_->outer());
         const CavityProgress now = progress(metrics_), anew = progress(fresh);

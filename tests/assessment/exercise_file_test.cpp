@@ -88,7 +88,7 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {"tooth = 36", "tooth = 36\ndecay = {site = \"top\"}", "'site' must be"},
         {"tooth = 36", "tooth = 36\ndecay = {width = 0}", "'width' must be"},
         {"tooth = 36", "tooth = 36\ndecay = {depth = 0}", "'depth' must be"},
-        {"tooth = 36", "tooth = 11\ndecay = {site = \"occlusal\"}", "a front tooth has no occlusal side"},
+        {"tooth = 36", "tooth = 11\ndecay = {site = \"occlusal\"}", "an anterior tooth has no occlusal side"},
         {"tooth = 36", "tooth = \"a.stl\"\npatient = 3", "'patient' belongs to a built-in tooth"},
         {"tooth = 36", "tooth = 36\nlayers = {dentin = \"d.stl\"}", "a built-in tooth brings its own layers"},
         {"tooth = 36", "tooth = \"a.stl\"\nlayers = {gold = \"d.stl\"}", "there is no material 'gold'"},

@@ -58,9 +58,17 @@ TEST(MetricTable, StatesTheBetterDirection) {
     for (const Metric& each : metricTable()) {
         SCOPED_TRACE(each.key);
         const double change = each.compute(good) - each.compute(poor);
-        if (each.better == Better::Higher) EXPECT_GT(change, 0);
-        if (each.better == Better::Lower) EXPECT_LT(change, 0);
-        if (each.better == Better::Neither) EXPECT_EQ(change, 0);
+        switch (each.better) {
+            case Better::Higher:
+                EXPECT_GT(change, 0);
+                break;
+            case Better::Lower:
+                EXPECT_LT(change, 0);
+                break;
+            case Better::Neither:
+                EXPECT_EQ(change, 0);
+                break;
+        }
     }
 }
 

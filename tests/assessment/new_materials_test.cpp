@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Two materials that the program does not know, from a TOML text: they are felt, cut, counted, heard, saved, exported
-// and scored like the built-in ones. tests/app/scene_builder_test.cpp shows that they are drawn.
+// Two materials that the program does not know, from a TOML text: they are touched, cut, counted, heard, saved,
+// exported and scored like the built-in ones. tests/app/scene_builder_test.cpp shows that they are drawn.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ protected:
     }();
 };
 
-TEST_F(NewMaterials, AreFeltByTheirOwnStiffness) {
+TEST_F(NewMaterials, AreTouchedWithTheirOwnStiffness) {
     EXPECT_EQ(pressedAt(-1).material, idOf("composite"));
     EXPECT_NEAR(pressedAt(-1).stiffness, 0.7, 1e-9);
     EXPECT_EQ(pressedAt(1).material, idOf("amalgam"));

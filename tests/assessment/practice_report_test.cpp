@@ -4,12 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+#include <string>
 #include <vector>
+
+#include "assessment/metric_table.h"
 
 namespace tactooth {
 namespace {
 
-TEST(PracticeReport, TellsWhatWasDoneToATooth) {
+/// The lines of the present metrics and materials are pinned, in their order. Each later metric or material adds a
+/// line.
+TEST(PracticeReport, ListsWhatWasDoneToATooth) {
     const std::vector<CutEvent> events = {{CutEventKind::FirstContact, 2, Vec3::Zero()},
                                           {CutEventKind::NeighbourTouched, 3, Vec3::Zero()},
                                           {CutEventKind::NeighbourTouched, 5, Vec3::Zero()}};
@@ -22,32 +29,47 @@ TEST(PracticeReport, TellsWhatWasDoneToATooth) {
                                                 .removed = removed,
                                                 .beside = 0.25,
                                                 .events = events});
-    EXPECT_EQ(text,
-              "quantity,value,unit\n"
-              "tooth,\"Lower \"\"first\"\" molar, 46\",\n"
-              "task,\"Pit\",\n"
-              "time since the first contact,61.5,s\n"
-              "ideal cavity,8,mm^3\n"
-              "of it cut,6,mm^3\n"
-              "of it cut,75,%\n"
-              "cut beyond it,2,mm^3\n"
-              "deepest beyond it,0.25,mm\n"
-              "likeness,75,%\n"
-              "enamel removed,5,mm^3\n"
-              "dentin removed,2.5,mm^3\n"
-              "pulp removed,0,mm^3\n"
-              "other removed,0,mm^3\n"
-              "restoration removed,0,mm^3\n"
-              "caries removed,0.5,mm^3\n"
-              "of it beside the tooth,0.25,mm^3\n"
-              "first contact,1,times\n"
-              "dentin reached,0,times\n"
-              "pulp exposed,0,times\n"
-              "neighbour touched,2,times\n"
-              "gum or bone touched,0,times\n"
-              "cut beside the tooth,0,times\n"
-              "bur stalled,0,times\n"
-              "piece came loose,0,times\n");
+    const std::vector<std::string> pinned = {"quantity,value,unit",
+                                             "tooth,\"Lower \"\"first\"\" molar, 46\",",
+                                             "task,\"Pit\",",
+                                             "time since the first contact,61.5,s",
+                                             "ideal cavity,8,mm^3",
+                                             "of it cut,6,mm^3",
+                                             "of it cut,75,%",
+                                             "cut beyond it,2,mm^3",
+                                             "deepest beyond it,0.25,mm",
+                                             "likeness,75,%",
+                                             "enamel removed,5,mm^3",
+                                             "dentin removed,2.5,mm^3",
+                                             "pulp removed,0,mm^3",
+                                             "other removed,0,mm^3",
+                                             "restoration removed,0,mm^3",
+                                             "caries removed,0.5,mm^3",
+                                             "of it beside the tooth,0.25,mm^3",
+                                             "first contact,1,times",
+                                             "dentin reached,0,times",
+                                             "pulp exposed,0,times",
+                                             "neighbour touched,2,times",
+                                             "gum or bone touched,0,times",
+                                             "cut beside the tooth,0,times",
+                                             "bur stalled,0,times",
+                                             "piece came loose,0,times"};
+    std::size_t found = 0;
+    std::vector<std::string> others;
+    std::istringstream report(text);
+    for (std::string line; std::getline(report, line);) {
+        if (found < pinned.size() && line == pinned[found]) {
+            ++found;
+        } else {
+            others.push_back(line);
+        }
+    }
+    EXPECT_EQ(found, pinned.size()) << "missing: " << pinned[std::min(found, pinned.size() - 1)] << "\n" << text;
+    constexpr std::size_t kPinnedMetrics = 6, kPinnedMaterials = 6;
+    const auto materials = static_cast<std::size_t>(std::count_if(
+        others.begin(), others.end(), [](const std::string& line) { return line.ends_with(" removed,0,mm^3"); }));
+    EXPECT_EQ(materials, builtinMaterials().size() - kPinnedMaterials) << text;
+    EXPECT_EQ(others.size() - materials, metricTable().size() - kPinnedMetrics) << text;
 }
 
 TEST(PracticeReport, FreePracticeHasNoCavityToCompareWith) {

@@ -69,11 +69,11 @@ TEST_F(CaseCommand, AFolderIsPackedAndBothOpen) {
         const ProgramRun check = runTactooth({"case", "check", folder_ / name});
         EXPECT_EQ(check.exitCode, 0) << check.err;
         EXPECT_THAT(check.out, AllOf(HasSubstr("L6: 12 triangles, closed"), HasSubstr("can be opened"),
-                                     Not(HasSubstr("share room"))));
+                                     Not(HasSubstr("overlap"))));
     }
 }
 
-TEST_F(CaseCommand, CheckTellsWhatMightSurprise) {
+TEST_F(CaseCommand, CheckReportsWhatMightSurprise) {
     ASSERT_EQ(makeCase("two").exitCode, 0);
     std::ofstream(folder_ / "two/readme.txt") << "hello";
     const ProgramRun check = runTactooth({"case", "check", folder_ / "two"});
@@ -111,7 +111,7 @@ TEST_F(CaseCommand, CaseIsCutWithItsOwnBurInTheFrameOfTheToothThatIsWorkedOn) {
     EXPECT_TRUE(reportOn(readStl(folder_ / "cut.stl").value()).watertight());
 }
 
-TEST_F(CaseCommand, CaseIsFelt) {
+TEST_F(CaseCommand, CaseIsTouched) {
     ASSERT_EQ(makeCase("two").exitCode, 0);
     ASSERT_TRUE(writeStl(test::cylinder(Vec3::Zero(), 0.5, 6, 24), folder_ / "tool.stl"));
     std::ofstream path(folder_ / "path.csv");

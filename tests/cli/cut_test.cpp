@@ -49,7 +49,7 @@ TEST_F(CutCommand, ARigidFeedLeavesTheHoleOfTheBur) {
     const double hole = kPi * 0.25 * 0.8;
     EXPECT_NEAR(48 - volumeOf("cut.stl"), hole, 0.003 * hole);
     const auto removed = table();
-    EXPECT_EQ(removed.header, "t,enamel,dentin,pulp,caries,other,restoration");
+    EXPECT_THAT(removed.header, ::testing::StartsWith("t,enamel,dentin,pulp,caries,other,restoration"));
     EXPECT_NEAR(removed.rows.back()[1], hole, 0.003 * hole);
 }
 
@@ -117,7 +117,7 @@ TEST_F(CutCommand, ByLawAStillBurCutsNothingAndATurningOneLessThanTheHandGoes) {
     EXPECT_GT(table().at(50, "fz"), 0.05) << "the tooth pushes back";
 }
 
-TEST_F(CutCommand, TellsWhenATissueWasReached) {
+TEST_F(CutCommand, ReportsWhenATissueWasReached) {
     EXPECT_TRUE(writeStl(test::box(Vec3(-1.5, -1.5, -2.5), Vec3(1.5, 1.5, -0.4)), file("core.stl")));
     const ProgramRun run = cut(block(), drillAt(0, 0.8),
                                {"--feed", "rigid", "--events", out(), "--layer", "enamel=" + block(), "--layer",

@@ -105,7 +105,7 @@ private:
     std::thread thread_;
 };
 
-TEST(Display, OneThatNeverAnswersIsToldWithinThreeSeconds) {
+TEST(Display, OneThatNeverAnswersIsReportedWithinThreeSeconds) {
     const TemporaryFolder home;
     for (const FakeServer::Kind kind : {FakeServer::Kind::Silent, FakeServer::Kind::NeverAccepts,
                                         FakeServer::Kind::HalfAnAnswer, FakeServer::Kind::HalfAnAnswerAndOn}) {
@@ -120,7 +120,7 @@ TEST(Display, OneThatNeverAnswersIsToldWithinThreeSeconds) {
     }
     const FakeServer server(FakeServer::Kind::Closes);
     const ProgramRun window = runTactooth({}, displayless(home, {{"DISPLAY", server.display()}}));
-    EXPECT_THAT(window.err, HasSubstr("cannot be reached or lets nobody in")) << "a refusal is an answer";
+    EXPECT_THAT(window.err, HasSubstr("cannot be reached or refuses the connection")) << "a refusal is an answer";
 }
 
 TEST(Display, APlatformWithoutAScreenIsOneToTheDoctorToo) {

@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(ExerciseCommand, TellsWhatIsToBeCutAndWritesIt) {
+TEST_F(ExerciseCommand, ShowsWhatIsToBeCutAndWritesIt) {
     const ProgramRun run = runTactooth({"exercise", lowered(1), "--out", file("shape.stl")});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("Lower the block"));

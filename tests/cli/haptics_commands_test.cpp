@@ -21,7 +21,7 @@ std::size_t lettersOf(const std::string& line) {
         std::ranges::count_if(line, [](unsigned char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
-TEST(HapticsCommands, StabilityTellsEachRunAsJson) {
+TEST(HapticsCommands, StabilityListsEachRunAsJson) {
     const ProgramRun run = runTactooth({"bench", "stability", "--device", "touch-x", "--hand", "loose", "--material",
                                         "enamel", "--situation", "press", "--situation", "fissure", "--json"});
     EXPECT_EQ(run.exitCode, 0);
@@ -51,7 +51,7 @@ TEST(HapticsCommands, StabilityCutsAndTrembles) {
     const auto json = nlohmann::json::parse(run.out);
     ASSERT_EQ(json.at("cases").size(), 2U);
     EXPECT_NEAR(json["cases"][0].at("most_ripple_percent").get<double>(), 7, 1e-9);
-    EXPECT_GT(json["cases"][1].at("ripple_percent"), 0.5) << "a tremor is felt";
+    EXPECT_GT(json["cases"][1].at("ripple_percent"), 0.5) << "a tremor changes the force";
 }
 
 TEST(HapticsCommands, StabilityKnowsItsDevices) {
@@ -60,7 +60,7 @@ TEST(HapticsCommands, StabilityKnowsItsDevices) {
     EXPECT_THAT(run.err, HasSubstr("see 'tactooth bench stability --help'"));
 }
 
-TEST(HapticsCommands, RealtimeTellsHowTheMachineKeptTime) {
+TEST(HapticsCommands, RealtimeReportsHowTheMachineKeptTime) {
     const ProgramRun run = runTactooth({"realtime", "--seconds", "1", "--json"});
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_GT(json.at("ticks"), 50);
@@ -104,7 +104,7 @@ Json deviceNamed(const std::string& name, const Environment& changes) {
     return {};
 }
 
-TEST(HapticsCommands, DevicesTellInNumbersWhatTheyCan) {
+TEST(HapticsCommands, DevicesGiveTheirCapabilitiesInNumbers) {
     const PenFolder noPens({});
     const Json pen = deviceNamed("pen", {{"TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD}});
     EXPECT_EQ(pen.at("state"), "ready");
@@ -125,7 +125,7 @@ TEST(HapticsCommands, ADeviceThatIsBrokenIsNotUsableAndOneThatIsMissingIsNotTher
     EXPECT_EQ(deviceNamed("pen", {{"TACTOOTH_LIBHD", "libNoSuchHD.so"}}).at("state"), "not there");
 }
 
-TEST(HapticsCommands, EachPenThatIsSetUpIsToldByItsName) {
+TEST(HapticsCommands, EachPenThatIsSetUpIsListedByItsName) {
     const PenFolder pens({"Default Device", "Left"});
     const Environment standin = {{"TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD}};
     EXPECT_EQ(deviceNamed("pen", standin).at("state"), "ready");

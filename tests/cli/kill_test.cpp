@@ -67,7 +67,7 @@ bool isWhole(const std::string& name, const std::string& content, const std::str
 class Kill : public MotionFiles {
 protected:
     void SetUp() override {
-        const std::string tooth = plate(), tool = ball(), way = slot();
+        const std::string tooth = plate(), tool = ball(), poses = slot();
         EXPECT_TRUE(writeStl(sphere(Vec3(0, 0, 0), 6, 64, 32), file("scan.stl")));
         const std::string profile =
             text("profile.csv", "t,speed_rpm,power,material\n0,300000,1,enamel\n1,300000,1,enamel\n");
@@ -78,7 +78,7 @@ protected:
                           "--tool",
                           tool,
                           "--trajectory",
-                          way,
+                          poses,
                           "--speed-rpm",
                           "300000",
                           "--voxel",
@@ -100,8 +100,8 @@ protected:
             cut,
             cut,
             cut,
-            {"feel", {"feel", "--tooth", tooth, "--tool", tool, "--trajectory", way, "--out", "@/f.csv"}, {"f.csv"}},
-            {"contact", {"contact", "--tooth", tooth, "--tool", tool, "--poses", way, "--out", "@/c.csv"}, {"c.csv"}},
+            {"feel", {"feel", "--tooth", tooth, "--tool", tool, "--trajectory", poses, "--out", "@/f.csv"}, {"f.csv"}},
+            {"contact", {"contact", "--tooth", tooth, "--tool", tool, "--poses", poses, "--out", "@/c.csv"}, {"c.csv"}},
             {"simplify", {"simplify", file("scan.stl"), "--keep", "50%", "--out", "@/s.stl"}, {"s.stl"}},
             {"subdivide", {"subdivide", file("scan.stl"), "--times", "2", "--out", "@/s.stl"}, {"s.stl"}},
             {"bur", {"bur", "57", "--out", "@/b.stl"}, {"b.stl"}},
@@ -197,7 +197,9 @@ TEST_F(Kill, AtAnyMomentLeavesAllFilesOrNoneAndNothingInTheWay) {
         EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 2) << run.err;  // one of them reports progress
         expectAllOrNone(job, folder.path(), number == SIGKILL);
         const auto left = contentOf(folder.path());
-        if (run.exitCode == 0) EXPECT_EQ(left.size(), job.whole.size());
+        if (run.exitCode == 0) {
+            EXPECT_EQ(left.size(), job.whole.size());
+        }
         const bool isLeft = run.signal == SIGKILL && !left.empty();
         if (isLeft || (run.signal == SIGKILL && i % 10 == 0 && job.name != "case folder")) {
             const bool isMade = fs::exists(folder / "case/case.toml");  // a case is not made where one exists

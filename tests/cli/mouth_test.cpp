@@ -39,7 +39,7 @@ TEST_F(MouthCommand, WritesAllTeethThatAreLeftAndBothGumsClosed) {
     EXPECT_FALSE(fs::exists(folder_ / "m/18"));
 }
 
-TEST_F(MouthCommand, KeepsItsTeethForTheNextTimeUnlessToldNotTo) {
+TEST_F(MouthCommand, KeepsItsTeethForTheNextTimeUnlessForbidden) {
     const std::vector<std::string> toothCommand = {"tooth", "42", "--out", folder_ / "t", "--triangles", "1000"};
     std::vector<std::string> without = toothCommand;
     without.emplace_back("--no-cache");

@@ -86,13 +86,13 @@ TEST_F(RenderCommand, WhatLiesOutsideTheTargetIsBlueAndWhatLiesInsideOrange) {
 }
 
 TEST_F(RenderCommand, TheGhostOfATargetTintsTheToothBlueWhereItLiesInIt) {
-    TriangleMesh hollow = sphere(Vec3(0, 0, 2), 1.5, 48, 24);
-    for (Triangle& triangle : hollow.triangles) std::swap(triangle[1], triangle[2]);
-    append(hollow, sphere(Vec3::Zero(), 5, 48, 24));
-    ASSERT_TRUE(writeStl(hollow, folder_ / "hollow.stl").has_value());
+    TriangleMesh withVoid = sphere(Vec3(0, 0, 2), 1.5, 48, 24);
+    for (Triangle& triangle : withVoid.triangles) std::swap(triangle[1], triangle[2]);
+    append(withVoid, sphere(Vec3::Zero(), 5, 48, 24));
+    ASSERT_TRUE(writeStl(withVoid, folder_ / "withVoid.stl").has_value());
     const std::vector<std::string> above{"--view", "occlusal", "--no-background"};
     std::vector<std::string> ghost = above;
-    ghost.insert(ghost.end(), {"--target", folder_ / "hollow.stl", "--ghost"});
+    ghost.insert(ghost.end(), {"--target", folder_ / "withVoid.stl", "--ghost"});
     const Image plain = picture(above);
     const Image tinted = picture(ghost);
     EXPECT_LT(plain.at(80, 60)[2], plain.at(80, 60)[0]);
@@ -137,13 +137,13 @@ TEST_F(RenderCommand, ATurntableWritesNumberedPictures) {
 }
 
 TEST_F(RenderCommand, RefusesWhatItCannotMean) {
-    EXPECT_THAT(refusal({"--size", "0x100"}), HasSubstr("the size '0x100' is none"));
-    EXPECT_THAT(refusal({"--view", "upside"}), HasSubstr("the view 'upside' is none"));
-    EXPECT_THAT(refusal({"--clip", "left"}), HasSubstr("the clip plane 'left' is none"));
-    EXPECT_THAT(refusal({"--clip", "buccal=x"}), HasSubstr("the clip plane 'buccal=x' is none"));
+    EXPECT_THAT(refusal({"--size", "0x100"}), HasSubstr("'0x100' is not a size"));
+    EXPECT_THAT(refusal({"--view", "upside"}), HasSubstr("'upside' is not a view"));
+    EXPECT_THAT(refusal({"--clip", "left"}), HasSubstr("'left' is not a clip plane"));
+    EXPECT_THAT(refusal({"--clip", "buccal=x"}), HasSubstr("'buccal=x' is not a clip plane"));
     EXPECT_THAT(refusal({"--transparent", "enamel=2"}), HasSubstr("'enamel=2' makes nothing transparent"));
     EXPECT_THAT(refusal({"--transparent", "gold=0.5"}), HasSubstr("'gold=0.5' makes nothing transparent"));
-    EXPECT_THAT(refusal({"--at", "1,2"}), HasSubstr("the point '1,2' is none"));
+    EXPECT_THAT(refusal({"--at", "1,2"}), HasSubstr("'1,2' is not a point"));
     EXPECT_THAT(refusal({"--target", "nothing.stl"}), HasSubstr("nothing.stl"));
     EXPECT_THAT(refusal({"--fog", "2"}), HasSubstr("--fog"));
 }

@@ -34,7 +34,7 @@ TEST(Reproduce, RefusesWhatItDoesNotKnow) {
     EXPECT_THAT(nowhere.err, HasSubstr("/proc/nowhere cannot be made"));
 }
 
-TEST(Reproduce, HelpTellsWhatEachNameMeans) {
+TEST(Reproduce, HelpExplainsEachName) {
     const ProgramRun run = runTactooth({"reproduce", "--help"});
     EXPECT_EQ(run.exitCode, 0);
     for (const char* name : {"table2", "table3", "table4", "fig11", "fig13", "fig15", "fig16", "fig17", "all"}) {

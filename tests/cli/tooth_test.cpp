@@ -36,10 +36,10 @@ TEST(ToothCommand, RefusesNumbersThatAreNoTooth) {
     EXPECT_FALSE(std::filesystem::exists("nowhere"));
 }
 
-TEST(ToothCommand, RefusesOcclusalDecayOfAFrontTooth) {
+TEST(ToothCommand, RefusesOcclusalDecayOfAnAnteriorTooth) {
     const ProgramRun run = runTactooth({"tooth", "11", "--out", "nowhere", "--caries", "occlusal"});
     EXPECT_EQ(run.exitCode, 2);
-    EXPECT_THAT(run.err, HasSubstr("front tooth"));
+    EXPECT_THAT(run.err, HasSubstr("anterior tooth"));
 }
 
 TEST(GalleryCommand, DrawsTheTeethThatAreAskedFor) {

@@ -77,15 +77,15 @@ Quat randomRotation(std::mt19937& random) {
 
 /// The proxy's depth once it has settled, moving straight from outside at 10 cm/s. (A jump of millimetres may end in
 /// another minimum: one of these poses is 0.5387 mm deep along two directions 10 degrees apart, to 0.2 um.)
-double settledDepth(ProxySolver& body, const Pose& hand, const Vec3& outward) {
+double settledDepth(ProxySolver& solver, const Pose& device, const Vec3& outward) {
     constexpr int kTicks = 20;
     for (int tick = 0; tick <= kTicks; ++tick) {
-        const Pose before{hand.position + 0.1 * (kTicks - tick) * outward, hand.rotation};
-        if (tick == 0) body.placeAt(before);
-        body.moveToward(before);
+        const Pose before{device.position + 0.1 * (kTicks - tick) * outward, device.rotation};
+        if (tick == 0) solver.placeAt(before);
+        solver.moveToward(before);
     }
-    for (int tick = 0; tick < 4; ++tick) body.moveToward(hand);
-    return (body.pose().position - hand.position).norm();
+    for (int tick = 0; tick < 4; ++tick) solver.moveToward(device);
+    return (solver.pose().position - device.position).norm();
 }
 
 /// Presses the ball against the block around `place`, a point of its surface with the outward direction `outward`.
@@ -93,8 +93,8 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
     const TriangleMesh block = test::box(Vec3(-9, -9, -9), Vec3(0, 0, 0));
     const TriangleMesh tool = ball();
     ContactQuery query(test::toolOf(tool), test::surfaceOf(block));
-    ProxySolver body(test::toolOf(tool));
-    body.setSurface(test::surfaceOf(block));
+    ProxySolver solver(test::toolOf(tool));
+    solver.setSurface(test::surfaceOf(block));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> height(0.25, 0.69);
     std::uniform_real_distribution<double> aside(-0.2, 0.2);
@@ -102,9 +102,9 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
         const double x = aside(random);
         const double y = aside(random);
         const Vec3 beside(x, y, aside(random));
-        const Pose hand{place + height(random) * outward + 0.5 * beside, randomRotation(random)};
-        const ExitDirection exact = convexPenetrationDepth(block, tool, hand);
-        const Contact contact = query.at(hand);
+        const Pose device{place + height(random) * outward + 0.5 * beside, randomRotation(random)};
+        const ExitDirection exact = convexPenetrationDepth(block, tool, device);
+        const Contact contact = query.at(device);
         if (exact.depth <= 0) {
             EXPECT_FALSE(contact.touching);
             continue;
@@ -112,14 +112,14 @@ void pressOnBlock(const Vec3& place, const Vec3& outward, unsigned seed) {
         ASSERT_TRUE(contact.touching);
         EXPECT_NEAR(contact.depth, exact.depth, allowed(exact.depth))
             << i << " " << contact.normal.dot(exact.direction);
-        EXPECT_NEAR(settledDepth(body, hand, exact.direction), exact.depth, allowed(exact.depth)) << i;
+        EXPECT_NEAR(settledDepth(solver, device, exact.direction), exact.depth, allowed(exact.depth)) << i;
     }
 }
 
 /// The exact depth of a tool in a tooth whose free space is above all of these planes, mm.
-double exitFromPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& hand) {
+double exitFromPlanes(const std::vector<HalfSpace>& walls, const TriangleMesh& tool, const Pose& device) {
     std::vector<HalfSpace> forTheCentre = walls;
-    for (HalfSpace& wall : forTheCentre) wall.offset -= lowestAlong(cornersAt(tool, hand), wall.normal);
+    for (HalfSpace& wall : forTheCentre) wall.offset -= lowestAlong(cornersAt(tool, device), wall.normal);
     // The nearest point of up to three half-spaces lies on some of their planes: all combinations are tried.
     double best = std::numeric_limits<double>::infinity();
     for (unsigned chosen = 0; chosen < 1U << walls.size(); ++chosen) {
@@ -147,22 +147,22 @@ void pressIntoWalls(const TriangleMesh& mesh, const std::vector<HalfSpace>& wall
                     const Vec3& outward, unsigned seed) {
     const TriangleMesh tool = ball();
     ContactQuery query(test::toolOf(tool), test::surfaceOf(mesh, false));
-    ProxySolver body(test::toolOf(tool));
-    body.setSurface(test::surfaceOf(mesh, false));
+    ProxySolver solver(test::toolOf(tool));
+    solver.setSurface(test::surfaceOf(mesh, false));
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> aside(-0.15, 0.15);
     int touching = 0;
     for (int i = 0; i < kMotions; ++i) {
         const double x = aside(random);
         const double y = aside(random);
-        const Pose hand{middle + Vec3(x, y, aside(random)), randomRotation(random)};
-        const double exact = exitFromPlanes(walls, tool, hand);
-        const Contact contact = query.at(hand);
+        const Pose device{middle + Vec3(x, y, aside(random)), randomRotation(random)};
+        const double exact = exitFromPlanes(walls, tool, device);
+        const Contact contact = query.at(device);
         ASSERT_EQ(contact.touching, exact > 0) << i;
         if (!contact.touching) continue;
         ++touching;
         EXPECT_NEAR(contact.depth, exact, allowed(exact)) << i;
-        EXPECT_NEAR(settledDepth(body, hand, outward), exact, allowed(exact)) << i;
+        EXPECT_NEAR(settledDepth(solver, device, outward), exact, allowed(exact)) << i;
     }
     EXPECT_GT(touching, kMotions / 2);
 }

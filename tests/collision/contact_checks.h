@@ -63,14 +63,14 @@ struct TouchReport {
     const Oracle oracle(tooth, tool);
     ContactQuery query(toolOf(tool), surfaceOf(tooth));
     std::mt19937 random(seed);
-    TouchReport verdict;
+    TouchReport report;
     for (int i = 0; i < poses; ++i) {
         const Pose pose = randomPoseNear(tooth, 0.5, random);
         const bool free = oracle.isFree(pose);
-        verdict.touching += free ? 0 : 1;
-        verdict.wrong += query.isFree(pose) == free ? 0 : 1;
+        report.touching += free ? 0 : 1;
+        report.wrong += query.isFree(pose) == free ? 0 : 1;
     }
-    return verdict;
+    return report;
 }
 
 /// Errors of the depth on a set of random poses.
@@ -88,29 +88,28 @@ struct ContactReport {
     const Oracle oracle(tooth, tool);
     ContactQuery query(toolOf(tool), surfaceOf(tooth));
     std::mt19937 random(seed);
-    ContactReport verdict;
-    for (; verdict.poses < poses; ++verdict.poses) {
+    ContactReport report;
+    for (; report.poses < poses; ++report.poses) {
         const Pose pose = randomPoseNear(tooth, 0.5, random);
         const Contact contact = query.at(pose);
-        verdict.wrongTouch += contact.touching == oracle.isFree(pose) ? 1 : 0;
+        report.wrongTouch += contact.touching == oracle.isFree(pose) ? 1 : 0;
         if (!contact.touching) continue;
-        ++verdict.touching;
+        ++report.touching;
         const auto freeAt = [&](double s) {
             return oracle.isFree({pose.position + s * contact.normal, pose.rotation});
         };
-        verdict.notFreed += freeAt(contact.depth + 1e-4) ? 0 : 1;
-        verdict.freedEarly += contact.depth > 1e-4 && freeAt(contact.depth - 1e-4) ? 1 : 0;
+        report.notFreed += freeAt(contact.depth + 1e-4) ? 0 : 1;
+        report.freedEarly += contact.depth > 1e-4 && freeAt(contact.depth - 1e-4) ? 1 : 0;
         if (directions > 0)
-            verdict.excess.push_back(contact.depth /
-                                     leastExitDistance(oracle, pose, contact.depth, directions, random));
+            report.excess.push_back(contact.depth / leastExitDistance(oracle, pose, contact.depth, directions, random));
     }
-    std::sort(verdict.excess.begin(), verdict.excess.end());
-    return verdict;
+    std::sort(report.excess.begin(), report.excess.end());
+    return report;
 }
 
 /// The quantile `share` of the excess.
-[[nodiscard]] inline double excessAt(const ContactReport& verdict, double share) {
-    return verdict.excess[static_cast<std::size_t>(share * static_cast<double>(verdict.excess.size() - 1))];
+[[nodiscard]] inline double excessAt(const ContactReport& report, double share) {
+    return report.excess[static_cast<std::size_t>(share * static_cast<double>(report.excess.size() - 1))];
 }
 
 }  // namespace tactooth::test

@@ -23,10 +23,10 @@ TEST(ExactContact, NoneOfTwoThousandPosesIsMissed) {
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             const bool coarse = tool.mesh.triangles.size() < kSmallTool && tooth.mesh.triangles.size() < 100000;
             const int share = coarse ? kWanted * 11 / 10 / static_cast<int>(4 * test::everyTooth().size()) + 1 : 3;
-            const test::TouchReport verdict = test::checkTouch(tooth.mesh, tool.mesh, share, 17);
-            EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name;
+            const test::TouchReport report = test::checkTouch(tooth.mesh, tool.mesh, share, 17);
+            EXPECT_EQ(report.wrong, 0) << tooth.name << " " << tool.name;
             poses += share;
-            touching += verdict.touching;
+            touching += report.touching;
         }
     }
     EXPECT_GE(poses, kWanted);
@@ -39,11 +39,11 @@ TEST(ExactContact, TheDepthFreesEveryToolOnEveryToothAndATenthOfAMicrometreLessD
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             if (tool.mesh.triangles.size() > kSmallTool) continue;
             SCOPED_TRACE(tooth.name + " " + tool.name);
-            const test::ContactReport verdict = test::checkContact(tooth.mesh, tool.mesh, kPosesOfAPair, 0, 23);
-            EXPECT_EQ(verdict.wrongTouch, 0);
-            EXPECT_EQ(verdict.notFreed, 0);
-            EXPECT_EQ(verdict.freedEarly, 0);
-            EXPECT_GT(verdict.touching, kPosesOfAPair / 3);
+            const test::ContactReport report = test::checkContact(tooth.mesh, tool.mesh, kPosesOfAPair, 0, 23);
+            EXPECT_EQ(report.wrongTouch, 0);
+            EXPECT_EQ(report.notFreed, 0);
+            EXPECT_EQ(report.freedEarly, 0);
+            EXPECT_GT(report.touching, kPosesOfAPair / 3);
         }
     }
 }

@@ -30,24 +30,24 @@ bool isPathFree(const ExactIntersection& oracle, const Pose& from, const Vec3& d
 }
 
 /// Whether no straight path from `pose` leads nearer to the device pose by more than kExactEnough.
-bool isProvenMinimum(const ExactIntersection& oracle, const Pose& pose, const Pose& hand) {
+bool isProvenMinimum(const ExactIntersection& oracle, const Pose& pose, const Pose& device) {
     constexpr int kDirections = 400;
-    const Vec3 toHand = hand.position - pose.position;
+    const Vec3 toDevice = device.position - pose.position;
     for (const double reach : {0.003, 0.02}) {  // mm
         for (int i = 0; i < kDirections; ++i) {
             const Vec3 step = reach * spread(i, kDirections);
-            if ((toHand - step).norm() > toHand.norm() - kExactEnough) continue;
+            if ((toDevice - step).norm() > toDevice.norm() - kExactEnough) continue;
             if (!oracle.at({pose.position + step, pose.rotation}) && isPathFree(oracle, pose, step)) return false;
         }
     }
     return true;
 }
 
-void count(SpeedReport& verdict, bool wrong, double error) {
-    if (wrong && verdict.firstWrong < 0) verdict.firstWrong = verdict.ticks;
-    verdict.wrong += wrong ? 1 : 0;
-    if (wrong) verdict.worst = std::max(verdict.worst, error);
-    ++verdict.ticks;
+void count(SpeedReport& report, bool wrong, double error) {
+    if (wrong && report.firstWrong < 0) report.firstWrong = report.ticks;
+    report.wrong += wrong ? 1 : 0;
+    if (wrong) report.worst = std::max(report.worst, error);
+    ++report.ticks;
 }
 
 }  // namespace
@@ -72,18 +72,18 @@ std::vector<Pose> pathOver(const Vec3& place, double speed) {
 SpeedReport checkOverPatches(const TenPatches& piece, const TriangleMesh& tool, const Vec3& place, double speed) {
     const std::vector<Pose> path = pathOver(place, speed);
     const ExactIntersection oracle(piece.surface, tool);
-    ProxySolver body(toolOf(tool));
-    body.setSurface(surfaceOf(piece.surface));
-    body.placeAt(path.front());
-    SpeedReport verdict;
-    for (const Pose& hand : path) {
-        verdict.touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
-        verdict.intersecting += oracle.at(body.pose()) ? 1 : 0;
-        const double exact = (nearestFreeTip(piece, tool, hand) - hand.position).norm();
-        const double error = std::abs((body.pose().position - hand.position).norm() - exact);
-        count(verdict, error > kExactEnough || !body.pose().rotation.isApprox(hand.rotation, 1e-12), error);
+    ProxySolver solver(toolOf(tool));
+    solver.setSurface(surfaceOf(piece.surface));
+    solver.placeAt(path.front());
+    SpeedReport report;
+    for (const Pose& device : path) {
+        report.touching += solver.moveToward(device).contactCount > 0 ? 1 : 0;
+        report.intersecting += oracle.at(solver.pose()) ? 1 : 0;
+        const double exact = (nearestFreeTip(piece, tool, device) - device.position).norm();
+        const double error = std::abs((solver.pose().position - device.position).norm() - exact);
+        count(report, error > kExactEnough || !solver.pose().rotation.isApprox(device.rotation, 1e-12), error);
     }
-    return verdict;
+    return report;
 }
 
 SpeedReport checkOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, double speed, int strokes,
@@ -96,29 +96,30 @@ SpeedReport checkOverTooth(const TriangleMesh& tooth, const TriangleMesh& tool, 
     const ExactIntersection oracle(tooth, tool);
     const auto surface = surfaceOf(tooth);
     const auto shape = toolOf(tool);
-    ProxySolver body(shape);
-    ProxySolver patient(shape);
-    for (ProxySolver* each : {&body, &patient}) {
+    ProxySolver solver(shape);
+    ProxySolver fineSteps(shape);
+    for (ProxySolver* each : {&solver, &fineSteps}) {
         each->setSurface(surface);
         each->placeAt(path.front());
     }
-    SpeedReport verdict;
+    SpeedReport report;
     Pose last = path.front();
-    for (const Pose& hand : path) {
-        verdict.touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
+    for (const Pose& device : path) {
+        report.touching += solver.moveToward(device).contactCount > 0 ? 1 : 0;
         for (int i = 1; i <= subSteps; ++i) {
             const double share = static_cast<double>(i) / subSteps;
-            const Vec3 position = last.position + share * (hand.position - last.position);
-            patient.moveToward({position, i == subSteps ? hand.rotation : last.rotation.slerp(share, hand.rotation)});
+            const Vec3 position = last.position + share * (device.position - last.position);
+            fineSteps.moveToward(
+                {position, i == subSteps ? device.rotation : last.rotation.slerp(share, device.rotation)});
         }
-        last = hand;
-        const double error =
-            std::abs((body.pose().position - hand.position).norm() - (patient.pose().position - hand.position).norm());
-        const bool turned = body.pose().rotation.isApprox(hand.rotation, 1e-12);
-        count(verdict, !turned || (error > kExactEnough && !isProvenMinimum(oracle, body.pose(), hand)), error);
-        if (verdict.ticks % 5 == 0) verdict.intersecting += oracle.at(body.pose()) ? 1 : 0;
+        last = device;
+        const double error = std::abs((solver.pose().position - device.position).norm() -
+                                      (fineSteps.pose().position - device.position).norm());
+        const bool turned = solver.pose().rotation.isApprox(device.rotation, 1e-12);
+        count(report, !turned || (error > kExactEnough && !isProvenMinimum(oracle, solver.pose(), device)), error);
+        if (report.ticks % 5 == 0) report.intersecting += oracle.at(solver.pose()) ? 1 : 0;
     }
-    return verdict;
+    return report;
 }
 
 }  // namespace tactooth::test

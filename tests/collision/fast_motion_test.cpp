@@ -12,11 +12,11 @@
 namespace tactooth {
 namespace {
 
-void expectExact(const test::SpeedReport& verdict) {
-    EXPECT_EQ(verdict.wrong, 0) << "of " << verdict.ticks << " ticks, first " << verdict.firstWrong << ", worst "
-                                << verdict.worst << " mm";
-    EXPECT_EQ(verdict.intersecting, 0);
-    EXPECT_GT(verdict.touching, verdict.ticks / 4);
+void expectExact(const test::SpeedReport& report) {
+    EXPECT_EQ(report.wrong, 0) << "of " << report.ticks << " ticks, first " << report.firstWrong << ", worst "
+                               << report.worst << " mm";
+    EXPECT_EQ(report.intersecting, 0);
+    EXPECT_GT(report.touching, report.ticks / 4);
 }
 
 void pressAt(Vec3 TenPatches::*place, double speed) {
@@ -52,23 +52,23 @@ TEST_P(FastMotion, OverCuspsAndFissuresIsExact) {
 // A rotation of a pressed tool pushes it away from the tooth, sometimes beyond its neighbour list. The rotation is
 // completed nevertheless.
 TEST(FastMotion, CompletesTheRotationOfAPressedToolInEveryTick) {
-    ToolTrajectory path;
-    path.stroke = 3;
-    path.strokes = 12;
+    ToolTrajectory trajectory;
+    trajectory.stroke = 3;
+    trajectory.strokes = 12;
     for (const test::NamedMesh& tooth : test::oracleTeeth()) {
         SCOPED_TRACE(tooth.name);
-        const std::vector<Pose> hands = toolTrajectory(tooth.mesh, path);
-        ProxySolver body(test::toolOf(test::oracleTools()[0].mesh));
-        body.setSurface(test::surfaceOf(tooth.mesh));
-        body.placeAt(hands.front());
+        const std::vector<Pose> path = toolTrajectory(tooth.mesh, trajectory);
+        ProxySolver solver(test::toolOf(test::oracleTools()[0].mesh));
+        solver.setSurface(test::surfaceOf(tooth.mesh));
+        solver.placeAt(path.front());
         int touching = 0;
         int behind = 0;
-        for (const Pose& hand : hands) {
-            touching += body.moveToward(hand).contactCount > 0 ? 1 : 0;
-            behind += body.pose().rotation.isApprox(hand.rotation, 1e-12) ? 0 : 1;
+        for (const Pose& device : path) {
+            touching += solver.moveToward(device).contactCount > 0 ? 1 : 0;
+            behind += solver.pose().rotation.isApprox(device.rotation, 1e-12) ? 0 : 1;
         }
         EXPECT_GT(touching, 1000);
-        EXPECT_EQ(behind, 0) << "of " << hands.size();
+        EXPECT_EQ(behind, 0) << "of " << path.size();
     }
 }
 
@@ -76,12 +76,12 @@ TEST(FastMotion, CompletesTheRotationOfAPressedToolInEveryTick) {
 TEST_P(FastMotion, NeverPullsAToolThroughAThinWall) {
     const TriangleMesh wall = test::box(Vec3(-20, -20, -0.1), Vec3(20, 20, 0));
     for (const TriangleMesh& tool : {test::oracleTools()[1].mesh, test::sphere(Vec3::Zero(), 0.02, 8, 4)}) {
-        ProxySolver body(test::toolOf(tool));
-        body.setSurface(test::surfaceOf(wall));
+        ProxySolver solver(test::toolOf(tool));
+        solver.setSurface(test::surfaceOf(wall));
         std::mt19937 random(77);
         std::uniform_real_distribution<double> unit(-1, 1);
-        Pose hand{Vec3(0, 0, 2), Quat::Identity()};
-        body.placeAt(hand);
+        Pose device{Vec3(0, 0, 2), Quat::Identity()};
+        solver.placeAt(device);
         Vec3 displacement = -Vec3::UnitZ();
         int beyond = 0;
         for (int tick = 0; tick < 2000; ++tick) {
@@ -89,13 +89,13 @@ TEST_P(FastMotion, NeverPullsAToolThroughAThinWall) {
                 const double x = unit(random);
                 const double y = unit(random);
                 displacement =
-                    Vec3(x, y, std::abs(hand.position.z()) > 3 ? (hand.position.z() > 0 ? -1 : 1) : unit(random));
-                displacement = (displacement - 0.1 * Vec3(hand.position.x(), hand.position.y(), 0)).normalized();
+                    Vec3(x, y, std::abs(device.position.z()) > 3 ? (device.position.z() > 0 ? -1 : 1) : unit(random));
+                displacement = (displacement - 0.1 * Vec3(device.position.x(), device.position.y(), 0)).normalized();
             }
-            hand.position += GetParam() * test::kTick * displacement;
-            body.moveToward(hand);
-            beyond += hand.position.z() < -0.1 ? 1 : 0;
-            for (const Vec3f& vertex : tool.vertices) ASSERT_GT((body.pose() * vertex.cast<double>()).z(), 0) << tick;
+            device.position += GetParam() * test::kTick * displacement;
+            solver.moveToward(device);
+            beyond += device.position.z() < -0.1 ? 1 : 0;
+            for (const Vec3f& vertex : tool.vertices) ASSERT_GT((solver.pose() * vertex.cast<double>()).z(), 0) << tick;
         }
         if (GetParam() > 200) {
             EXPECT_GT(beyond, 300);
@@ -120,17 +120,17 @@ TEST_P(FastMotion, InANarrowFissureIsExact) {
         for (const Vec3f& v : tool.vertices) lowest = std::min(lowest, normal.dot(v.cast<double>()));
         free.push_back({normal, -lowest});
     }
-    ProxySolver body(test::toolOf(tool));
-    body.setSurface(test::surfaceOf(fissure, false));
+    ProxySolver solver(test::toolOf(tool));
+    solver.setSurface(test::surfaceOf(fissure, false));
     std::vector<Pose> path = test::pathOver(Vec3(0, 0, 2.2), GetParam());
-    body.placeAt({Vec3(0, 0, 4), Quat::Identity()});
-    for (Pose& hand : path) {
-        hand.rotation = Quat::Identity();
-        body.moveToward(hand);
-        const Qp3Result exact = solveQp3(free, hand.position, 1e-12);
+    solver.placeAt({Vec3(0, 0, 4), Quat::Identity()});
+    for (Pose& device : path) {
+        device.rotation = Quat::Identity();
+        solver.moveToward(device);
+        const Qp3Result exact = solveQp3(free, device.position, 1e-12);
         ASSERT_TRUE(exact.feasible);
-        const double depth = (exact.point - hand.position).norm();
-        EXPECT_NEAR((body.pose().position - hand.position).norm(), depth, test::kExactEnough);
+        const double depth = (exact.point - device.position).norm();
+        EXPECT_NEAR((solver.pose().position - device.position).norm(), depth, test::kExactEnough);
     }
 }
 

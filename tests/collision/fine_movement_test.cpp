@@ -43,20 +43,20 @@ TEST_P(FineMovement, EachStepDownToANanometreMakesTheDepthGrow) {
     const auto surface = test::surfaceOf(tooth);
     const auto tool = test::toolOf(test::oracleTools()[0].mesh);
     ContactQuery query(tool, surface);
-    ProxySolver body(tool);
-    body.setSurface(surface);
+    ProxySolver solver(tool);
+    solver.setSurface(surface);
     for (const auto& [start, outward] : touchingPoses(tooth, query, 6)) {
         for (const double movement : kMovements) {
             ASSERT_TRUE(query.at(start).touching);
-            body.placeAt(query.freePose());
-            body.moveToward(start);
+            solver.placeAt(query.freePose());
+            solver.moveToward(start);
             double deepest = query.at(start).depth;
-            double proxyDeepest = (body.pose().position - start.position).norm();
+            double proxyDeepest = (solver.pose().position - start.position).norm();
             for (int step = 1; step <= kSteps; ++step) {
-                const Pose hand{start.position - step * movement * outward, start.rotation};
-                const double depth = query.at(hand).depth;
-                body.moveToward(hand);
-                const double proxyDepth = (body.pose().position - hand.position).norm();
+                const Pose device{start.position - step * movement * outward, start.rotation};
+                const double depth = query.at(device).depth;
+                solver.moveToward(device);
+                const double proxyDepth = (solver.pose().position - device.position).norm();
                 EXPECT_GT(depth, deepest) << movement << " mm, step " << step;
                 EXPECT_GT(proxyDepth, proxyDeepest) << movement << " mm, step " << step;
                 EXPECT_LT(depth, deepest + 1.001 * movement + 1e-6) << movement << " mm, step " << step;

@@ -34,35 +34,36 @@ int stressTest(const TriangleMesh& tooth, const TriangleMesh& tool, const Vec3& 
     const auto shape = test::toolOf(tool);
     const test::ExactIntersection oracle(tooth, tool);
     ContactQuery query(shape, surface);
-    ProxySolver body(shape);
-    body.setSurface(surface);
+    ProxySolver solver(shape);
+    solver.setSurface(surface);
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };
-    Pose hand{centre + 3 * size * Vec3::UnitZ(), Quat::Identity()};
-    body.placeAt(hand);
+    Pose device{centre + 3 * size * Vec3::UnitZ(), Quat::Identity()};
+    solver.placeAt(device);
     int held = 0;
     for (int tick = 0; tick < 300; ++tick) {
-        hand.position += 0.1 * size * kick() - 0.05 * (hand.position - centre);
+        device.position += 0.1 * size * kick() - 0.05 * (device.position - centre);
         const Vec3 axis = kick();
-        hand.rotation = (Quat(Eigen::AngleAxisd(0.05 * axis.norm(), axis.normalized())) * hand.rotation).normalized();
-        const MoveResult result = body.moveToward(hand);
-        EXPECT_TRUE(isFinite(body.pose())) << tick;
+        device.rotation =
+            (Quat(Eigen::AngleAxisd(0.05 * axis.norm(), axis.normalized())) * device.rotation).normalized();
+        const MoveResult result = solver.moveToward(device);
+        EXPECT_TRUE(isFinite(solver.pose())) << tick;
         EXPECT_LE(result.iterations, kMostIterations);
         EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
         for (int i = 0; i < result.contactCount; ++i) {
             EXPECT_NEAR(result.contacts[i].normal.norm(), 1, 1e-9);
-            EXPECT_TRUE(std::isfinite(result.contacts[i].share));
+            EXPECT_TRUE(std::isfinite(result.contacts[i].multiplier));
         }
-        EXPECT_FALSE(oracle.at(body.pose())) << tick;
+        EXPECT_FALSE(oracle.at(solver.pose())) << tick;
         if (tick % 10 == 0) {
-            const Contact contact = query.at(hand);
+            const Contact contact = query.at(device);
             expectSound(contact);
             if (!closed) {
-                EXPECT_EQ(contact.touching, oracle.at(hand)) << tick;
+                EXPECT_EQ(contact.touching, oracle.at(device)) << tick;
             }
 
-            expectSound(query.deepestPairAt(hand));
+            expectSound(query.deepestPairAt(device));
         }
         held += result.contactCount > 0 ? 1 : 0;
         if (::testing::Test::HasFailure()) return held;
@@ -97,15 +98,15 @@ TEST(HostileMesh, ADenseFanOfNeedlesHoldsAToolThatStillMoves) {
         fan.vertices.push_back(Vec3(std::cos(angle), std::sin(angle), 0).cast<float>());
         fan.triangles.push_back({0, i + 1, (i + 1) % kNeedles + 1});
     }
-    ProxySolver body(test::toolOf(smallTool()));
-    body.setSurface(test::surfaceOf(fan, false));
-    body.placeAt({Vec3(0.02, 0.01, 0.5), Quat::Identity()});
-    for (int tick = 0; tick < 60; ++tick) body.moveToward({Vec3(0.02, 0.01, 0.5 - 0.01 * tick), Quat::Identity()});
-    EXPECT_NEAR(body.pose().position.z(), 0, 1e-4);  // pressed 0.09 mm below the disc
-    for (int tick = 0; tick < 40; ++tick) body.moveToward({Vec3(0.02 + 0.01 * tick, 0.01, -0.09), Quat::Identity()});
-    EXPECT_NEAR(body.pose().position.x(), 0.41, 1e-4);
-    for (int tick = 0; tick < 10; ++tick) body.moveToward({Vec3(0.41, 0.01, 0.05 * tick), Quat::Identity()});
-    EXPECT_EQ(body.pose().position.z(), 0.45);
+    ProxySolver solver(test::toolOf(smallTool()));
+    solver.setSurface(test::surfaceOf(fan, false));
+    solver.placeAt({Vec3(0.02, 0.01, 0.5), Quat::Identity()});
+    for (int tick = 0; tick < 60; ++tick) solver.moveToward({Vec3(0.02, 0.01, 0.5 - 0.01 * tick), Quat::Identity()});
+    EXPECT_NEAR(solver.pose().position.z(), 0, 1e-4);  // pressed 0.09 mm below the disc
+    for (int tick = 0; tick < 40; ++tick) solver.moveToward({Vec3(0.02 + 0.01 * tick, 0.01, -0.09), Quat::Identity()});
+    EXPECT_NEAR(solver.pose().position.x(), 0.41, 1e-4);
+    for (int tick = 0; tick < 10; ++tick) solver.moveToward({Vec3(0.41, 0.01, 0.05 * tick), Quat::Identity()});
+    EXPECT_EQ(solver.pose().position.z(), 0.45);
 }
 
 // Random triangles of every size, some of them needles of a tenth of a nanometre, that cross and cover each other.
@@ -169,12 +170,12 @@ TEST(HostileMesh, OnlyZeroAreaTrianglesAreStillFinite) {
     TriangleMesh dust;
     dust.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     dust.triangles = {{0, 0, 0}, {1, 1, 2}, {0, 1, 1}};
-    ProxySolver body(test::toolOf(smallTool()));
-    body.setSurface(test::surfaceOf(dust, false));
-    body.placeAt({Vec3(0, 0, 2), Quat::Identity()});
+    ProxySolver solver(test::toolOf(smallTool()));
+    solver.setSurface(test::surfaceOf(dust, false));
+    solver.placeAt({Vec3(0, 0, 2), Quat::Identity()});
     for (int i = 0; i < 50; ++i) {
-        body.moveToward({Vec3(0.1, 0.1, 1 - 0.05 * i), Quat::Identity()});
-        ASSERT_TRUE(isFinite(body.pose()));
+        solver.moveToward({Vec3(0.1, 0.1, 1 - 0.05 * i), Quat::Identity()});
+        ASSERT_TRUE(isFinite(solver.pose()));
     }
     ContactQuery query(test::toolOf(smallTool()), test::surfaceOf(dust, false));
     expectSound(query.at({Vec3(0, 0, -0.5), Quat::Identity()}));
@@ -227,11 +228,11 @@ TEST(HostileMesh, AnEmptyToothOrToolHoldsNothing) {
     const Pose goal{Vec3(0.1, 0, -0.5), Quat::Identity()};
     for (const auto& [tooth, tool] : {std::pair(TriangleMesh{}, smallTool()), std::pair(block(), TriangleMesh{}),
                                       std::pair(TriangleMesh{}, TriangleMesh{})}) {
-        ProxySolver body(test::toolOf(tool));
-        body.setSurface(test::surfaceOf(tooth));
-        body.placeAt({Vec3(0, 0, 3), Quat::Identity()});
-        for (int i = 0; i < 20; ++i) body.moveToward(goal);
-        EXPECT_EQ(body.pose().position, goal.position);
+        ProxySolver solver(test::toolOf(tool));
+        solver.setSurface(test::surfaceOf(tooth));
+        solver.placeAt({Vec3(0, 0, 3), Quat::Identity()});
+        for (int i = 0; i < 20; ++i) solver.moveToward(goal);
+        EXPECT_EQ(solver.pose().position, goal.position);
         ContactQuery query(test::toolOf(tool), test::surfaceOf(tooth));
         EXPECT_FALSE(query.at(goal).touching);
         EXPECT_FALSE(query.deepestPairAt(goal).touching);

@@ -22,10 +22,10 @@ TEST_P(LongFastMotion, OverEveryToothIsExact) {
         for (const std::size_t tool : {0, 1}) {
             const test::NamedMesh& bur = test::oracleTools()[tool];
             const int strokes = test::fewStrokes(GetParam());
-            const test::SpeedReport verdict = test::checkOverTooth(tooth.mesh, bur.mesh, GetParam(), strokes, 50);
-            EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << bur.name << ": of " << verdict.ticks << " ticks, first "
-                                        << verdict.firstWrong << ", worst " << verdict.worst << " mm";
-            EXPECT_EQ(verdict.intersecting, 0) << tooth.name << " " << bur.name;
+            const test::SpeedReport report = test::checkOverTooth(tooth.mesh, bur.mesh, GetParam(), strokes, 50);
+            EXPECT_EQ(report.wrong, 0) << tooth.name << " " << bur.name << ": of " << report.ticks << " ticks, first "
+                                       << report.firstWrong << ", worst " << report.worst << " mm";
+            EXPECT_EQ(report.intersecting, 0) << tooth.name << " " << bur.name;
         }
     }
 }
@@ -36,10 +36,10 @@ TEST_P(LongFastMotionOnManyPaths, IsExactOverEveryTooth) {
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const std::size_t tool : {0, 1}) {
             const test::NamedMesh& bur = test::oracleTools()[tool];
-            const test::SpeedReport verdict = test::checkOverTooth(tooth.mesh, bur.mesh, GetParam(), 24, subSteps);
-            EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << bur.name << ": of " << verdict.ticks << " ticks, first "
-                                        << verdict.firstWrong << ", worst " << verdict.worst << " mm";
-            EXPECT_EQ(verdict.intersecting, 0) << tooth.name << " " << bur.name;
+            const test::SpeedReport report = test::checkOverTooth(tooth.mesh, bur.mesh, GetParam(), 24, subSteps);
+            EXPECT_EQ(report.wrong, 0) << tooth.name << " " << bur.name << ": of " << report.ticks << " ticks, first "
+                                       << report.firstWrong << ", worst " << report.worst << " mm";
+            EXPECT_EQ(report.intersecting, 0) << tooth.name << " " << bur.name;
         }
     }
 }
@@ -48,10 +48,10 @@ TEST_P(LongFastMotion, OnTenPatchesIsExactWithEveryKindOfTool) {
     const TenPatches piece = makeTenPatches();
     for (const test::NamedMesh& tool : test::everyKindOfTool()) {
         for (const Vec3& place : {piece.a, piece.b, piece.c}) {
-            const test::SpeedReport verdict = test::checkOverPatches(piece, tool.mesh, place, GetParam());
-            EXPECT_EQ(verdict.wrong, 0) << tool.name << ": of " << verdict.ticks << " ticks, first "
-                                        << verdict.firstWrong << ", worst " << verdict.worst << " mm";
-            EXPECT_EQ(verdict.intersecting, 0) << tool.name;
+            const test::SpeedReport report = test::checkOverPatches(piece, tool.mesh, place, GetParam());
+            EXPECT_EQ(report.wrong, 0) << tool.name << ": of " << report.ticks << " ticks, first " << report.firstWrong
+                                       << ", worst " << report.worst << " mm";
+            EXPECT_EQ(report.intersecting, 0) << tool.name;
         }
     }
 }

@@ -27,10 +27,10 @@ TEST(LongContactOracle, NoneOfAHundredThousandPosesIsMissed) {
         for (const test::NamedMesh& tooth : test::everyTooth()) {
             for (const test::NamedMesh& tool : test::everyKindOfTool()) {
                 const int some = fewerIfLarge(share, tooth, tool);
-                const test::TouchReport verdict = test::checkTouch(tooth.mesh, tool.mesh, some, seed);
-                EXPECT_EQ(verdict.wrong, 0) << tooth.name << " " << tool.name << " " << seed;
+                const test::TouchReport report = test::checkTouch(tooth.mesh, tool.mesh, some, seed);
+                EXPECT_EQ(report.wrong, 0) << tooth.name << " " << tool.name << " " << seed;
                 poses += some;
-                touching += verdict.touching;
+                touching += report.touching;
             }
         }
     }
@@ -46,13 +46,13 @@ TEST(LongContactOracle, EveryDepthFreesAndIsNearlyTheLeastOfAThousandDirections)
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             SCOPED_TRACE(tooth.name + " " + tool.name);
             const int poses = fewerIfLarge(share, tooth, tool);
-            const test::ContactReport verdict = test::checkContact(tooth.mesh, tool.mesh, poses, 1000, 2024);
-            EXPECT_EQ(verdict.wrongTouch, 0);
-            EXPECT_EQ(verdict.notFreed, 0);
-            EXPECT_EQ(verdict.freedEarly, 0);
-            EXPECT_LE(test::excessAt(verdict, 0.9), 1.05);
-            EXPECT_LE(test::excessAt(verdict, 0.99), 1.25);
-            excess.insert(excess.end(), verdict.excess.begin(), verdict.excess.end());
+            const test::ContactReport report = test::checkContact(tooth.mesh, tool.mesh, poses, 1000, 2024);
+            EXPECT_EQ(report.wrongTouch, 0);
+            EXPECT_EQ(report.notFreed, 0);
+            EXPECT_EQ(report.freedEarly, 0);
+            EXPECT_LE(test::excessAt(report, 0.9), 1.05);
+            EXPECT_LE(test::excessAt(report, 0.99), 1.25);
+            excess.insert(excess.end(), report.excess.begin(), report.excess.end());
         }
     }
     EXPECT_GT(excess.size(), 1000U);
@@ -62,10 +62,10 @@ TEST(LongContactOracle, FourHundredPosesOfEveryPairAreFreedByTheirDepth) {
     for (const test::NamedMesh& tooth : test::everyTooth()) {
         for (const test::NamedMesh& tool : test::everyKindOfTool()) {
             SCOPED_TRACE(tooth.name + " " + tool.name);
-            const test::ContactReport verdict =
+            const test::ContactReport report =
                 test::checkContact(tooth.mesh, tool.mesh, fewerIfLarge(400, tooth, tool), 0, 4);
-            EXPECT_EQ(verdict.notFreed, 0);
-            EXPECT_EQ(verdict.freedEarly, 0);
+            EXPECT_EQ(report.notFreed, 0);
+            EXPECT_EQ(report.freedEarly, 0);
         }
     }
 }

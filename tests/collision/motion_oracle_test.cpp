@@ -24,40 +24,41 @@ struct Case {
     std::size_t insideEvery = 25;  // ticks
 };
 
-/// Leads a proxy along a path and checks its poses. Returns the share of ticks with contact.
+/// Leads a proxy along a path and checks its poses. Returns the fraction of ticks with contact.
 double checkAlong(const Case& what) {
     const TriangleMesh& tooth = test::oracleTeeth()[what.tooth].mesh;
     const TriangleMesh& tool = test::oracleTools()[what.tool].mesh;
     const test::Oracle oracle(tooth, tool);
     const auto surface = test::surfaceOf(tooth);
     const auto shape = test::toolOf(tool);
-    const std::vector<Pose> hand = toolTrajectory(tooth, what.path);
+    const std::vector<Pose> devicePath = toolTrajectory(tooth, what.path);
     ContactQuery query(shape, surface);
-    ProxySolver body(shape);
-    body.setSurface(surface);
-    const bool startsInside = !oracle.isFree(hand.front());
+    ProxySolver solver(shape);
+    solver.setSurface(surface);
+    const bool startsInside = !oracle.isFree(devicePath.front());
     EXPECT_EQ(startsInside, what.path.approach < 0);
-    EXPECT_EQ(query.at(hand.front()).touching, startsInside);
-    body.placeAt(startsInside ? query.freePose() : hand.front());
+    EXPECT_EQ(query.at(devicePath.front()).touching, startsInside);
+    solver.placeAt(startsInside ? query.freePose() : devicePath.front());
     std::size_t held = 0;
-    for (std::size_t tick = 0; tick < hand.size(); ++tick) {
-        const MoveResult result = body.moveToward(hand[tick]);
+    for (std::size_t tick = 0; tick < devicePath.size(); ++tick) {
+        const MoveResult result = solver.moveToward(devicePath[tick]);
         EXPECT_NE(result.status, MoveStatus::Overlapping) << tick;
         Vec3 pushed = Vec3::Zero();
-        for (int i = 0; i < result.contactCount; ++i) pushed += result.contacts[i].share * result.contacts[i].normal;
+        for (int i = 0; i < result.contactCount; ++i)
+            pushed += result.contacts[i].multiplier * result.contacts[i].normal;
         held += result.contactCount > 0 ? 1 : 0;
-        const bool tight = result.status == MoveStatus::InContact && body.pose().rotation.isApprox(hand[tick].rotation);
-        if (tight) {
-            EXPECT_NEAR((body.pose().position - hand[tick].position - pushed).norm(), 0, 1e-3) << tick;
+        const bool rotatesFully = solver.pose().rotation.isApprox(devicePath[tick].rotation);
+        if (result.status == MoveStatus::InContact && rotatesFully) {
+            EXPECT_NEAR((solver.pose().position - devicePath[tick].position - pushed).norm(), 0, 1e-3) << tick;
         }
 
         const bool checksTouch = tick % what.touchEvery == 0;
-        if (checksTouch && oracle.touches(body.pose())) return ADD_FAILURE() << "intersects at tick " << tick, 0;
-        const bool checksInside = tick % what.insideEvery == 0 || tick + 1 == hand.size();
-        if (checksInside && oracle.encloses(body.pose())) return ADD_FAILURE() << "is inside at tick " << tick, 0;
+        if (checksTouch && oracle.touches(solver.pose())) return ADD_FAILURE() << "intersects at tick " << tick, 0;
+        const bool checksInside = tick % what.insideEvery == 0 || tick + 1 == devicePath.size();
+        if (checksInside && oracle.encloses(solver.pose())) return ADD_FAILURE() << "is inside at tick " << tick, 0;
     }
-    EXPECT_LT((body.pose().position - hand.back().position).norm(), what.path.approach < 0 ? 10 : 1e-9);
-    return static_cast<double>(held) / static_cast<double>(hand.size());
+    EXPECT_LT((solver.pose().position - devicePath.back().position).norm(), what.path.approach < 0 ? 10 : 1e-9);
+    return static_cast<double>(held) / static_cast<double>(devicePath.size());
 }
 
 ToolTrajectory pathAt(double speed, double press) {
@@ -103,22 +104,22 @@ TEST(MotionOracle, ARandomWalkOverAToothNeverIntersects) {
         std::mt19937 random(seed);
         std::normal_distribution<double> normal;
         const auto kick = [&] { return Vec3(normal(random), normal(random), normal(random)); };
-        ProxySolver body(test::toolOf(tool));
-        body.setSurface(test::surfaceOf(tooth));
-        Pose hand{Vec3(home.x(), home.y(), boundingBox(tooth).max().z() + 0.2), Quat::Identity()};
-        body.placeAt(hand);
+        ProxySolver solver(test::toolOf(tool));
+        solver.setSurface(test::surfaceOf(tooth));
+        Pose device{Vec3(home.x(), home.y(), boundingBox(tooth).max().z() + 0.2), Quat::Identity()};
+        solver.placeAt(device);
         int held = 0;
         for (int tick = 0; tick < 800; ++tick) {
             const double size = tick % 100 == 99 ? 1.0 : 0.05;  // sometimes a jump
-            hand.position += size * kick() - 0.02 * (hand.position - home);
+            device.position += size * kick() - 0.02 * (device.position - home);
             const Vec3 axis = kick();
-            hand.rotation =
-                (Quat(Eigen::AngleAxisd(0.02 * axis.norm(), axis.normalized())) * hand.rotation).normalized();
-            const MoveResult result = body.moveToward(hand);
+            device.rotation =
+                (Quat(Eigen::AngleAxisd(0.02 * axis.norm(), axis.normalized())) * device.rotation).normalized();
+            const MoveResult result = solver.moveToward(device);
             ASSERT_NE(result.status, MoveStatus::Overlapping) << seed << " " << tick;
-            ASSERT_FALSE(oracle.touches(body.pose())) << seed << " " << tick;
+            ASSERT_FALSE(oracle.touches(solver.pose())) << seed << " " << tick;
             if (tick % 50 == 49) {
-                ASSERT_FALSE(oracle.encloses(body.pose())) << seed << " " << tick;
+                ASSERT_FALSE(oracle.encloses(solver.pose())) << seed << " " << tick;
             }
 
             held += result.contactCount > 0 ? 1 : 0;
@@ -132,22 +133,22 @@ TEST(MotionOracle, APathThroughTheToothDoesNotPullTheToolThroughIt) {
     const TriangleMesh& tool = test::oracleTools()[0].mesh;
     const test::Oracle oracle(tooth, tool);
     const Box3 box = boundingBox(tooth);
-    ProxySolver body(test::toolOf(tool));
-    body.setSurface(test::surfaceOf(tooth));
+    ProxySolver solver(test::toolOf(tool));
+    solver.setSurface(test::surfaceOf(tooth));
     const Vec3 middle(box.center().x(), box.center().y(), box.max().z() - 5);
     for (const double speed : {0.05, 1.0, 20.0}) {  // mm a tick
         const Pose start{Vec3(middle.x(), box.min().y() - 3, middle.z()), Quat(Eigen::AngleAxisd(1.5, Vec3::UnitX()))};
         ASSERT_TRUE(oracle.isFree(start));
-        body.placeAt(start);
-        Pose hand = start;
-        while (hand.position.y() < middle.y()) {
-            hand.position.y() += speed;
-            body.moveToward(hand);
-            ASSERT_TRUE(oracle.isFree(body.pose())) << speed;
+        solver.placeAt(start);
+        Pose device = start;
+        while (device.position.y() < middle.y()) {
+            device.position.y() += speed;
+            solver.moveToward(device);
+            ASSERT_TRUE(oracle.isFree(solver.pose())) << speed;
         }
-        for (int i = 0; i < 20; ++i) body.moveToward({middle, start.rotation});
-        EXPECT_LT(body.pose().position.y(), middle.y()) << speed;
-        EXPECT_TRUE(oracle.isFree(body.pose())) << speed;
+        for (int i = 0; i < 20; ++i) solver.moveToward({middle, start.rotation});
+        EXPECT_LT(solver.pose().position.y(), middle.y()) << speed;
+        EXPECT_TRUE(oracle.isFree(solver.pose())) << speed;
     }
 }
 

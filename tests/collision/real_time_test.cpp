@@ -72,11 +72,11 @@ TriangleMesh ball() {
 }
 
 /// A path of the device that wanders over the plate and presses into it.
-Pose nextGoal(const Pose& hand, Dice& dice) {
-    Pose next = hand;
-    next.position += 0.04 * dice.vector() - 0.01 * (hand.position - Vec3(0, 0, -0.1));
+Pose nextGoal(const Pose& device, Dice& dice) {
+    Pose next = device;
+    next.position += 0.04 * dice.vector() - 0.01 * (device.position - Vec3(0, 0, -0.1));
     const Vec3 turn = 0.01 * dice.vector();
-    const Quat& q = hand.rotation;
+    const Quat& q = device.rotation;
     const Vec3 v = q.vec() + q.w() * turn + turn.cross(q.vec());
     const double w = q.w() - turn.dot(q.vec());
     const double length = std::sqrt(w * w + v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
@@ -86,20 +86,20 @@ Pose nextGoal(const Pose& hand, Dice& dice) {
 
 /// Follows the path and returns a hash of every pose (FNV-1a by 64-bit words).
 std::uint64_t walk(int ticks, long& allocated, int& held) {
-    ProxySolver body(test::toolOf(ball()));
-    body.setSurface(test::surfaceOf(bumps(), false));
+    ProxySolver solver(test::toolOf(ball()));
+    solver.setSurface(test::surfaceOf(bumps(), false));
     Dice dice;
-    Pose hand{Vec3(0, 0, 1), Quat::Identity()};
-    body.placeAt(hand);
+    Pose device{Vec3(0, 0, 1), Quat::Identity()};
+    solver.placeAt(device);
     Fnv1a hash;
     const auto add = [&](double value) { hash.addWord(std::bit_cast<std::uint64_t>(value)); };
     const long before = test::heapCalls();
     for (int tick = 0; tick < ticks; ++tick) {
-        hand = nextGoal(hand, dice);
-        const MoveResult result = body.moveToward(hand);
+        device = nextGoal(device, dice);
+        const MoveResult result = solver.moveToward(device);
         held += result.contactCount > 0 ? 1 : 0;
-        for (int axis = 0; axis < 3; ++axis) add(body.pose().position[axis]);
-        for (int i = 0; i < 4; ++i) add(body.pose().rotation.coeffs()[i]);
+        for (int axis = 0; axis < 3; ++axis) add(solver.pose().position[axis]);
+        for (int i = 0; i < 4; ++i) add(solver.pose().rotation.coeffs()[i]);
     }
     allocated = test::heapCalls() - before;
     return hash.value();

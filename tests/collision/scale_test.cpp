@@ -30,14 +30,14 @@ std::vector<double> depthsAlong(const TriangleMesh& tooth, const TriangleMesh& t
     how.press = 0.2;
     TriangleMesh moved = scaled(tooth, scale);
     for (Vec3f& v : moved.vertices) v = (v.cast<double>() + offset).cast<float>();
-    ProxySolver body(test::toolOf(scaled(tool, scale)));
-    body.setSurface(test::surfaceOf(moved));
+    ProxySolver solver(test::toolOf(scaled(tool, scale)));
+    solver.setSurface(test::surfaceOf(moved));
     std::vector<double> depths;
     for (const Pose& pose : toolTrajectory(tooth, how)) {
-        const Pose hand{scale * pose.position + offset, pose.rotation};
-        if (depths.empty()) body.placeAt(hand);
-        body.moveToward(hand);
-        depths.push_back((body.pose().position - hand.position).norm());
+        const Pose device{scale * pose.position + offset, pose.rotation};
+        if (depths.empty()) solver.placeAt(device);
+        solver.moveToward(device);
+        depths.push_back((solver.pose().position - device.position).norm());
     }
     return depths;
 }

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fuzz/fuzz_target.h"
-#include "tooth/file/byte_stream.h"
+#include "geometry/util/byte_stream.h"
 #include "tooth/file/saved_tooth.h"
 
 namespace tactooth::test {

@@ -134,7 +134,7 @@ TEST(ToolProxy, StaysInTheOldSurfaceWhereTheNewOneCatchesItOnAllSides) {
     (void)proxy.follow(handAt(0, 0.2));
     EXPECT_EQ(proxy.surface(), wider);
     for (int tick = 0; tick < 120; ++tick) (void)proxy.follow(handAt(0, 0.2 + 0.01 * tick));  // above the narrow one
-    EXPECT_EQ(proxy.surface(), narrow) << "felt as soon as the tool is free in it";
+    EXPECT_EQ(proxy.surface(), narrow) << "used as soon as the tool is free in it";
 }
 
 /// Sets a new surface that rises up to `rise` in a ball that rests on the old one, at 0, and continues for `seconds`.
@@ -163,14 +163,14 @@ TEST(ToolProxy, MovesFartherOutOfASurfaceThatKeepsItCaught) {
 }
 
 TEST(ToolProxy, RetriesANewSurfaceAfterTheSameTimeAtAnyRate) {
-    const auto secondsUntilItIsFelt = [](double dt) {
+    const auto secondsUntilItIsUsed = [](double dt) {
         const std::vector<double> heights = heightsWhereTheFloorHasRisen(0.009, 0.1, dt);
         const auto hapticSurface = std::ranges::find_if(heights, [](double height) { return height > 1e-3; });
         return static_cast<double>(hapticSurface - heights.begin()) * dt;
     };
-    const double slow = secondsUntilItIsFelt(1e-3);
+    const double slow = secondsUntilItIsUsed(1e-3);
     EXPECT_GT(slow, 0.004);
-    EXPECT_NEAR(secondsUntilItIsFelt(0.25e-3), slow, 1e-3);
+    EXPECT_NEAR(secondsUntilItIsUsed(0.25e-3), slow, 1e-3);
 }
 
 TEST(HapticSurfaceBuilder, CoversTheSlideOfTheToolBesidesTheCut) {
@@ -259,9 +259,9 @@ TEST(HapticSurfaceBuilder, ReachesNoFartherThanTheToolMovesUntilTheNextList) {
     const auto tool = ball();
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     HapticSurface* hapticSurface = surfaces.make(blockUpTo(0), at(0), at(-0.5));
-    const ContactMargin& skin = hapticSurface->near.contactMargin();
-    EXPECT_LT(skin.along.z(), -0.03);
-    EXPECT_LT(skin.length(), 0.15);
+    const ContactMargin& margin = hapticSurface->near.contactMargin();
+    EXPECT_LT(margin.along.z(), -0.03);
+    EXPECT_LT(margin.length(), 0.15);
     EXPECT_EQ(hapticSurface->reach, at(-0.5).position);
     surfaces.recycle(hapticSurface);
 }

@@ -36,7 +36,7 @@ TEST(MotorThermalModel, AFullPressFallsToTheContinuousForceAndHeatsNoFurther) {
     for (int i = 0; i < 600'000; ++i) {
         const double force = heat.bound();
         ASSERT_LE(force, last + 1e-12);
-        ASSERT_GT(force, last - 0.005) << "felt as a step";
+        ASSERT_GT(force, last - 0.005) << "no step that a hand feels";
         heat.add(force, kTick, 0);
         warmest = std::max(warmest, heat.heat());
         last = force;

@@ -210,7 +210,7 @@ TEST(PoseValidator, AnOldReadingIsAFault) {
     }
 }
 
-TEST(PoseValidator, JudgeGivesTheResultOfTakeAndChangesNothing) {
+TEST(PoseValidator, CheckGivesTheResultOfTakeAndChangesNothing) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> part(-1, 1);
     PoseValidator validator;
@@ -220,10 +220,9 @@ TEST(PoseValidator, JudgeGivesTheResultOfTakeAndChangesNothing) {
         PoseReading reading = at(Vec3(place, 0, 0), turned(0.02 * part(random)));
         if (random() % 1000 == 0) reading.rotation.coeffs() *= 1.5;
         const bool touching = random() % 2 == 0;
-        const PoseFault judged = validator.judge(reading, kTick, touching);
-        ASSERT_EQ(validator.judge(reading, kTick, touching), judged);
-        ASSERT_EQ(validator.take(reading, kTick, touching), judged == PoseFault::None ? PoseFault::None : judged)
-            << tick;
+        const PoseFault expected = validator.check(reading, kTick, touching);
+        ASSERT_EQ(validator.check(reading, kTick, touching), expected);
+        ASSERT_EQ(validator.take(reading, kTick, touching), expected) << tick;
     }
 }
 

@@ -40,7 +40,7 @@ TEST(ToolProxy, OnAPlaneItStaysAboveTheDevice) {
     for (const ContactPoint& held : state.contactPoints()) {
         EXPECT_EQ(held.material, test::kDentin);
         EXPECT_NEAR(held.point.z(), 0, kRounding);
-        sum += held.share * held.normal;
+        sum += held.multiplier * held.normal;
     }
     EXPECT_TRUE(sum.isApprox(state.offset, kRounding));
 }
@@ -55,7 +55,7 @@ TEST(ToolProxy, TravelIsThatOfTheProxyAndNotOfTheDevice) {
 TEST(ToolProxy, NeverEntersTheToothOnARandomWalkThroughIt) {
     const auto surface = test::block();
     ToolProxy proxy = proxyAbove(surface);
-    ContactQuery judge(test::ball(), surface);
+    ContactQuery query(test::ball(), surface);
     std::mt19937 random(20260204);
     std::normal_distribution<double> step(0, 0.15);
     Pose hand = at(0, 0, 0.5);
@@ -67,7 +67,7 @@ TEST(ToolProxy, NeverEntersTheToothOnARandomWalkThroughIt) {
         ASSERT_TRUE(state.placed);
         // The oracle's rounding error is some picometres: ask it a nanometre off the surface.
         const Vec3 off = state.contacts > 0 ? Vec3(1e-6 * state.offset.normalized()) : Vec3::Zero();
-        ASSERT_TRUE(judge.isFree({state.proxy.position + off, state.proxy.rotation})) << i;
+        ASSERT_TRUE(query.isFree({state.proxy.position + off, state.proxy.rotation})) << i;
         touching += state.contacts > 0;
     }
     EXPECT_GT(touching, 600);

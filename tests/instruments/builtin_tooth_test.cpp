@@ -35,7 +35,7 @@ constexpr Average kAverages[] = {{LowerFirstMolar, 46, 7.5, 14.0, 11.0, 10.5, 9.
                                  {UpperCentralIncisor, 11, 10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5},
                                  {UpperCanine, 13, 10.0, 17.0, 7.5, 8.0, 5.5, 7.0, 2.5, 1.5}};
 
-constexpr std::span<const Average> kJudged = std::span(kAverages).first(test::cases<std::size_t>(3, 1));
+constexpr std::span<const Average> kTestedAverages = std::span(kAverages).first(test::cases<std::size_t>(3, 1));
 
 constexpr double kTolerance = 0.03;  // of each length
 
@@ -217,7 +217,7 @@ TEST_P(EveryTooth, IsALayeredToothWithEnamelAboveTheCervicalLineAndDentinBelow) 
     EXPECT_GT(dentin, 4000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kJudged.begin(), kJudged.end()),
+INSTANTIATE_TEST_SUITE_P(Builtin, EveryTooth, testing::ValuesIn(kTestedAverages.begin(), kTestedAverages.end()),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
 
 TEST(BuiltinTooth, LesionGrowsWithItsWidthAndZeroMeansSound) {
@@ -288,7 +288,7 @@ TEST(BuiltinTooth, TheLowerRightMolarFitsIntoTheRightSideOfTheMouth) {
 }
 
 TEST(BuiltinTooth, IsTheSameOnAnyNumberOfThreads) {
-    for (const Average& average : kJudged) {
+    for (const Average& average : kTestedAverages) {
         const BuiltinTooth onMany = makeBuiltinTooth(average.kind);
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
         const BuiltinTooth onOne = makeBuiltinTooth(average.kind);

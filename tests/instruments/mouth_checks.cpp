@@ -35,7 +35,7 @@ double clearance(const TriangleMesh& a, const TriangleMesh& b) {
 
 TriangleMesh placed(const BuiltinMouth& in, int fdi) {
     const MouthTooth* tooth = in.find(fdi);
-    return rigidlyMoved(tooth->tooth.outer, in.poseOf(*tooth));
+    return transformed(tooth->tooth.outer, in.poseOf(*tooth));
 }
 
 double between(const TriangleMesh& a, const TriangleMesh& b) { return std::min(clearance(a, b), clearance(b, a)); }

@@ -22,7 +22,7 @@ constexpr double kTolerance = 0.03;        // of each length
 constexpr double kCervixTolerance = 0.05;  // of the neck's widths, which are measured across the curved cervical line
 constexpr int kTriangles = 6000;
 
-constexpr std::span<const test::AverageTooth> kJudged =
+constexpr std::span<const test::AverageTooth> kTestedAverages =
     std::span(test::kAverageTeeth).first(test::cases<std::size_t>(16, 1));
 
 const BuiltinTooth& toothOf(int fdi) {
@@ -113,7 +113,7 @@ TEST_P(PermanentTooth, IsALayeredTooth) {
     EXPECT_EQ(layered->materialAt(apex->cast<double>() + 0.3 * Vec3::UnitZ()), test::kDentin);
 }
 
-INSTANTIATE_TEST_SUITE_P(Mouth, PermanentTooth, testing::ValuesIn(kJudged.begin(), kJudged.end()),
+INSTANTIATE_TEST_SUITE_P(Mouth, PermanentTooth, testing::ValuesIn(kTestedAverages.begin(), kTestedAverages.end()),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param.fdi); });
 
 TEST(PermanentTeeth, SeedsGiveOtherPatientsAndTheSameSeedTheSameOne) {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 #include "support/materials.h"
 #include "support/shapes.h"
 

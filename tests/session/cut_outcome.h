@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "assessment/mesh_deviation.h"
+#include "collision/bvh/mesh_deviation.h"
 #include "session/simulation/cut_model.h"
 
 // The result of a cut, to compare two samplings of the same path.

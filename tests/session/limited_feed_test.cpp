@@ -29,7 +29,7 @@ struct HeldBack {
     MaterialId material;
     bool isBall;  // or else a cylinder
     double feed;  // of the hand, mm/s
-    std::vector<Vec3> way;
+    std::vector<Vec3> corners;
 };
 
 void PrintTo(const HeldBack& one, std::ostream* stream) { *stream << one.name; }
@@ -61,13 +61,13 @@ std::vector<TimedPose> pathOf(const HeldBack& one, double tick) {
     const auto add = [&](const Vec3& position) {
         path.push_back({static_cast<double>(path.size()) * tick, {position, Quat::Identity()}});
     };
-    for (std::size_t i = 1; i < one.way.size(); ++i) {
-        const Vec3 leg = one.way[i] - one.way[i - 1];
+    for (std::size_t i = 1; i < one.corners.size(); ++i) {
+        const Vec3 leg = one.corners[i] - one.corners[i - 1];
         const long ticks = std::lround(leg.norm() / one.feed / kTick) * std::lround(kTick / tick);
         for (long k = 0; k < ticks; ++k)
-            add(one.way[i - 1] + static_cast<double>(k) / static_cast<double>(ticks) * leg);
+            add(one.corners[i - 1] + static_cast<double>(k) / static_cast<double>(ticks) * leg);
     }
-    for (long k = 0; k <= std::lround(kRest / tick); ++k) add(one.way.back());
+    for (long k = 0; k <= std::lround(kRest / tick); ++k) add(one.corners.back());
     return path;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// The force while a bur mills a slot at a steady feed from decay into sound enamel: no step at the border, no
+// The force while a bur mills a slot at a steady feed from decay into sound enamel: no step at the boundary, no
 // oscillation at the rate of new surfaces.
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ constexpr double kVoxel = 0.05;     // mm
 constexpr double kFeed = 0.5;       // mm/s
 constexpr double kSpeed = 300'000;  // rev/min
 constexpr double kRadius = 0.5;     // mm
-constexpr double kFrom = -0.4;      // mm; the border is at 0
-constexpr double kWay = 1.2;        // mm
+constexpr double kFrom = -0.4;      // mm; the boundary is at 0
+constexpr double kTravel = 1.2;     // mm
 
 std::shared_ptr<const LayeredTooth> halfDecayedBlock() {
     std::vector<LayerMesh> layers;
@@ -40,16 +40,16 @@ std::vector<TimedPose> millingPath() {
         path.push_back({static_cast<double>(path.size()) * kTick, {Vec3(x, 0.013, z), Quat::Identity()}});
     };
     for (double z = 0.05; z > -0.25; z -= kFeed * kTick) add(kFrom, z);
-    for (double x = kFrom; x < kFrom + kWay; x += kFeed * kTick) add(x, -0.25);
+    for (double x = kFrom; x < kFrom + kTravel; x += kFeed * kTick) add(x, -0.25);
     return path;
 }
 
-struct Felt {
+struct CutForces {
     std::vector<double> normal;  // N, one a tick
     std::vector<Vec3> force;
 };
 
-Felt mill() {
+CutForces mill() {
     const TriangleMesh bur = test::sphere(Vec3(0, 0, kRadius), kRadius, 48, 24);
     const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
     CutModel piece(halfDecayedBlock(), kVoxel);
@@ -57,31 +57,30 @@ Felt mill() {
     settings.spindle = constantSpeed(kSpeed);
     HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
     const double rimTravel = kSpeed / 60 * 2 * std::numbers::pi * kRadius * 1e-3 * kTick;  // m a tick
-    Felt hapticSurface;
+    CutForces forces;
     double work = 0;
     EXPECT_TRUE(cutWithRemovalLaw(millingPath(), tool, settings.materials, simulation, piece,
                                   [&](double, const Tick& tick, const ToothLoss&) {
-                                      hapticSurface.normal.push_back((tick.cutWork - work) / rimTravel);
-                                      hapticSurface.force.push_back(tick.wrench.force);
+                                      forces.normal.push_back((tick.cutWork - work) / rimTravel);
+                                      forces.force.push_back(tick.wrench.force);
                                       work = tick.cutWork;
                                   }));
-    return hapticSurface;
+    return forces;
 }
 
-const Felt& hapticSurface() {
-    static const Felt once = mill();
+const CutForces& forces() {
+    static const CutForces once = mill();
     return once;
 }
 
-TEST(SteadyCutting, NoStepAboveATenthOfANewtonAMillisecondOnTheWayIntoEnamel) {
+TEST(SteadyCutting, NoStepAboveATenthOfANewtonAMillisecondFromDecayIntoEnamel) {
     double largest = 0;
-    for (std::size_t i = 1; i < hapticSurface().normal.size(); ++i) {
-        largest = std::max(largest, std::abs(hapticSurface().normal[i] - hapticSurface().normal[i - 1]));
+    for (std::size_t i = 1; i < forces().normal.size(); ++i) {
+        largest = std::max(largest, std::abs(forces().normal[i] - forces().normal[i - 1]));
     }
     EXPECT_LT(largest, 0.1);
-    const double inDecay =
-        std::accumulate(hapticSurface().normal.end() - 2000, hapticSurface().normal.end() - 1900, 0.0);
-    const double inEnamel = std::accumulate(hapticSurface().normal.end() - 100, hapticSurface().normal.end(), 0.0);
+    const double inDecay = std::accumulate(forces().normal.end() - 2000, forces().normal.end() - 1900, 0.0);
+    const double inEnamel = std::accumulate(forces().normal.end() - 100, forces().normal.end(), 0.0);
     EXPECT_GT(inDecay, 0);
     EXPECT_GT(inEnamel, 1.2 * inDecay);
     RecordProperty("largestStepMillinewton", static_cast<int>(1000 * largest));
@@ -89,7 +88,7 @@ TEST(SteadyCutting, NoStepAboveATenthOfANewtonAMillisecondOnTheWayIntoEnamel) {
 
 TEST(SteadyCutting, AtASteadyFeedTheForceRipplesByLessThanAHandFeels) {
     constexpr std::size_t kWindow = 25;  // ticks to either side
-    const std::vector<double>& force = hapticSurface().normal;
+    const std::vector<double>& force = forces().normal;
     double squares = 0;
     std::size_t count = 0;
     for (std::size_t i = force.size() - 500; i + kWindow < force.size(); ++i) {
@@ -105,8 +104,7 @@ TEST(SteadyCutting, AtASteadyFeedTheForceRipplesByLessThanAHandFeels) {
 
 TEST(SteadyCutting, TheBurIsPulledAcrossItsFeedAgainstItsRotation) {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t i = hapticSurface().force.size() - 500; i < hapticSurface().force.size(); ++i)
-        sum += hapticSurface().force[i] / 500;
+    for (std::size_t i = forces().force.size() - 500; i < forces().force.size(); ++i) sum += forces().force[i] / 500;
     // Fed toward +x and turning clockwise seen from the shaft, the bur's front runs toward -y.
     EXPECT_LT(sum.x(), 0);
     EXPECT_GT(sum.y(), 0.2 * -sum.x());

@@ -58,72 +58,71 @@ double piercesTriangle(const std::array<Point, 3>& facet, const std::array<Point
     return std::min(above, below);
 }
 
-std::vector<SelfIntersection> crossingsOf(const SurfaceMesh& mesh, const Soup& soup) {
+std::vector<SelfIntersection> intersectionsOf(const SurfaceMesh& mesh, const Soup& soup) {
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
     pmp::self_intersections<CGAL::Sequential_tag>(mesh.faces(), mesh, std::back_inserter(pairs));
     const auto cornersOf = [&](std::size_t face) {
         const Corners& facet = soup.facets[face];
         return std::array{soup.points[facet[0]], soup.points[facet[1]], soup.points[facet[2]]};
     };
-    std::vector<SelfIntersection> crossings;
+    std::vector<SelfIntersection> intersections;
     for (const auto& [a, b] : pairs) {
         const auto one = cornersOf(a);
         const auto two = cornersOf(b);
-        crossings.push_back(
+        intersections.push_back(
             {soup.numbers[a], soup.numbers[b], std::min(piercesTriangle(one, two), piercesTriangle(two, one))});
     }
-    return crossings;
+    return intersections;
 }
 
 }  // namespace
 
 std::size_t ExportCheck::intersectionsDeeperThan(double depth) const {
-    return static_cast<std::size_t>(
-        std::count_if(crossings.begin(), crossings.end(), [&](const SelfIntersection& c) { return c.depth > depth; }));
+    return static_cast<std::size_t>(std::count_if(intersections.begin(), intersections.end(),
+                                                  [&](const SelfIntersection& one) { return one.depth > depth; }));
 }
 
 double ExportCheck::deepestIntersection() const {
     double deepest = 0;
-    for (const SelfIntersection& crossing : crossings) deepest = std::max(deepest, crossing.depth);
+    for (const SelfIntersection& one : intersections) deepest = std::max(deepest, one.depth);
     return deepest;
 }
 
-std::ostream& operator<<(std::ostream& out, const ExportCheck& verdict) {
-    return out << verdict.facets << " facets, " << verdict.collapsed << " collapsed"
-               << (verdict.isManifold ? ", manifold" : ", not manifold")
-               << (verdict.isClosed ? ", closed" : ", not closed")
-               << (verdict.boundsVolume ? ", bounds a volume" : ", bounds no volume") << ", " << verdict.components
-               << " components, " << verdict.volume << " mm^3, " << verdict.crossings.size() << " self-crossings, "
-               << verdict.intersectionsDeeperThan(1e-5) << " of them deeper than 10 nm, deepest "
-               << 1e3 * verdict.deepestIntersection() << " um";
+std::ostream& operator<<(std::ostream& out, const ExportCheck& check) {
+    return out << check.facets << " facets, " << check.collapsed << " collapsed"
+               << (check.isManifold ? ", manifold" : ", not manifold") << (check.isClosed ? ", closed" : ", not closed")
+               << (check.boundsVolume ? ", bounds a volume" : ", bounds no volume") << ", " << check.components
+               << " components, " << check.volume << " mm^3, " << check.intersections.size() << " self-intersections, "
+               << check.intersectionsDeeperThan(1e-5) << " of them deeper than 10 nm, deepest "
+               << 1e3 * check.deepestIntersection() << " um";
 }
 
 ExportCheck checkExport(const std::filesystem::path& stlFile) {
-    ExportCheck verdict;
+    ExportCheck check;
     Soup soup;
     std::vector<Corners> read;
     std::ifstream file(stlFile, std::ios::binary);
-    if (!CGAL::IO::read_STL(file, soup.points, read)) return verdict;
-    verdict.facets = read.size();
+    if (!CGAL::IO::read_STL(file, soup.points, read)) return check;
+    check.facets = read.size();
     for (std::size_t i = 0; i < read.size(); ++i) {
         if (isCollapsed(read[i])) {
-            ++verdict.collapsed;
+            ++check.collapsed;
             continue;
         }
         soup.facets.push_back(read[i]);
         soup.numbers.push_back(i);
     }
-    verdict.isManifold = !soup.facets.empty() && pmp::is_polygon_soup_a_polygon_mesh(soup.facets);
-    if (!verdict.isManifold) return verdict;
+    check.isManifold = !soup.facets.empty() && pmp::is_polygon_soup_a_polygon_mesh(soup.facets);
+    if (!check.isManifold) return check;
     const SurfaceMesh mesh = meshOf(soup);
-    verdict.isClosed = CGAL::is_closed(mesh);
-    verdict.crossings = crossingsOf(mesh, soup);
-    if (!verdict.isClosed) return verdict;
+    check.isClosed = CGAL::is_closed(mesh);
+    check.intersections = intersectionsOf(mesh, soup);
+    if (!check.isClosed) return check;
     std::vector<std::size_t> component(mesh.number_of_faces());
-    verdict.components = pmp::connected_components(mesh, CGAL::make_property_map(component));
-    verdict.boundsVolume = pmp::does_bound_a_volume(mesh);
-    verdict.volume = pmp::volume(mesh);
-    return verdict;
+    check.components = pmp::connected_components(mesh, CGAL::make_property_map(component));
+    check.boundsVolume = pmp::does_bound_a_volume(mesh);
+    check.volume = pmp::volume(mesh);
+    return check;
 }
 
 }  // namespace tactooth::test

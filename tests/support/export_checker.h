@@ -27,14 +27,15 @@ struct ExportCheck {
     std::size_t components = 0;
     bool boundsVolume = false;  ///< the outermost components face outward, those inside them inward, and so on
     double volume = 0;          ///< mm^3
-    std::vector<SelfIntersection> crossings;
+    std::vector<SelfIntersection> intersections;
 
     [[nodiscard]] bool isValid() const { return isManifold && isClosed && boundsVolume && volume > 0; }
-    /// Crossings deeper than `depth`, mm.
+    /// The number of intersections deeper than `depth`, mm.
     [[nodiscard]] std::size_t intersectionsDeeperThan(double depth) const;
+    /// The greatest depth, mm; 0 if there is none.
     [[nodiscard]] double deepestIntersection() const;
 };
-std::ostream& operator<<(std::ostream& out, const ExportCheck& verdict);
+std::ostream& operator<<(std::ostream& out, const ExportCheck& check);
 
 [[nodiscard]] ExportCheck checkExport(const std::filesystem::path& stlFile);
 

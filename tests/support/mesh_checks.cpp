@@ -27,6 +27,18 @@ double sixfoldVolume(const TriangleMesh& mesh, std::size_t t) {
 
 }  // namespace
 
+std::optional<std::size_t> firstInvalidTriangle(const TriangleMesh& mesh) {
+    const auto isValid = [&](std::uint32_t vertex) {
+        return vertex < mesh.vertices.size() && mesh.vertices[vertex].allFinite();
+    };
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (const std::uint32_t vertex : mesh.triangles[t]) {
+            if (!isValid(vertex)) return t;
+        }
+    }
+    return std::nullopt;
+}
+
 int unpairedEdges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (const Triangle& t : mesh.triangles) {

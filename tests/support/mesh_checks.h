@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace tactooth::test {
+
+/// The first triangle with a corner that is no vertex of the mesh or is not finite.
+[[nodiscard]] std::optional<std::size_t> firstInvalidTriangle(const TriangleMesh& mesh);
 
 /// Number of directed edges, by the numbers of their ends, without exactly one partner in the other direction: 0 for a
 /// closed, consistently oriented surface.

@@ -65,12 +65,12 @@ void expectOnePieceAfterEveryStroke(TriangleMesh outer, unsigned seed, int strok
         detached += tooth.removeDetached();
         const TriangleMesh mesh = tooth.exported();
         if (mesh.triangles.empty()) break;
-        const test::ExportCheck verdict = test::judged(mesh);
+        const test::ExportCheck check = test::checkExportOf(mesh);
         SCOPED_TRACE(::testing::Message() << "seed " << seed << ", stroke " << stroke);
-        EXPECT_TRUE(verdict.isValid()) << verdict;
+        EXPECT_TRUE(check.isValid()) << check;
         EXPECT_EQ(test::openEdges(tooth.mesh()), 0);  // includes the specks that files leave out
-        EXPECT_EQ(test::pieceVolumes(mesh).size(), 1U) << verdict;
-        EXPECT_NEAR(tooth.whole() - verdict.volume, tooth.removed(), 0.003 * tooth.removed() + 1e-4);
+        EXPECT_EQ(test::pieceVolumes(mesh).size(), 1U) << check;
+        EXPECT_NEAR(tooth.whole() - check.volume, tooth.removed(), 0.003 * tooth.removed() + 1e-4);
     }
     EXPECT_GT(detached, 10U);
 }
@@ -87,7 +87,7 @@ TEST(LongOracleExport, APlateStaysInOnePiece) {
 TEST(LongOracleExport, BallsAreSoundUntilLittleIsLeft) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         test::expectValidThroughout(test::sphere(Vec3(0.03, -0.02, -2), 2, 96, 64),
-                                    {.seed = seed, .strokes = 120, .check = 20, .leastRemoved = 0.5});
+                                    {.seed = seed, .strokes = 120, .interval = 20, .leastRemoved = 0.5});
     }
 }
 
@@ -102,21 +102,22 @@ TEST(LongOracleExport, BallsByTheDozenAreClosed) {
 TEST(LongOracleExport, PlatesAreSoundUntilLittleIsLeft) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
         test::expectValidThroughout(test::box(Vec3(-2.5, -2.5, -0.3), Vec3(2.5, 2.5, 0)),
-                                    {.seed = seed, .strokes = 120, .check = 20, .leastRemoved = 0.5});
+                                    {.seed = seed, .strokes = 120, .interval = 20, .leastRemoved = 0.5});
     }
 }
 
 TEST(LongOracleExport, TeethAreSoundThroughHundredsOfStrokes) {
     test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000).outer,
-                                {.seed = 1, .strokes = 300, .check = 100, .leastRemoved = 0.4});
+                                {.seed = 1, .strokes = 300, .interval = 100, .leastRemoved = 0.4});
     test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::UpperCentralIncisor, 8000).outer,
-                                {.seed = 2, .strokes = 200, .check = 100, .leastRemoved = 0.4});
+                                {.seed = 2, .strokes = 200, .interval = 100, .leastRemoved = 0.4});
 }
 
 TEST(LongOracleExport, ScansAreSoundAtTheVoxelOfEverydayUse) {
     for (const auto& [name, surface] : scans()) {
         SCOPED_TRACE(name);
-        test::expectValidThroughout(surface, {.seed = 2, .strokes = 8, .check = 4, .voxel = 0.025, .leastRemoved = 0});
+        test::expectValidThroughout(surface,
+                                    {.seed = 2, .strokes = 8, .interval = 4, .voxel = 0.025, .leastRemoved = 0});
     }
 }
 

@@ -7,15 +7,15 @@
 
 namespace tactooth::test {
 
-/// What the oracle reports about the file of a surface.
-[[nodiscard]] ExportCheck judged(const TriangleMesh& mesh);
+/// Writes a surface to a file and checks the file by the oracle.
+[[nodiscard]] ExportCheck checkExportOf(const TriangleMesh& mesh);
 
 struct OracleCutting {
     unsigned seed = 1;
     int strokes = 20;
-    int check = 4;               ///< strokes between two checks by the oracle
+    int interval = 4;            ///< strokes between two checks by the oracle
     double voxel = 0.05;         ///< mm
-    double leastRemoved = 0.05;  ///< share of the tooth that must be removed, so that the test covers enough
+    double leastRemoved = 0.05;  ///< fraction of the tooth that must be removed, so that the test covers enough
 };
 
 /// Cuts at random. At each check by the oracle the file must be closed, oriented, 2-manifold and bound a volume. The

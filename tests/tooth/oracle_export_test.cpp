@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Judges files after random cutting with a reader that shares no code with the program.
+// Checks files after random cutting with a reader that shares no code with the program.
 #include <gtest/gtest.h>
 
 #include "geometry/io/stl_writer.h"
@@ -13,33 +13,33 @@ namespace tactooth {
 namespace {
 
 TEST(OracleExport, AnUncutToothIsSound) {
-    const test::ExportCheck verdict = test::judged(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar).outer);
-    EXPECT_TRUE(verdict.isValid()) << verdict;
-    EXPECT_EQ(verdict.components, 1U);
-    EXPECT_TRUE(verdict.crossings.empty()) << verdict;
+    const test::ExportCheck check = test::checkExportOf(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar).outer);
+    EXPECT_TRUE(check.isValid()) << check;
+    EXPECT_EQ(check.components, 1U);
+    EXPECT_TRUE(check.intersections.empty()) << check;
 }
 
 /// An oracle is of use only if it finds faults.
 TEST(OracleExport, TheOracleFindsEachFault) {
     const TriangleMesh ball = test::sphere(Vec3::Zero(), 1, 24, 16);
-    EXPECT_TRUE(test::judged(ball).isValid());
+    EXPECT_TRUE(test::checkExportOf(ball).isValid());
     TriangleMesh open = ball;
     open.triangles.pop_back();
-    EXPECT_TRUE(test::judged(open).isManifold);
-    EXPECT_FALSE(test::judged(open).isClosed);
+    EXPECT_TRUE(test::checkExportOf(open).isManifold);
+    EXPECT_FALSE(test::checkExportOf(open).isClosed);
     TriangleMesh turned = ball;
     std::swap(turned.triangles[7][0], turned.triangles[7][1]);
-    EXPECT_FALSE(test::judged(turned).isManifold);
+    EXPECT_FALSE(test::checkExportOf(turned).isManifold);
     TriangleMesh insideOut = ball;
     for (Triangle& triangle : insideOut.triangles) std::swap(triangle[0], triangle[1]);
-    EXPECT_TRUE(test::judged(insideOut).isClosed);
-    EXPECT_FALSE(test::judged(insideOut).isValid());
+    EXPECT_TRUE(test::checkExportOf(insideOut).isClosed);
+    EXPECT_FALSE(test::checkExportOf(insideOut).isValid());
     TriangleMesh pinched = test::box(Vec3(-1, -1, -1), Vec3(0, 0, 0));
     append(pinched, test::box(Vec3(0, 0, 0), Vec3(1, 1, 1)));
-    EXPECT_FALSE(test::judged(pinched).isManifold);
+    EXPECT_FALSE(test::checkExportOf(pinched).isManifold);
     TriangleMesh dented = ball;
     dented.vertices[100] *= -1.2F;
-    EXPECT_GT(test::judged(dented).deepestIntersection(), 0.1);
+    EXPECT_GT(test::checkExportOf(dented).deepestIntersection(), 0.1);
 }
 
 TEST(OracleExport, ABallIsSoundThroughRandomCutting) {
@@ -68,7 +68,7 @@ TEST(OracleExport, APlateIsSoundThroughRandomCutting) {
 
 TEST(OracleExport, AMolarIsSoundThroughRandomCutting) {
     test::expectValidThroughout(makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar, 8000).outer,
-                                {.seed = 5, .strokes = 8, .check = 8, .leastRemoved = 0.02});
+                                {.seed = 5, .strokes = 8, .interval = 8, .leastRemoved = 0.02});
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ public:
                 volume_.mark();
                 break;
             case 1:
-                if (volume_.marks() > 0) update(volume_.undo());
+                if (volume_.undoable() > 0) update(volume_.undo());
                 break;
             case 2:
                 update(volume_.removeDetached().carve.changed);
@@ -53,6 +53,7 @@ public:
                 break;
             case 3:
                 if (random_() % 4 == 0) reset();
+                if (volume_.redoable() > 0) update(volume_.redo());
                 break;
             case 4:
                 (void)pool_->makeAround(bur_, pose());

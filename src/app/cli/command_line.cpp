@@ -393,6 +393,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addScore(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
+    addSessionCommands(program, chosen);
     addCaseCommands(program, chosen);
     addMouthCommands(program, chosen);
     addPictureCommands(program, chosen);

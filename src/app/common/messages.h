@@ -18,7 +18,7 @@ inline constexpr MessageText kNoWindowOnPlatform{
     "no_window_on_platform", "no window can be opened on Qt's platform '%1'; unset QT_QPA_PLATFORM, ",
     "Qt のプラットフォーム '%1' ではウィンドウを開けません。QT_QPA_PLATFORM の設定を解除し、"};
 inline constexpr MessageText kDisplayNotReached{
-    "display_not_reached", "the display '%1' (DISPLAY) cannot be reached or lets nobody in; ",
+    "display_not_reached", "the display '%1' (DISPLAY) cannot be reached or refuses the connection; ",
     "ディスプレイ '%1'（DISPLAY）に接続できないか、接続が許可されていないため、"};
 inline constexpr MessageText kWaylandNotUsed{
     "wayland_not_used", "the display '%1' (WAYLAND_DISPLAY) cannot be used; install the package qt6-wayland, ",

@@ -11,20 +11,20 @@ const Vec3f kWater(0.90F, 0.93F, 0.96F);  // sRGB: lit drops in front of a darke
 constexpr float kPowder = 0.6F;           // share of white in the colour of a chip: fine grains scatter light
 constexpr float kPaling = 0.45F;          // share of the water in the colour of a wet chip
 
-Particle particleOf(const SprayParticle& bit, const MaterialTable& materials) {
-    const float left = bit.lifetime > 0 ? 1 - bit.age / bit.lifetime : 1;
-    Particle particle{bit.place, bit.radius, kWater, 1};
-    switch (bit.kind) {
+Particle particleOf(const SprayParticle& source, const MaterialTable& materials) {
+    const float left = source.lifetime > 0 ? 1 - source.age / source.lifetime : 1;
+    Particle particle{source.place, source.radius, kWater, 1};
+    switch (source.kind) {
         case SprayParticleKind::Jet:
             particle.opacity = 0.50F;
             break;
         case SprayParticleKind::Mist:  // the same amount of water over a growing disc
-            particle.opacity = 0.45F * left * std::min(1.0F, 0.25F / bit.radius);
+            particle.opacity = 0.45F * left * std::min(1.0F, 0.25F / source.radius);
             break;
         case SprayParticleKind::Chip: {
-            const std::array<float, 3>& colour = materials[bit.material].colour;
+            const std::array<float, 3>& colour = materials[source.material].colour;
             particle.colour = (1 - kPowder) * Vec3f(colour[0], colour[1], colour[2]) + kPowder * Vec3f::Ones();
-            particle.colour += kPaling * bit.wetness * (kWater - particle.colour);
+            particle.colour += kPaling * source.wetness * (kWater - particle.colour);
             particle.opacity = std::min(1.0F, 2 * left);
             break;
         }
@@ -34,10 +34,10 @@ Particle particleOf(const SprayParticle& bit, const MaterialTable& materials) {
 
 }  // namespace
 
-std::vector<Particle> particlesOf(std::span<const SprayParticle> bits, const MaterialTable& materials) {
+std::vector<Particle> particlesOf(std::span<const SprayParticle> sources, const MaterialTable& materials) {
     std::vector<Particle> particles;
-    particles.reserve(bits.size());
-    for (const SprayParticle& bit : bits) particles.push_back(particleOf(bit, materials));
+    particles.reserve(sources.size());
+    for (const SprayParticle& source : sources) particles.push_back(particleOf(source, materials));
     return particles;
 }
 

@@ -13,6 +13,6 @@ namespace tactooth {
 
 /// The appearance of a cloud of water and chips. Chips have the colour of the cut material, paler if water carries
 /// them.
-[[nodiscard]] std::vector<Particle> particlesOf(std::span<const SprayParticle> bits, const MaterialTable& materials);
+[[nodiscard]] std::vector<Particle> particlesOf(std::span<const SprayParticle> sources, const MaterialTable& materials);
 
 }  // namespace tactooth

@@ -1078,7 +1078,7 @@ The mouse wheel in the picture changes it too.</source>
         <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
     </message>
     <message>
-        <source>The hand is at the end of the device&apos;s room: hold the bur (X), bring the hand back and let go</source>
+        <source>The hand is at the end of the device&apos;s workspace: hold the bur (X), bring the hand back and let go</source>
         <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
     </message>
     <message>
@@ -1382,10 +1382,6 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>力なし：装置がないか、読み取り値が正しくありません。</translation>
     </message>
     <message>
-        <source>Haptic pen %1</source>
-        <translation>力覚ペン %1</translation>
-    </message>
-    <message>
         <source>Other hand</source>
         <translation>もう一方の手</translation>
     </message>
@@ -1426,15 +1422,15 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>歯に合わせる</translation>
     </message>
     <message>
-        <source>As fine as it can be while the device&apos;s room still reaches all of the tooth</source>
+        <source>As fine as possible while the device still reaches all of the tooth</source>
         <translation>装置の可動域で歯全体に届く範囲で、できるだけ細かくします</translation>
     </message>
     <message>
-        <source>The tooth is larger than the device&apos;s room: hold the bur (X) to reach all of it.</source>
+        <source>The tooth is larger than the device&apos;s workspace: hold the bur (X) to reach all of it.</source>
         <translation>歯が装置の可動域より大きいので、全体に届かせるにはバーを保持してください（X）。</translation>
     </message>
     <message>
-        <source>Nothing here has a room that could be fitted: 1 : 1.</source>
+        <source>No device here has a known workspace: 1 : 1.</source>
         <translation>合わせられる可動域を持つ装置がありません：1 : 1。</translation>
     </message>
     <message>
@@ -1517,7 +1513,7 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <translation>歯の内部の層を作っています…</translation>
     </message>
     <message>
-        <source>What was assumed, and what was mended:</source>
+        <source>What was assumed and repaired:</source>
         <translation>仮定したことと修復したこと：</translation>
     </message>
     <message>

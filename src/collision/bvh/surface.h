@@ -59,7 +59,7 @@ using TriangleMask = std::vector<std::uint64_t>;
 /// patches of the cut. An immutable snapshot; a later one shares every part that did not change. Collision, view and
 /// export all use this object.
 struct Surface {
-    std::shared_ptr<const SurfacePart> base;
+    std::shared_ptr<const SurfacePart> base;               ///< triangles of the file; never null
     std::shared_ptr<const TriangleMask> hidden = nullptr;  ///< of `base`; null: no triangle is hidden
     std::vector<std::shared_ptr<const SurfacePart>> patches = {};
     std::uint64_t revision = 0;  ///< grows by one with every snapshot of the same tooth

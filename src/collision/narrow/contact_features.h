@@ -27,8 +27,8 @@ struct FeatureGap {
     Vec3 point;   ///< where the two features would touch: the lever of a rotation, mm
 };
 
-/// The features by which the two triangles could meet if the tool's triangle moved along -`up` (unit): at most 3
-/// corners of each triangle and 9 pairs of edges. Together they tell whether one triangle is above the other.
+/// The features by which two triangles could meet if the tool's triangle moved along -`up` (unit): at most 3 corners of
+/// each triangle and 9 pairs of edges. There are none if the triangles do not overlap in a projection along `up`.
 struct ContactFeatures {
     std::array<FeaturePair, 15> pairs;
     int count = 0;

@@ -12,9 +12,9 @@ namespace tactooth {
 /// The greatest relative error of a length computed in single precision by a few operations.
 inline constexpr double kFewRoundings = 1e-6;
 
-/// The motion of a tool for which a neighbour list is complete. The tool's origin (the tip) stays within `around` of
-/// the segment from its position at the listing to `along` further on. The rotation is at most `turn`; it moves a point
-/// p of the tool by at most turn * |p|.
+/// The motion of a tool for which a neighbour list is complete (the skin of a Verlet list). The tool's origin (its tip)
+/// stays within `around` of a segment: from its position when the list was built, by the vector `along`. The tool
+/// rotates by at most `turn`, which moves its point p by at most turn * |p|.
 struct ContactMargin {
     Vec3 along = Vec3::Zero();  ///< mm, in the tooth's frame
     double around = 0;          ///< mm

@@ -51,23 +51,23 @@ Box8 BvhTraversal::turned(const AabbTree::Node& node) const {
     return {centre - extent - broadcast(translations_.high), centre + extent - broadcast(translations_.low)};
 }
 
-/// Finds the slabs between the tool and the children in `near`, along support plane `side` and its neighbours. Returns
-/// the children whose slab the contact margin may close.
-std::uint32_t BvhTraversal::findSlabs(const AabbTree::Node& node, SupportPlanes::Number side, std::uint32_t near,
+/// Finds the slabs between the tool and the children in `near`, along a support plane and those with similar normals.
+/// Returns the children whose slab the contact margin may close.
+std::uint32_t BvhTraversal::findSlabs(const AabbTree::Node& node, SupportPlanes::Number plane, std::uint32_t near,
                                       float slack, NearNode& found) const {
-    const SupportPlanes& sides = tool_->sides();
-    TACTOOTH_ASSERT(side < sides.size());
+    const SupportPlanes& planes = tool_->supportPlanes();
+    TACTOOTH_ASSERT(plane < planes.size());
     const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
     const Vec3x8 normal = turn_.direction(Vec3x8::load(node.normal));
     const Float8 zero = Float8::all(0);
     Float8 furthest = Float8::all(-std::numeric_limits<float>::infinity());
     Float8 place = zero;
     Vec3x8 inward = Vec3x8::all(0, 0, 0);
-    const SupportPlanes::Neighbours& beside = sides.beside(side);
+    const SupportPlanes::Neighbours& similar = planes.similarTo(plane);
     for (int i = 0; i < SupportPlanes::kNeighbours; ++i) {
-        const SupportPlanes::Plane& one = sides[beside[i]];
-        const Vec3x8 d = broadcast(one.inward);
-        const Float8 beyond = Float8::all(one.low) - dot(d, centre);
+        const SupportPlanes::Plane& candidate = planes[similar[i]];
+        const Vec3x8 d = broadcast(candidate.inward);
+        const Float8 beyond = Float8::all(candidate.low) - dot(d, centre);
         const auto wider = [&](Float8 mine, Float8 its) { return whereLess(furthest, beyond, its, mine); };
         inward = {wider(inward.x, d.x), wider(inward.y, d.y), wider(inward.z, d.z)};
         place = wider(place, Float8::all(static_cast<float>(i)));
@@ -84,15 +84,15 @@ std::uint32_t BvhTraversal::findSlabs(const AabbTree::Node& node, SupportPlanes:
     float placed[8];
     place.store(placed);
     for (int i = 0; i < 8; ++i) {
-        found.side[i] = beside[static_cast<std::size_t>(placed[i])];
-        found.loss[i] = losses_[found.side[i]];
+        found.plane[i] = similar[static_cast<std::size_t>(placed[i])];
+        found.loss[i] = losses_[found.plane[i]];
     }
     const Float8 closing =
         Float8::all(translations_.around) + max(zero - dot(inward, broadcast(translations_.along)), zero);
     return near & lessEqual(gap, closing + Float8::all(chord_) * Float8::load(found.loss));
 }
 
-void BvhTraversal::addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<SupportPlanes::Number> side,
+void BvhTraversal::addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<SupportPlanes::Number> plane,
                            NearClusters& out) const {
     const ToolShape::Bound& bound = tool_->bound(tool_->part().tree().rootLink());
     const std::uint32_t near = overlaps(turned(node), Float8::all(bound.far * chord_), bound);
@@ -101,15 +101,15 @@ void BvhTraversal::addNode(std::uint32_t part, const AabbTree::Node& node, std::
         out.complete = false;
         return;
     }
-    if (!side) {
+    if (!plane) {
         const Vec3x8 centre = turn_.point(Vec3x8::load(node.centre));
         float at[3][8];
         centre.store(at);
         const int i = std::countr_zero(near);
-        side = tool_->sides().facing({at[0][i], at[1][i], at[2][i]});
+        plane = tool_->supportPlanes().facing({at[0][i], at[1][i], at[2][i]});
     }
     NearNode& found = out.nodes[out.nodeCount];
-    found.closed = findSlabs(node, *side, near, static_cast<float>(kNodeSlacks * out.slack), found);
+    found.closed = findSlabs(node, *plane, near, static_cast<float>(kNodeSlacks * out.slack), found);
     if (found.closed == 0) return;
     found.part = part;
     found.exact = 0;
@@ -159,20 +159,20 @@ const AabbTree& BvhTraversal::treeOf(std::uint32_t part) const {
     return part == 0 ? visibleBase(*surface_).tree : surface_->patches[part - 1]->tree();
 }
 
-float BvhTraversal::gapAlong(std::size_t node, int child, const SupportPlanes::Plane& side,
+float BvhTraversal::gapAlong(std::size_t node, int child, const SupportPlanes::Plane& plane,
                              const NearClusters& out) const {
     TACTOOTH_ASSERT(node < out.nodeCount);
     const NearNode& near = out.nodes[node];
     const AabbTree::Leaf& leaf = treeOf(near.part).leaf(near.child[child]);
     // It is cheaper to transform the direction than the leaf's many corners.
-    const Vec3f& d = side.inward;
+    const Vec3f& d = plane.inward;
     const Vec3f inTooth = toTooth_ * d;
     const Vec3x8 along = broadcast(inTooth);
     const Float8 a = dot(along, Vec3x8::load(leaf.corner[0]));
     const Float8 b = dot(along, Vec3x8::load(leaf.corner[1]));
     const Float8 c = dot(along, Vec3x8::load(leaf.corner[2]));
     const float high = highest(max(max(a, b), c)) - inTooth.dot(origin_);
-    return side.low - high - static_cast<float>(kNodeSlacks * out.slack);
+    return plane.low - high - static_cast<float>(kNodeSlacks * out.slack);
 }
 
 void BvhTraversal::open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const {
@@ -182,7 +182,7 @@ void BvhTraversal::open(const NearNode& node, int child, std::size_t limit, Near
     const AabbTree& tree = treeOf(part);
     if (!link.isLeaf()) {
         const AabbTree::Node& below = tree.node(link);
-        if (meetsTool(boxAround(below), tool_->part().tree().rootLink())) addNode(part, below, node.side[child], out);
+        if (meetsTool(boxAround(below), tool_->part().tree().rootLink())) addNode(part, below, node.plane[child], out);
         return;
     }
     LeafTraversal(*tool_, part == 0 ? visibleBase(*surface_).hidden : nullptr, part, turn_, translations_, chord_,
@@ -205,7 +205,7 @@ void BvhTraversal::begin(const Surface& surface, const ToolShape& tool, const Po
     origin_ = toolInTooth.position.cast<float>();
     translations_ = TranslationBounds(contactMargin, toolInTooth, out.slack);
     chord_ = static_cast<float>(contactMargin.turn);
-    losses_ = tool.sides().losses(contactMargin.turn);
+    losses_ = tool.supportPlanes().losses(contactMargin.turn);
     const VisibleBase base = visibleBase(surface);
     if (!base.tree.empty()) addNode(0, base.tree.root(), {}, out);
     // A cheap ball test first: a cut tooth has hundreds of patches, and the tool is near a few of them.

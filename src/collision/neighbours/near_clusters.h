@@ -43,7 +43,7 @@ struct alignas(32) NearNode {
     float gap[8];
     float loss[8];  ///< how much a rotation may reduce the gap, mm per chord
     AabbTree::Link child[8];
-    SupportPlanes::Number side[8];  ///< support plane of the tool that faces the child
+    SupportPlanes::Number plane[8];  ///< support plane of the tool that faces the child
     std::uint32_t part;
     std::uint32_t closed;  ///< one bit for each child that may be near and is not opened
     std::uint32_t exact;   ///< one bit for each leaf whose gap was computed from its triangles, not from its disc
@@ -77,17 +77,17 @@ public:
     void open(const NearNode& node, int child, std::size_t limit, NearClusters& out) const;
 
     /// The width of the slab between a leaf (a child of a node) and the whole tool along a support plane, mm.
-    [[nodiscard]] float gapAlong(std::size_t node, int child, const SupportPlanes::Plane& side,
+    [[nodiscard]] float gapAlong(std::size_t node, int child, const SupportPlanes::Plane& plane,
                                  const NearClusters& out) const;
 
 private:
     [[nodiscard]] broadphase::Boxf boxAround(const AabbTree::Node& node) const;
     [[nodiscard]] bool meetsTool(const broadphase::Boxf& box, AabbTree::Link link) const;
     [[nodiscard]] const AabbTree& treeOf(std::uint32_t part) const;
-    void addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<SupportPlanes::Number> side,
+    void addNode(std::uint32_t part, const AabbTree::Node& node, std::optional<SupportPlanes::Number> plane,
                  NearClusters& out) const;
     [[nodiscard]] broadphase::Box8 turned(const AabbTree::Node& node) const;
-    [[nodiscard]] std::uint32_t findSlabs(const AabbTree::Node& node, SupportPlanes::Number side, std::uint32_t near,
+    [[nodiscard]] std::uint32_t findSlabs(const AabbTree::Node& node, SupportPlanes::Number plane, std::uint32_t near,
                                           float slack, NearNode& found) const;
 
     const Surface* surface_ = nullptr;

@@ -213,20 +213,20 @@ bool NeighbourList::separateLeaf(std::size_t node, int child, const ToolMotion& 
     };
     if (((near.exact >> child) & 1U) == 0) {
         near.exact |= 1U << child;
-        near.gap[child] = traversal_.gapAlong(node, child, tool_->sides()[near.side[child]], near_);
+        near.gap[child] = traversal_.gapAlong(node, child, tool_->supportPlanes()[near.plane[child]], near_);
         const Vec3f normal(near.normal[0][child], near.normal[1][child], near.normal[2][child]);
         if (holds(normal, near.gap[child], near.loss[child])) return true;
     }
     if (!known.measured) {
         known.measured = true;
         for (int i = 0; i < motion.knownCount; ++i)
-            known.reach[i] = tool_->sides().across(motion.known[i], static_cast<float>(contactMargin_.turn));
+            known.reach[i] = tool_->supportPlanes().across(motion.known[i], static_cast<float>(contactMargin_.turn));
     }
     for (int i = 0; i < motion.knownCount; ++i) {
         const SupportPlanes::Reach& reach = known.reach[i];
-        const float gap = traversal_.gapAlong(node, child, reach.side, near_);
-        if (!holds(reach.side.inward, gap, reach.loss)) continue;
-        for (int axis = 0; axis < 3; ++axis) near.normal[axis][child] = reach.side.inward[axis];
+        const float gap = traversal_.gapAlong(node, child, reach.plane, near_);
+        if (!holds(reach.plane.inward, gap, reach.loss)) continue;
+        for (int axis = 0; axis < 3; ++axis) near.normal[axis][child] = reach.plane.inward[axis];
         near.gap[child] = gap;
         near.loss[child] = reach.loss;
         return true;

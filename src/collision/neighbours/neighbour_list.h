@@ -28,16 +28,17 @@ struct NearPair {
     friend bool operator==(const NearPair&, const NearPair&) = default;
 };
 
-/// The poses of a tool at the start and the end of a step, in the tool's frame at the listing.
+/// The motion of a tool in a step, relative to the pose at which the neighbour list was built and in the tool's frame
+/// at that pose.
 struct ToolMotion {
-    /// Point p of the tool (in the tool's frame) is displaced by turn * p + shift.
+    /// The displacement of each point of the tool from that pose: point p (tool's frame, mm) moves by turn * p + shift.
     struct Displacement {
         Eigen::Matrix3f turn;
         Vec3f shift;
         float perLength;  ///< chord: the displacements of two points 1 mm apart differ by at most this, mm
-        float spare;      ///< least width that a slab must keep, mm
+        float spare;      ///< least width that a slab must keep to count as safe, mm
     };
-    Displacement start, end;
+    Displacement start, end;  ///< at the start and at the end of the step
     /// Both displacements, with the point itself added: lanes 0-3 of the start, lanes 4-7 of the end.
     Vec3x8 column[3];
     Vec3x8 shift;
@@ -46,14 +47,15 @@ struct ToolMotion {
     int knownCount = 0;
 };
 
-/// The pairs of triangles near a tool, kept while the tool moves within a contact margin.
+/// The pairs of triangles near a tool (a Verlet list), valid while the tool moves within a contact margin.
 ///
-/// The list has three levels, each with slabs that were empty at the listing: nodes of the tooth's tree against the
-/// whole tool, clusters (a leaf of the tooth against a triangle of the tool), and pairs of triangles. For a step, eight
-/// slabs at a time tell which nodes, clusters or pairs are uncertain. Only uncertain ones are opened.
+/// The list has three levels: nodes of the tooth's tree against the whole tool, clusters (a leaf of the tooth against a
+/// triangle of the tool), and pairs of triangles. Each entry has a slab that was empty when the list was built. A step
+/// that leaves the slab wide enough is safe for the entry; else the entry is uncertain. Slabs are tested eight at a
+/// time, and only uncertain entries are opened: a node into clusters, a cluster into pairs.
 class NeighbourList {
 public:
-    /// Clusters: a bur in its own slot in a mesh of 25 um lists some 4,000.
+    /// In clusters. A bur in the slot that it has cut, in a mesh of 25 um, has some 4,000 near it.
     static constexpr std::size_t kUsualCapacity = 1 << 14;
 
     explicit NeighbourList(const ToolShape& tool, std::size_t capacity = kUsualCapacity);
@@ -61,31 +63,32 @@ public:
     /// Begins a list of all that is within `wanted`, or within less if the last lists were long. Nodes are opened when
     /// a step makes them uncertain (see within). `surface` must outlive the list. Allocates nothing.
     void make(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted);
-    /// Lists all that is within `contactMargin`. Allocates if there is no room.
+    /// Lists all that is within `contactMargin`. Allocates if the list exceeds its capacity.
     void buildAll(const Surface& surface, const Pose& toolInTooth, const ContactMargin& contactMargin);
-    /// Lists all that is within `wanted`, shortened to a length of `most` (mm). If there is no room, shortens it
-    /// further, down to a length of `least`: an allocation takes longer than a long list is worth. Allocates if the
-    /// shortest one has no room either.
+    /// Lists all that is within `wanted`, shortened to a length of `most` (mm). If the list exceeds its capacity,
+    /// shortens the margin further, down to a length of `least` (mm), since an allocation takes longer than a long list
+    /// saves. Allocates if the shortest one exceeds the capacity too.
     void buildWithinCapacity(const Surface& surface, const Pose& toolInTooth, const ContactMargin& wanted, double least,
                              double most);
-    /// Lists what the tool meets at its pose, at most `limit` clusters. Allocates if there is no room for so many. True
-    /// if nothing was left out.
+    /// Lists the clusters that the tool touches at its pose, at most `limit` of them. Allocates if the capacity is less
+    /// than `limit`. True if nothing was left out.
     bool buildUpTo(const Surface& surface, const Pose& toolInTooth, std::size_t limit);
     /// Empties the list.
     void clear() { made_ = false; }
-    /// Whether there was more to list than there is room for, or than a list is worth. Then the list is not complete;
-    /// one with a shorter contact margin may be.
+    /// Whether the list has reached its capacity, or the length beyond which it costs more than it saves. Then it is
+    /// not complete; one with a shorter contact margin may be.
     [[nodiscard]] bool isFull() const { return made_ && !near_.complete; }
-    /// Empties a full list, and makes the next one shorter. False if it was as short as a list can be.
+    /// Empties a full list, and halves the margin of the next one. False if the margin is the shortest possible
+    /// already.
     bool shorten();
     /// The work of opening nodes since the last call.
     [[nodiscard]] Work takeWork() { return std::exchange(work_, 0); }
-    /// Empties the list, and forgets how long a list may be.
+    /// Empties the list, and allows the next one any length again.
     void forget();
 
-    /// Whether there is a list.
+    /// Whether a list was built and not cleared since.
     [[nodiscard]] bool made() const { return made_; }
-    /// The list is complete within this.
+    /// The motion for which the list is complete.
     [[nodiscard]] const ContactMargin& contactMargin() const { return contactMargin_; }
     /// The least `around` of a contact margin that make() uses, mm.
     [[nodiscard]] double leastAround() const;
@@ -99,10 +102,10 @@ public:
     [[nodiscard]] double deviation(const Vec3& position) const {
         return contactMargin_.deviation(position - at_.position);
     }
-    /// The rotation from the listing to an orientation, as a chord.
+    /// The rotation to an orientation from that at which the list was built, as a chord.
     [[nodiscard]] double chordTo(const Quat& rotation) const { return chordBetween(rotation, at_.rotation); }
-    /// The motion of a step. `margin`: the least width that slabs keep at its end, mm. `known`: at most six unit
-    /// directions of the tooth's frame, tried for every pair.
+    /// The motion of a step between two poses of the tool in the tooth. `margin`: the least width that slabs must keep
+    /// at its end, mm. `known`: at most six unit directions of the tooth's frame, tried for every pair.
     [[nodiscard]] ToolMotion motion(const Pose& start, const Pose& end, double margin,
                                     std::span<const Vec3> known) const;
 
@@ -146,12 +149,12 @@ public:
     /// Uses the plane with this unit normal and offset (mm), in the tooth's frame, for a pair's slab.
     void certify(std::size_t place, const Vec3& normal, double offset);
 
-    /// Asserts every invariant, in O(n): counts within capacities, numbers within range, slabs as wide as stated at the
-    /// listing. `surface` is that of the list.
+    /// Asserts every invariant, in O(n): counts within capacities, numbers within range, slabs as wide as stated when
+    /// the list was built. `surface` is that of the list.
     void validate(const Surface& surface) const;
 
 private:
-    /// Slabs of a cluster's eight pairs, in the tool's frame at the listing.
+    /// Slabs of a cluster's eight pairs, in the tool's frame at the pose at which the list was built.
     struct alignas(32) PairPacket {
         float normal[3][8];
         float high[8];              // greatest dot product of a corner of the tooth's triangle with the normal, mm
@@ -161,11 +164,11 @@ private:
     struct Swept;
     struct KnownPlanes;
 
-    /// A few steps from a pose, and the clusters that they may make uncertain.
+    /// A small range of motions, and the packets of clusters that steps within it may make uncertain.
     struct LocalCandidates {
         ToolMotion::Displacement middle;
-        Vec3f along = Vec3f::Zero();      // their total shift, mm
-        float deviation = -1, turn = -1;  // how far they may leave it, mm, and a chord; negative: not known
+        Vec3f along = Vec3f::Zero();      // shift of the range, mm
+        float deviation = -1, turn = -1;  // distance from it, mm, and rotation, a chord; negative: none was searched
         std::vector<std::uint32_t> packets;
         std::size_t count = 0;
         std::size_t tested = 0;  // clusters: later ones are not tested yet
@@ -208,7 +211,7 @@ private:
         recentDirections_;  // of the last certified planes: what separates a pair often separates its neighbours
     std::size_t recentCount_ = 0;
     bool made_ = false;
-    Pose at_;        // at the listing
+    Pose at_;        // pose of the tool in the tooth at which the list was built
     Mat3 rotation_;  // of at_
     ContactMargin contactMargin_;
     double cap_ = 0;         // length of the next contact margin, mm: after a long list it stays short

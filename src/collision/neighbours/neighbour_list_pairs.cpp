@@ -97,8 +97,8 @@ struct NeighbourList::Swept {
     float corner[3][8];  // axis by axis: lanes 0-2 at the start, 4-6 at the end
     Float8 startSpare, endSpare;
 
-    /// How far the tooth may reach along each of eight directions, mm.
-    [[nodiscard]] Float8 room(const Vec3x8& directions) const {
+    /// How far the tooth may reach along each of eight directions without coming too near, mm.
+    [[nodiscard]] Float8 toothLimit(const Vec3x8& directions) const {
         const auto along = [&](int lane) {
             return dot(directions, Vec3x8::all(corner[0][lane], corner[1][lane], corner[2][lane]));
         };
@@ -124,7 +124,7 @@ NeighbourList::Swept NeighbourList::sweep(std::uint32_t tool, const ToolMotion& 
 std::uint32_t NeighbourList::separatePairs(const Vec3x8& directions, const NearLeaf& leaf, const Swept& tool,
                                            std::uint32_t uncertain, PairPacket& pairs) {
     const Float8 high = highestOf(leaf.corner, directions);
-    const std::uint32_t separated = lessEqual(high, tool.room(directions)) & uncertain;
+    const std::uint32_t separated = lessEqual(high, tool.toothLimit(directions)) & uncertain;
     if (separated == 0) return uncertain;
     PairPacket found;
     directions.store(found.normal);
@@ -147,7 +147,7 @@ bool NeighbourList::separateCluster(std::size_t cluster, const ToolMotion& motio
         const Vec3f& known = motion.known[i];
         const Vec3x8 directions = broadcast(known);
         const Float8 high = highestOf(leaf.corner, directions);
-        if (lessEqual(high, swept.room(directions)) != 0xFF) continue;
+        if (lessEqual(high, swept.toothLimit(directions)) != 0xFF) continue;
         for (int axis = 0; axis < 3; ++axis) packet.normal[axis][lane] = known[axis];
         const std::array<Vec3f, 3>& corners = tool_->floatCorners(packet.tool[lane]);
         packet.gap[lane] = lowestAlong(corners, known) - highest(high) - static_cast<float>(near_.slack);
@@ -162,8 +162,8 @@ std::uint32_t NeighbourList::uncertainPairs(std::size_t cluster, const ToolMotio
     const std::uint32_t tool = packet.tool[cluster % 8];
     const Swept swept = sweep(tool, motion);
     const auto ownUncertain = [&](const PairPacket& pairs) {
-        const Float8 room = swept.room(Vec3x8::load(pairs.normal));
-        return leaf.present & ~lessEqual(Float8::load(pairs.high), room);
+        const Float8 limit = swept.toothLimit(Vec3x8::load(pairs.normal));
+        return leaf.present & ~lessEqual(Float8::load(pairs.high), limit);
     };
     // The pairs' own slabs are a quicker test than the known directions.
     if (opened_[cluster] != kClosed && ownUncertain(pairs_[opened_[cluster]]) == 0) return 0;

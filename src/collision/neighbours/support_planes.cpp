@@ -108,11 +108,11 @@ float SupportPlanes::lowAfter(double turn, const Vec3f& inward) const {
 }
 
 void SupportPlanes::measure() {
-    for (Plane& side : planes_) {
-        side.low = lowAfter(0, side.inward);
+    for (Plane& plane : planes_) {
+        plane.low = lowAfter(0, plane.inward);
         // The loss is a convex function of the rotation, so its secant is an upper bound.
         for (std::size_t i = 0; i < kChords.size(); ++i) {
-            const auto loss = (side.low - lowAfter(kChords[i], side.inward)) / static_cast<float>(kChords[i]);
+            const auto loss = (plane.low - lowAfter(kChords[i], plane.inward)) / static_cast<float>(kChords[i]);
             losses_[i].push_back(kRoundUp * std::max(loss, 0.0F));
         }
     }
@@ -127,24 +127,24 @@ SupportPlanes::Reach SupportPlanes::across(const Vec3f& inward, float turn) cons
 
 void SupportPlanes::findNeighbours() {
     std::vector<Number> order(planes_.size());
-    for (const Plane& side : planes_) {
+    for (const Plane& plane : planes_) {
         std::iota(order.begin(), order.end(), Number{0});
         const auto isNearer = [&](Number a, Number b) {
-            const float nearness = side.inward.dot(planes_[a].inward), other = side.inward.dot(planes_[b].inward);
+            const float nearness = plane.inward.dot(planes_[a].inward), other = plane.inward.dot(planes_[b].inward);
             return nearness > other || (nearness == other && a < b);
         };
         const auto end =
             order.begin() + std::min<std::ptrdiff_t>(kNeighbours, static_cast<std::ptrdiff_t>(order.size()));
         std::partial_sort(order.begin(), end, order.end(), isNearer);
-        Neighbours& beside = neighbours_.emplace_back();
-        beside.fill(order.front());
-        std::copy(order.begin(), end, beside.begin());
+        Neighbours& similar = neighbours_.emplace_back();
+        similar.fill(order.front());
+        std::copy(order.begin(), end, similar.begin());
     }
 }
 
 SupportPlanes::Number SupportPlanes::facing(const Vec3f& point) const {
     TACTOOTH_ASSERT(!planes_.empty());
-    const auto beyond = [&](const Plane& side) { return side.low - side.inward.dot(point); };
+    const auto beyond = [&](const Plane& plane) { return plane.low - plane.inward.dot(point); };
     std::size_t best = 0;
     float furthest = beyond(planes_[0]);
     for (std::size_t i = 1; i < planes_.size(); ++i) {

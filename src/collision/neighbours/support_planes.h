@@ -12,39 +12,42 @@
 
 namespace tactooth {
 
-/// How far a tool reaches along about a hundred directions: those across its faces, and others evenly all around. A
-/// point beyond one of these planes is separated from the whole tool. Read-only after construction.
+/// Planes that bound a tool on about a hundred sides (a k-DOP), in the tool's frame: their normals are those of its
+/// faces, and others spread evenly over the sphere. A point beyond one of them is outside the tool. Read-only after
+/// construction.
 class SupportPlanes {
 public:
     explicit SupportPlanes(const TriangleMesh& mesh);
 
     struct Plane {
-        Vec3f inward;  ///< unit
+        Vec3f inward;  ///< unit normal, towards the tool
         float low;     ///< least dot product of a point of the tool with `inward`, mm
     };
     using Number = std::uint16_t;
-    /// A plane and those with the most similar directions.
+    /// A plane and those with the most similar normals, itself first.
     static constexpr int kNeighbours = 16;
     using Neighbours = std::array<Number, kNeighbours>;
 
     [[nodiscard]] std::size_t size() const { return planes_.size(); }
-    [[nodiscard]] const Plane& operator[](Number side) const {
-        TACTOOTH_ASSERT(side < planes_.size());
-        return planes_[side];
+    [[nodiscard]] const Plane& operator[](Number number) const {
+        TACTOOTH_ASSERT(number < planes_.size());
+        return planes_[number];
     }
-    [[nodiscard]] const Neighbours& beside(Number side) const {
-        TACTOOTH_ASSERT(side < neighbours_.size());
-        return neighbours_[side];
+    [[nodiscard]] const Neighbours& similarTo(Number number) const {
+        TACTOOTH_ASSERT(number < neighbours_.size());
+        return neighbours_[number];
     }
     /// The plane that a point (mm, tool's frame) is furthest beyond; not for a tool without triangles.
     [[nodiscard]] Number facing(const Vec3f& point) const;
 
-    /// For all planes: how much a rotation about the origin by up to a chord may reduce `low`, mm per chord.
+    /// For each plane, by how much `low` may fall if the tool rotates about its origin by up to `turn` (a chord): mm
+    /// per chord.
     [[nodiscard]] std::span<const float> losses(double turn) const;
 
-    /// The plane across any unit direction, and its loss with a rotation by a chord, mm per chord.
+    /// The support plane with any unit normal, and by how much a rotation by up to `turn` (a chord) lowers it, mm per
+    /// chord.
     struct Reach {
-        Plane side;
+        Plane plane;
         float loss;
     };
     [[nodiscard]] Reach across(const Vec3f& inward, float turn) const;

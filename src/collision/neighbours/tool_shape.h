@@ -89,8 +89,8 @@ public:
         TACTOOTH_ASSERT(!node.isLeaf() && node.index() < bounds_.size());
         return bounds_[node.index()];
     }
-    /// How far the whole tool reaches along its support planes.
-    [[nodiscard]] const SupportPlanes& sides() const { return supportPlanes_; }
+    /// The support planes (k-DOP) of the whole tool, in the tool's frame.
+    [[nodiscard]] const SupportPlanes& supportPlanes() const { return supportPlanes_; }
     /// Centre of the bounding box in the tool frame, mm.
     [[nodiscard]] const Vec3& centre() const { return centre_; }
     /// Every vertex lies within this distance of the centre, mm.

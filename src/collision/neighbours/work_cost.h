@@ -16,15 +16,15 @@ inline constexpr Work kUnlimitedWork = std::numeric_limits<Work>::max();
 /// Costs of the parts of a move, rounded from least-squares fits to 7,000 measured ticks of burs of 0.5 to 2.3 mm in
 /// the cavity that they cut. (To build a list is rare in such a tick; its cost was measured separately.)
 namespace cost {
-inline constexpr Work kList = 4000;      // building a list,
-inline constexpr Work kNodeMet = 80;     // each node of the tooth's tree that it opens,
-inline constexpr Work kLeafMet = 130;    // each leaf that it opens,
-inline constexpr Work kListed = 200;     // each cluster that it finds
-inline constexpr Work kSolution = 1000;  // a solution of the QP
-inline constexpr Work kPacket = 10;      // testing eight clusters,
-inline constexpr Work kCluster = 25;     // opening an uncertain cluster,
-inline constexpr Work kPair = 50;        // a pair of it in double precision,
-inline constexpr Work kDistance = 1000;  // a GJK run
+inline constexpr Work kList = 4000;      // to begin a neighbour list
+inline constexpr Work kNodeMet = 80;     // to open a node of the tooth's tree for a list
+inline constexpr Work kLeafMet = 130;    // to open a leaf for a list
+inline constexpr Work kListed = 200;     // to add a cluster to a list
+inline constexpr Work kSolution = 1000;  // to solve the QP
+inline constexpr Work kPacket = 10;      // to test eight clusters
+inline constexpr Work kCluster = 25;     // to open an uncertain cluster
+inline constexpr Work kPair = 50;        // to test a pair in double precision
+inline constexpr Work kDistance = 1000;  // to run GJK
 }  // namespace cost
 
 }  // namespace tactooth

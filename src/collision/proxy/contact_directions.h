@@ -18,8 +18,8 @@ public:
 
     /// Adds any unit direction; at most kMaxHeld of them.
     void add(const Vec3& direction);
-    /// Adds planes tilted over each edge of either triangle, so far that they leave `least` (mm) to a corner of the
-    /// other triangle beside the edge. Only corners nearer to the line of the edge than the root of `reach` (mm^2).
+    /// Adds planes through each edge of either triangle, tilted so far that they keep a distance of `least` (mm) from a
+    /// corner of the other triangle. Only for corners nearer to the line of the edge than sqrt(reach); `reach` in mm^2.
     void addTilted(const Triangle3& tooth, const Triangle3& tool, double least, double reach);
 
     [[nodiscard]] int count() const { return count_; }

@@ -221,7 +221,7 @@ void ContactQuery::keepShallowerExit(const Pose& toolInTooth, const Pose& start,
     if (move.contactCount == 0 || !(depth > 0) || (best.depth > 0 && depth >= best.depth)) return;
     const auto strongest =
         std::max_element(move.contacts.begin(), move.contacts.begin() + move.contactCount,
-                         [](const BodyContact& a, const BodyContact& b) { return a.share < b.share; });
+                         [](const ProxyContact& a, const ProxyContact& b) { return a.multiplier < b.multiplier; });
     best.depth = depth;
     best.normal = out / depth;
     TACTOOTH_ASSERT(isUnit(best.normal));

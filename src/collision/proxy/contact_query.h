@@ -10,14 +10,14 @@
 
 namespace tactooth {
 
-/// How deep a tool stands in a tooth.
+/// The contact of a tool with a tooth at one pose.
 struct Contact {
     bool touching = false;
     double depth = 0;            ///< mm; the tool is just free when moved by this along `normal`
     Vec3 normal = Vec3::Zero();  ///< unit, direction of the shortest exit that was found; zero when not touching
     Vec3 point = Vec3::Zero();   ///< the tool's deepest point, in the tooth's frame, mm
     int contacts = 0;            ///< pairs of triangles that intersect
-    std::uint32_t part = 0;      ///< of the contact that holds the tool (see BodyContact)
+    std::uint32_t part = 0;      ///< of the contact that holds the tool (see ProxyContact)
     std::uint32_t tooth = 0;     ///< triangle of that part
 };
 
@@ -73,7 +73,7 @@ private:
     ProxySolver proxy_;
     NeighbourList list_;
     Overlap overlap_;
-    RecentPairs blocking_;  // intersected recently; tested first
+    RecentPairs blocking_;  // pairs that intersected at recent poses: they are tested first
     Pose freePose_;
     Vec3 normalSum_ = Vec3::Zero();  // of the contacts at the free pose
 };

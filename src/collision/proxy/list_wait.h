@@ -23,8 +23,9 @@ public:
     /// The proxy built a list of its own.
     void listBuilt() { isExternal_ = false; }
 
-    /// Whether a proxy at the end of its list may wait: for kMaxWaits moves, and as long as it takes where the list is
-    /// still fresh. There contacts hold the proxy, and a list of its own would not let it move on.
+    /// Whether a proxy at the end of a given list may wait: for kMaxWaits moves, or without limit while the list is
+    /// still fresh (NeighbourHorizon::isFresh). In a fresh list contacts hold the proxy, and its own list would not let
+    /// it move on either.
     [[nodiscard]] bool mayWait(bool isListFresh) const { return isExternal_ && (waits_ < kMaxWaits || isListFresh); }
     /// Counts a move that waited, or ends the count.
     void endMove(bool hasWaited) { waits_ = hasWaited ? waits_ + 1 : 0; }
@@ -42,7 +43,7 @@ public:
     }
 
 private:
-    bool isExternal_ = false;   // the list at hand was given
+    bool isExternal_ = false;   // the present list was given
     bool hasProvider_ = false;  // somebody has given a list before
     int waits_ = 0;             // successive moves that ended at the end of a given list
     int rests_ = 0;             // moves left to stand still

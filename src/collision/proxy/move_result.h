@@ -28,12 +28,12 @@ enum class Freedom {
 /// The most contacts that can hold a proxy at once: one for each degree of freedom.
 inline constexpr int kMaxHeld = 6;
 
-/// A pair of triangles that holds the proxy.
-struct BodyContact {
+/// A contact point: a pair of triangles that holds the proxy.
+struct ProxyContact {
     Vec3 normal;          ///< unit, from the tooth to the tool, in the tooth's frame
     Vec3 point;           ///< on the tool, in the tooth's frame, mm
-    double share;         ///< multiplier of this contact, mm: shift = sum of share * normal, where the shift is that of
-                          ///< the tool's centre from goal to pose
+    double multiplier;    ///< mm, never negative: the shift of the tool's centre from goal to pose is the sum of all
+                          ///< multipliers times normals
     std::uint32_t part;   ///< 0 = base of the surface, i + 1 = patch i
     std::uint32_t tooth;  ///< triangle of that part
 };
@@ -45,7 +45,7 @@ struct MoveResult {
     int distances = 0;   ///< GJK runs
     Work work = 0;       ///< counted cost of the move
     int contactCount = 0;
-    std::array<BodyContact, kMaxHeld> contacts{};  ///< the first `contactCount` are valid
+    std::array<ProxyContact, kMaxHeld> contacts{};  ///< the first `contactCount` are valid
 };
 
 }  // namespace tactooth

@@ -37,12 +37,12 @@ bool NeighbourHorizon::isFresh(const Pose& pose) const {
            list_.deviation(pose.position) <= kListUsedUp * list_.contactMargin().around;
 }
 
-double NeighbourHorizon::coveredShare(const ProxyScene& state, const Vec3& step) const {
+double NeighbourHorizon::coveredShare(const ProxyScene& scene, const Vec3& step) const {
     TACTOOTH_ASSERT(step.allFinite());
     const auto isCovered = [&](double share) {
-        return coversPosition(state.pose.position + share * step, state.margin);
+        return coversPosition(scene.pose.position + share * step, scene.margin);
     };
-    if (coversPosition(state.pose.position + step, state.margin)) return 1;
+    if (coversPosition(scene.pose.position + step, scene.margin)) return 1;
     const double farthest = list_.contactMargin().along.norm() + 2 * list_.contactMargin().around;
     double inside = 0;
     double outside = std::min(1.0, farthest / step.norm());
@@ -83,9 +83,9 @@ bool NeighbourHorizon::mayRebuild(double toolRadius) const {
     return rebuilds_ < (goalShift_ < kJump * toolRadius ? kMaxLists : kMaxListsOfJump);
 }
 
-void NeighbourHorizon::rebuild(const ProxyScene& state, const Vec3& displacement, double turn) {
-    TACTOOTH_ASSERT(state.surface != nullptr);
-    TACTOOTH_ASSERT(mayRebuild(state.tool->radius()));
+void NeighbourHorizon::rebuild(const ProxyScene& scene, const Vec3& displacement, double turn) {
+    TACTOOTH_ASSERT(scene.surface != nullptr);
+    TACTOOTH_ASSERT(mayRebuild(scene.tool->radius()));
     TACTOOTH_ASSERT(displacement.allFinite() && turn >= 0);
     const double length = displacement.norm();
     const double growth = std::ldexp(1.0, std::max(0, ++rebuilds_ - kUnchangedLists));
@@ -93,7 +93,7 @@ void NeighbourHorizon::rebuild(const ProxyScene& state, const Vec3& displacement
     const double stride = kStride * std::min(length, growth * goalShift_) + kAhead * little;
     const double spin = kStride * std::min(turn, growth * goalRotation_) + kAhead * NeighbourList::leastRotation();
     const Vec3 along = length > 0 ? Vec3(displacement * (stride / length)) : Vec3(Vec3::Zero());
-    list_.make(*state.surface, state.pose, {along, little + kMaxDeviation * stride, spin});
+    list_.make(*scene.surface, scene.pose, {along, little + kMaxDeviation * stride, spin});
     ++ownRebuilds_;
     wait_.listBuilt();
     TACTOOTH_ASSERT(list_.made());

@@ -36,7 +36,7 @@ public:
     /// Whether a long list has a good part of its contact margin left.
     [[nodiscard]] bool isFresh(const Pose& pose) const;
     /// The share (0 to 1) of a step of the tool's origin that the list covers.
-    [[nodiscard]] double coveredShare(const ProxyScene& state, const Vec3& step) const;
+    [[nodiscard]] double coveredShare(const ProxyScene& scene, const Vec3& step) const;
 
     /// Starts a move whose goal lies so far from where the last move led (mm, and as a chord).
     void beginMove(double goalShift, double goalRotation);
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] bool mayRebuild(double toolRadius) const;
     /// Builds a list for the displacement (mm) and rotation (chord) expected in this move, and some more. Each list
     /// beyond the eighth of a move covers twice as much as the one before.
-    void rebuild(const ProxyScene& state, const Vec3& displacement, double turn);
+    void rebuild(const ProxyScene& scene, const Vec3& displacement, double turn);
     /// Clears a list that is full, for a shorter one in its place. False if the list is not full or cannot be shorter.
     [[nodiscard]] bool shortenFullList() { return list_.isFull() && list_.shorten(); }
     /// The next list takes the place of the one built last.

@@ -36,7 +36,7 @@ bool PairCheck::isSeparatedByRotatingPlane(const Triangle3& tooth, const SweptTo
     if (!first.separated) return false;
     const GjkResult last = distanceBetween(tooth, end, first.normal);
     context_.budget.countDistances(2);
-    if (last.gap < state_.margin / 2) return false;
+    if (last.gap < scene_.margin / 2) return false;
     for (const Vec3& p : tooth) {
         for (int i = 0; i < 3; ++i) {
             if (first.normal.dot(end[i] - p) + last.normal.dot(start[i] - p) < 0) return false;
@@ -49,17 +49,17 @@ bool PairCheck::isSeparatedByRotatingPlane(const Triangle3& tooth, const SweptTo
 /// its neighbourhood too), the remembered plane, then GJK on the swept triangle of the tool. Stores a plane of the
 /// pair's own.
 bool PairCheck::isSafe(const NearPair& pair, const SeparatingPlane** own) {
-    const SweptTool& swept = query_.sweep(state_, step_, pair.tool);
-    const double margin = state_.margin / 2;
-    const SurfacePart& part = state_.part(pair);
+    const SweptTool& swept = query_.sweep(scene_, step_, pair.tool);
+    const double margin = scene_.margin / 2;
+    const SurfacePart& part = scene_.part(pair);
     const Triangle3 tooth = cornersOf(part.mesh(), pair.tooth);
     const std::span<const Vec3> normals = query_.normals();
     for (int i = 0; i < static_cast<int>(normals.size()); ++i) {
-        if (SweepQuery::separates(highestAlong(tooth, normals[i]), swept, i, state_.margin)) return true;
+        if (SweepQuery::separates(highestAlong(tooth, normals[i]), swept, i, scene_.margin)) return true;
     }
     const SeparatingPlane* known = context_.planes.find(part.id(), pair);
     *own = known;
-    const auto isNarrow = [&](double gap) { return gap < kNarrowMargins * state_.margin; };
+    const auto isNarrow = [&](double gap) { return gap < kNarrowMargins * scene_.margin; };
     if (known != nullptr && swept.lowAtStart(known->normal) > known->offset) {
         const double gap = swept.lowAtEnd(known->normal) - known->offset;
         if (gap >= margin && isNarrow(gap)) query_.addNarrow(known->normal);
@@ -68,9 +68,9 @@ bool PairCheck::isSafe(const NearPair& pair, const SeparatingPlane** own) {
     const Vec3 between = swept.corners[0] - tooth[0];
     // A narrower gap is found as exactly as GJK can.
     const GjkResult result = separateConvex(tooth, swept.corners, known != nullptr ? known->normal : between,
-                                            kNarrowMargins * state_.margin);
+                                            kNarrowMargins * scene_.margin);
     context_.budget.addDistance();
-    if (result.gap < margin) return state_.rotates() && isSeparatedByRotatingPlane(tooth, swept);
+    if (result.gap < margin) return scene_.rotates() && isSeparatedByRotatingPlane(tooth, swept);
     if (isNarrow(result.gap)) query_.addNarrow(result.normal);
     *own = context_.planes.storeOfStep(part.id(), pair, result.normal, highestAlong(tooth, result.normal));
     return true;
@@ -78,12 +78,12 @@ bool PairCheck::isSafe(const NearPair& pair, const SeparatingPlane** own) {
 
 /// Whether the step would bring together a pair that no plane has proven safe.
 Violation PairCheck::violationOf(const NearPair& pair, const Vec3& guess, WatchedPair& violator) {
-    violator = context_.planes.watch(state_, pair, guess);
+    violator = context_.planes.watch(scene_, pair, guess);
     if (!context_.ensurePlane(violator)) return Violation::Overlapping;
     // A tool that stands nearer than the margin (after a change of surface or margin) may stay as near.
-    const double start = gapAt(*state_.tool, violator, step_.startMatrix, state_.pose.position);
-    const double gap = gapAt(*state_.tool, violator, step_.matrix, state_.pose.position + step_.shift);
-    return gap >= std::min(state_.margin / 2, kStillNear * start) ? Violation::None : Violation::Found;
+    const double start = gapAt(*scene_.tool, violator, step_.startMatrix, scene_.pose.position);
+    const double gap = gapAt(*scene_.tool, violator, step_.matrix, scene_.pose.position + step_.shift);
+    return gap >= std::min(scene_.margin / 2, kStillNear * start) ? Violation::None : Violation::Found;
 }
 
 /// Gives the list the plane of a safe pair. What separates one pair often separates those beside it: such pairs leave
@@ -100,11 +100,11 @@ Violation PairCheck::checkCluster(std::size_t cluster, const ToolMotion& motion,
     NeighbourList& list = context_.horizon.list();
     TACTOOTH_ASSERT(cluster < list.clusters());
     context_.budget.add(cost::kCluster);
-    if (query_.separatesCluster(state_, step_, list, cluster)) return Violation::None;
+    if (query_.separatesCluster(scene_, step_, list, cluster)) return Violation::None;
     std::uint32_t uncertain = list.uncertainPairs(cluster, motion);
     if (std::popcount(uncertain) >= kManyOfLeaf) {
-        query_.measureLeaf(state_, list, cluster);
-        if (query_.separatesCluster(state_, step_, list, cluster)) return Violation::None;
+        query_.measureLeaf(scene_, list, cluster);
+        if (query_.separatesCluster(scene_, step_, list, cluster)) return Violation::None;
     }
     for (; uncertain != 0; uncertain &= uncertain - 1) {
         context_.budget.add(cost::kPair);
@@ -117,7 +117,7 @@ Violation PairCheck::checkCluster(std::size_t cluster, const ToolMotion& motion,
         } else if (own != nullptr) {
             certify(place, *own, cluster, motion, uncertain);
         } else {
-            query_.measureLeaf(state_, list, cluster);
+            query_.measureLeaf(scene_, list, cluster);
         }
     }
     return Violation::None;

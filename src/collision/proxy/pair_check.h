@@ -11,7 +11,7 @@ namespace tactooth {
 class PairCheck {
 public:
     PairCheck(ProxyContext& context, const CandidateStep& step, SweepQuery& query)
-        : context_(context), state_(context.state), step_(step), query_(query) {}
+        : context_(context), scene_(context.scene), step_(step), query_(query) {}
 
     /// Checks one pair. A plane of the pair's own that proves it safe is left in `own`. With a violation, `violator` is
     /// the pair with its plane; `guess` is where GJK starts for it.
@@ -30,7 +30,7 @@ private:
                  std::uint32_t& uncertain);
 
     ProxyContext& context_;
-    const ProxyScene& state_;
+    const ProxyScene& scene_;
     const CandidateStep& step_;
     SweepQuery& query_;
 };

@@ -33,32 +33,32 @@ void preferFace(const Triangle3& tooth, const Triangle3& tool, double margin, Se
 
 }  // namespace
 
-WatchedPair PlaneFinder::watch(const ProxyScene& state, const NearPair& pair, const Vec3& guess) const {
+WatchedPair PlaneFinder::watch(const ProxyScene& scene, const NearPair& pair, const Vec3& guess) const {
     TACTOOTH_ASSERT(guess.allFinite());
-    const SeparatingPlane* known = cache_.find(state.part(pair).id(), pair);
+    const SeparatingPlane* known = cache_.find(scene.part(pair).id(), pair);
     return {pair, known != nullptr ? *known : SeparatingPlane{guess, 0, kOfNoPose}};
 }
 
-bool PlaneFinder::refresh(const ProxyScene& state, WatchedPair& watched, WorkBudget& budget) {
-    const SurfacePart& part = state.part(watched.pair);
+bool PlaneFinder::refresh(const ProxyScene& scene, WatchedPair& watched, WorkBudget& budget) {
+    const SurfacePart& part = scene.part(watched.pair);
     const Triangle3 tooth = cornersOf(part.mesh(), watched.pair.tooth);
-    const Triangle3 tool = state.toolTriangle(watched.pair);
+    const Triangle3 tool = scene.toolTriangle(watched.pair);
     SeparatingPlane& plane = watched.plane;
     const GjkResult result =
         distanceBetween(tooth, tool, plane.normal.isZero() ? Vec3(tool[0] - tooth[0]) : plane.normal);
     budget.addDistance();
     if (!result.separated) return false;
-    plane = {result.normal, highestAlong(tooth, result.normal), state.poseStamp};
-    if (result.distance < kTouchingMargins * state.margin) preferFace(tooth, tool, state.margin, plane);
+    plane = {result.normal, highestAlong(tooth, result.normal), scene.poseStamp};
+    if (result.distance < kTouchingMargins * scene.margin) preferFace(tooth, tool, scene.margin, plane);
     TACTOOTH_ASSERT(isUnit(plane.normal));
     cache_.store(part.id(), watched.pair, plane);
     return true;
 }
 
-void PlaneFinder::replace(const ProxyScene& state, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched) {
+void PlaneFinder::replace(const ProxyScene& scene, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched) {
     TACTOOTH_ASSERT(isUnit(normal));
-    watched.plane = {normal, highestAlong(tooth, normal), state.poseStamp};
-    cache_.store(state.part(watched.pair).id(), watched.pair, watched.plane);
+    watched.plane = {normal, highestAlong(tooth, normal), scene.poseStamp};
+    cache_.store(scene.part(watched.pair).id(), watched.pair, watched.plane);
 }
 
 }  // namespace tactooth

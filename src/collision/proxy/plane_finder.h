@@ -13,15 +13,15 @@ namespace tactooth {
 class PlaneFinder {
 public:
     /// A pair with its remembered plane. If there is none, `guess` is the direction from which GJK starts; zero: none.
-    [[nodiscard]] WatchedPair watch(const ProxyScene& state, const NearPair& pair, const Vec3& guess) const;
+    [[nodiscard]] WatchedPair watch(const ProxyScene& scene, const NearPair& pair, const Vec3& guess) const;
     /// Makes sure that a pair has a plane of the present pose. False if nothing separates the pair.
-    [[nodiscard]] bool ensurePlane(const ProxyScene& state, WatchedPair& watched, WorkBudget& budget) {
-        return watched.plane.stamp == state.poseStamp || refresh(state, watched, budget);
+    [[nodiscard]] bool ensurePlane(const ProxyScene& scene, WatchedPair& watched, WorkBudget& budget) {
+        return watched.plane.stamp == scene.poseStamp || refresh(scene, watched, budget);
     }
     /// Finds the plane that separates a pair best at the present pose. False if nothing separates it.
-    [[nodiscard]] bool refresh(const ProxyScene& state, WatchedPair& watched, WorkBudget& budget);
+    [[nodiscard]] bool refresh(const ProxyScene& scene, WatchedPair& watched, WorkBudget& budget);
     /// Replaces the plane of a pair by the one with this normal that touches the tooth's triangle.
-    void replace(const ProxyScene& state, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched);
+    void replace(const ProxyScene& scene, const Triangle3& tooth, const Vec3& normal, WatchedPair& watched);
 
     /// The plane last stored for a pair of a surface part, or null.
     [[nodiscard]] const SeparatingPlane* find(std::uint64_t partId, const NearPair& pair) const {

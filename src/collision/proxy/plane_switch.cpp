@@ -31,13 +31,13 @@ std::optional<HalfSpace> PlaneSwitch::Candidate::separatingSpace(const Vec3& nor
 
 void PlaneSwitch::addPair(WatchedPair& watched) {
     TACTOOTH_ASSERT(count_ < kCapacity);
-    TACTOOTH_ASSERT(watched.plane.stamp == context_.state.poseStamp);
-    const ProxyScene& state = context_.state;
+    TACTOOTH_ASSERT(watched.plane.stamp == context_.scene.poseStamp);
+    const ProxyScene& scene = context_.scene;
     Candidate& added = candidates_[count_];
-    added = {&watched, state.toothTriangle(watched.pair), state.toolTriangle(watched.pair), 0, 0};
+    added = {&watched, scene.toothTriangle(watched.pair), scene.toolTriangle(watched.pair), 0, 0};
     added.gap = lowestAlong(added.tool, watched.plane.normal) - watched.plane.offset;
-    added.least = std::min(kThinnest * state.margin, kRelativeGap * added.gap);
-    spaces_[count_] = added.spaceOf(watched.plane.normal, watched.plane.offset, state.margin);
+    added.least = std::min(kThinnest * scene.margin, kRelativeGap * added.gap);
+    spaces_[count_] = added.spaceOf(watched.plane.normal, watched.plane.offset, scene.margin);
     ++count_;
 }
 
@@ -52,7 +52,7 @@ bool PlaneSwitch::run() {
 /// Whether half-spaces leave a way that brings the tool nearer to the goal by more than two planes of the same pair
 /// differ by: at an edge these may lead to and fro.
 bool PlaneSwitch::allowsProgress(std::span<const HalfSpace> spaces) const {
-    const double margin = context_.state.margin;
+    const double margin = context_.scene.margin;
     const Qp3Result answer = solveQp3(spaces, toGoal_, margin * kSolveTolerance);
     if (!answer.feasible || answer.point.norm() <= kWorthMargins * margin) return false;
     // Squares: their difference is about twice the distance times what it becomes less.
@@ -62,7 +62,7 @@ bool PlaneSwitch::allowsProgress(std::span<const HalfSpace> spaces) const {
 
 /// Tries other planes for one contact, alone and together with the pairs that they separate as well.
 bool PlaneSwitch::switchPlane(std::size_t contact) {
-    const double margin = context_.state.margin;
+    const double margin = context_.scene.margin;
     const Candidate& own = candidates_[contact];
     const HalfSpace ownSpace = spaces_[contact];
     ContactDirections directions(own.tooth, own.tool);
@@ -97,7 +97,7 @@ bool PlaneSwitch::switchTogether(std::size_t contact) {
     std::array<bool, kCapacity> takes{};
     const Vec3 normal = spaces_[contact].normal;
     for (std::size_t i = 0; i < count_; ++i) {
-        const std::optional<HalfSpace> space = candidates_[i].separatingSpace(normal, context_.state.margin);
+        const std::optional<HalfSpace> space = candidates_[i].separatingSpace(normal, context_.scene.margin);
         takes[i] = space.has_value();
         together[i] = space.value_or(spaces_[i]);
     }
@@ -109,7 +109,7 @@ bool PlaneSwitch::switchTogether(std::size_t contact) {
 }
 
 void PlaneSwitch::take(const Candidate& candidate, const Vec3& normal) {
-    context_.planes.replace(context_.state, candidate.tooth, normal, *candidate.watched);
+    context_.planes.replace(context_.scene, candidate.tooth, normal, *candidate.watched);
 }
 
 }  // namespace tactooth

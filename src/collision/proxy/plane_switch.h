@@ -11,15 +11,15 @@
 
 namespace tactooth {
 
-/// Lets a settled tool move on by other planes.
+/// Looks for separating planes that let a settled tool move on.
 ///
-/// Where two triangles touch at an edge or a corner, many planes separate them. The plane at hand may forbid a motion
-/// that another plane allows. The switch tries the other planes of each contact, and takes the first that leaves the
-/// tool a way toward the goal.
+/// Where two triangles touch at an edge or a corner, many planes separate them. The present plane may forbid a motion
+/// that another one allows. The switch tries the other planes of each contact, and takes the first that allows a motion
+/// toward the goal.
 class PlaneSwitch {
 public:
     PlaneSwitch(ProxyContext& context, const Pose& goal)
-        : context_(context), toGoal_(goal.position - context.state.pose.position) {}
+        : context_(context), toGoal_(goal.position - context.scene.pose.position) {}
 
     /// Adds a contact of the tool. All contacts come before the other pairs. The pair must outlive the switch.
     void addContact(WatchedPair& watched) {
@@ -29,7 +29,7 @@ public:
     }
     /// Adds another pair that blocks the tool here. The pair must outlive the switch.
     void addPair(WatchedPair& watched);
-    /// Tries the planes of each contact in turn. True if a plane was taken: then the pairs carry it.
+    /// Tries the planes of each contact in turn. True if a plane was replaced, in the pair that was added.
     [[nodiscard]] bool run();
 
 private:
@@ -39,8 +39,8 @@ private:
     struct Candidate {
         WatchedPair* watched = nullptr;
         Triangle3 tooth, tool;
-        double gap = 0;    // of the plane at hand, mm
-        double least = 0;  // that another plane must leave, mm
+        double gap = 0;    // width of the slab along the present plane, mm
+        double least = 0;  // width that another plane must leave, mm
 
         [[nodiscard]] HalfSpace spaceOf(const Vec3& normal, double back, double margin) const;
         /// The steps that the plane with this normal allows, if it separates the pair.

@@ -9,18 +9,18 @@
 
 namespace tactooth {
 
-/// What the parts of a proxy solver share.
+/// The data that the parts of a proxy solver share.
 struct ProxyContext {
     ProxyContext(std::shared_ptr<const ToolShape> tool, Freedom freedom)
-        : state{std::move(tool), freedom, nullptr, {}}, horizon(*state.tool) {}
+        : scene{std::move(tool), freedom, nullptr, {}}, horizon(*scene.tool) {}
 
-    ProxyScene state;
+    ProxyScene scene;
     NeighbourHorizon horizon;
     PlaneFinder planes;
     WorkBudget budget;
     ActiveContacts contacts;
 
-    [[nodiscard]] bool ensurePlane(WatchedPair& watched) { return planes.ensurePlane(state, watched, budget); }
+    [[nodiscard]] bool ensurePlane(WatchedPair& watched) { return planes.ensurePlane(scene, watched, budget); }
 };
 
 }  // namespace tactooth

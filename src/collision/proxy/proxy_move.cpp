@@ -64,19 +64,19 @@ MoveResult ProxyMove<Constraints>::run() {
 /// not move.
 template <class Constraints>
 void ProxyMove<Constraints>::begin() {
-    ProxyScene& state = context_.state;
+    ProxyScene& scene = context_.scene;
     NeighbourHorizon& horizon = context_.horizon;
     const Pose& goal = step_.goal;
     context_.budget.beginMove();
-    const double position = std::max(goal.position.cwiseAbs().maxCoeff(), state.pose.position.cwiseAbs().maxCoeff());
-    state.margin = kMarginOfRadius * state.tool->radius() + kMarginOfPosition * position;
-    const Pose& from = settled_.origin(state.pose);
+    const double position = std::max(goal.position.cwiseAbs().maxCoeff(), scene.pose.position.cwiseAbs().maxCoeff());
+    scene.margin = kMarginOfRadius * scene.tool->radius() + kMarginOfPosition * position;
+    const Pose& from = settled_.origin(scene.pose);
     horizon.beginMove((goal.position - from.position).norm(), chordBetween(goal.rotation, from.rotation));
     settled_.beginMove(goal);
     trust_ = kGoalPrediction * horizon.goalShift() * context_.budget.stepScale();
     const bool isLimited = context_.budget.isLimited();
-    const bool isWithinList = horizon.covers(state.pose, state.margin);
-    const bool mayWait = horizon.mayWait(state.pose, isLimited);
+    const bool isWithinList = horizon.covers(scene.pose, scene.margin);
+    const bool mayWait = horizon.mayWait(scene.pose, isLimited);
     mayWait_ = mayWait && isWithinList;
     isAhead_ = mayWait && !isWithinList;
     const bool rests = isLimited && horizon.wait().takeRest();
@@ -96,37 +96,37 @@ bool ProxyMove<Constraints>::isCutShort() const {
 /// expected. False if no more lists may be built.
 template <class Constraints>
 bool ProxyMove<Constraints>::ensureList(double& turn) {
-    const ProxyScene& state = context_.state;
+    const ProxyScene& scene = context_.scene;
     NeighbourHorizon& horizon = context_.horizon;
     const bool isFirst = result_.iterations == 1;
     if (!isFirst && horizon.list().made() && !step_.clipping.isByList) return true;
     const bool isLimited = context_.budget.isLimited();
     const Vec3 displacement = constraints_.predictShift(context_, step_, turn);
     const bool ends = !horizon.list().made() || step_.clipping.isByList ||
-                      horizon.isExhausted(state.pose, displacement, turn, isLimited);
+                      horizon.isExhausted(scene.pose, displacement, turn, isLimited);
     if (!ends) return true;
-    if (isFirst && horizon.covers(state.pose, state.margin) &&
-        (context_.budget.isStarved() || horizon.mayWait(state.pose, isLimited)))
+    if (isFirst && horizon.covers(scene.pose, scene.margin) &&
+        (context_.budget.isStarved() || horizon.mayWait(scene.pose, isLimited)))
         return true;
-    if (!horizon.mayRebuild(state.tool->radius())) return false;
-    horizon.rebuild(state, displacement, turn);
+    if (!horizon.mayRebuild(scene.tool->radius())) return false;
+    horizon.rebuild(scene, displacement, turn);
     return true;
 }
 
 /// Makes sure of the list, and limits the step to what the list covers. False if the list does not cover the pose.
 template <class Constraints>
 bool ProxyMove<Constraints>::prepareStep() {
-    const ProxyScene& state = context_.state;
-    double turn = chordBetween(step_.goal.rotation, state.pose.rotation);
+    const ProxyScene& scene = context_.scene;
+    double turn = chordBetween(step_.goal.rotation, scene.pose.rotation);
     if (!ensureList(turn)) return false;
-    const double rotationLeft = context_.horizon.rotationLeft(state.pose.rotation);
-    if (!context_.horizon.coversPosition(state.pose.position, state.margin) || rotationLeft < 0) return false;
+    const double rotationLeft = context_.horizon.rotationLeft(scene.pose.rotation);
+    if (!context_.horizon.coversPosition(scene.pose.position, scene.margin) || rotationLeft < 0) return false;
     const double fraction = turn > rotationLeft ? shareWithin(rotationLeft, turn) : 1;
     TACTOOTH_ASSERT(fraction >= 0 && fraction <= 1);
     step_.rotatesFully = Constraints::kRotates || fraction >= 1;
     step_.clipping.isRotationByList = !step_.rotatesFully;
-    step_.rotateBy(state.pose.rotation, turn > 0 && !Constraints::kRotates ? fraction : 0);
-    step_.limits = {std::max(trust_, kLeastTrustMargins * state.margin), rotationLeft,
+    step_.rotateBy(scene.pose.rotation, turn > 0 && !Constraints::kRotates ? fraction : 0);
+    step_.limits = {std::max(trust_, kLeastTrustMargins * scene.margin), rotationLeft,
                     std::numeric_limits<double>::infinity()};
     return true;
 }
@@ -165,7 +165,7 @@ bool ProxyMove<Constraints>::findSafeStep(Violation& found) {
 template <class Constraints>
 void ProxyMove<Constraints>::rotateLess() {
     step_.rotatesFully = false;
-    step_.rotateBy(context_.state.pose.rotation,
+    step_.rotateBy(context_.scene.pose.rotation,
                    step_.rotationFraction > kLeastRotation ? step_.rotationFraction / 4 : 0);
     constraints_.restart(context_, step_);
 }
@@ -178,7 +178,7 @@ bool ProxyMove<Constraints>::constrain(const WatchedPair& violator, int solution
         constraints_.add(context_, step_, violator);
         return true;
     }
-    if (!(step_.limits.allowance > kSettledMargins * context_.state.margin)) return false;
+    if (!(step_.limits.allowance > kSettledMargins * context_.scene.margin)) return false;
     step_.limits.allowance /= 8;
     constraints_.restart(context_, step_);
     return true;
@@ -202,14 +202,14 @@ bool ProxyMove<Constraints>::retriesWithShorterList() {
 /// Moves the proxy by the step, and decides whether it has arrived.
 template <class Constraints>
 void ProxyMove<Constraints>::acceptStep() {
-    ProxyScene& state = context_.state;
-    const double turned = chordBetween(step_.rotation, state.pose.rotation) * state.tool->radius();
+    ProxyScene& scene = context_.scene;
+    const double turned = chordBetween(step_.rotation, scene.pose.rotation) * scene.tool->radius();
     const double moved = step_.shift.norm();
     const bool stays = !Constraints::kRotates && step_.rotationFraction == 0 && step_.shift.isZero(0);
     TACTOOTH_ASSERT(step_.shift.allFinite());
-    state.pose.rotation = step_.rotation;
-    state.pose.position += step_.shift;
-    if (!stays) ++state.poseStamp;
+    scene.pose.rotation = step_.rotation;
+    scene.pose.position += step_.shift;
+    if (!stays) ++scene.poseStamp;
     constraints_.storeContacts(context_, result_);
     constraints_.clearWarmStart();
     hasStepped_ = true;
@@ -217,7 +217,7 @@ void ProxyMove<Constraints>::acceptStep() {
     if (step_.clipping.isClipped || step_.clipping.isByList) return;
     if (step_.rotatesFully && context_.contacts.count == 0) {
         result_.status = MoveStatus::Reached;
-    } else if (moved + turned <= kSettledMargins * state.margin) {
+    } else if (moved + turned <= kSettledMargins * scene.margin) {
         trySettle();
     }
 }

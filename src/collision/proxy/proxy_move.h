@@ -20,11 +20,12 @@ public:
         : context_(context), sweep_(sweep), settled_(settled) {
         step_.goal = goal;
     }
-    /// Does the move. To be called once.
+    /// Runs the move. Call it once.
     [[nodiscard]] MoveResult run();
 
 private:
-    /// Solutions of an iteration; more come of a rotation that does not settle.
+    /// Solutions of the QP in one iteration after which the step is shortened, and at most. A rotation that does not
+    /// converge needs many.
     static constexpr int kManySolutions = Constraints::Set::kCapacity + 1;
     static constexpr int kMaxSolutions = 8 * kManySolutions;
 
@@ -49,8 +50,8 @@ private:
     Constraints constraints_;
     MoveResult result_;
     double trust_ = 0;           // longest step of the next iteration, mm
-    int planeSwitches_ = 0;      // of a tool that had settled
-    bool hasRechecked_ = false;  // a settled tool was tried without the planes that hold it
+    int planeSwitches_ = 0;      // tried in this move
+    bool hasRechecked_ = false;  // the contacts were found anew, without the planes that held the proxy
     bool hasStepped_ = false;
     bool mayWait_ = false;  // at the end of its list the proxy may wait for the next one
     bool isAhead_ = false;  // the proxy has left the list that it was given, and waits for the next one

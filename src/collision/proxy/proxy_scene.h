@@ -15,13 +15,13 @@
 
 namespace tactooth {
 
-/// What moves, among which triangles, and where it stands. Every part of the proxy solver reads it.
+/// The tool, the surface of the tooth, and the pose of the tool. All parts of the proxy solver read them.
 struct ProxyScene {
     std::shared_ptr<const ToolShape> tool;  ///< never null
     Freedom freedom = Freedom::Translation;
     std::shared_ptr<const Surface> surface;  ///< null until the first setSurface
-    Pose pose;                               ///< of the tool, in the tooth's frame
-    std::uint64_t poseStamp = 2;             ///< number of the pose; planes carry the number of the pose they belong to
+    Pose pose;                               ///< of the tool in the tooth's frame
+    std::uint64_t poseStamp = 2;             ///< number of the pose; a plane stores the number of its pose
     double margin = 0;                       ///< the distance that the proxy keeps from the tooth, mm
 
     [[nodiscard]] const SurfacePart& part(const NearPair& pair) const { return partOf(*surface, pair.part); }
@@ -32,8 +32,8 @@ struct ProxyScene {
     }
     /// The tool's triangle of a pair with the tool at the present pose, in the tooth's frame, mm.
     [[nodiscard]] Triangle3 toolTriangle(const NearPair& pair) const { return tool->cornersAt(pose, pair.tool); }
-    /// The length that weighs a rotation against a translation: the radius of gyration of a rod as long as the tool,
-    /// mm.
+    /// The characteristic length, mm: makes a rotation (rad) comparable with a translation (mm). It is the radius of
+    /// gyration of a rod as long as the tool.
     [[nodiscard]] double characteristicLength() const { return tool->radius() / std::numbers::sqrt3; }
     [[nodiscard]] bool rotates() const { return freedom == Freedom::TranslationAndRotation; }
 };

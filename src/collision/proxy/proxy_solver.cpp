@@ -19,14 +19,14 @@ std::shared_ptr<const Surface> ProxySolver::setSurface(std::shared_ptr<const Sur
 }
 
 std::shared_ptr<const Surface> ProxySolver::setSurface(std::shared_ptr<const Surface> surface, NeighbourList& near) {
-    if (surface != context_.state.surface) enter(surface);  // else all that is known of it still holds
+    if (surface != context_.scene.surface) enter(surface);  // else all that is known of it still holds
     context_.horizon.take(near);
     return surface;
 }
 
 /// Swaps the surface, and forgets the pairs of the old one.
 void ProxySolver::enter(std::shared_ptr<const Surface>& surface) {
-    std::swap(context_.state.surface, surface);
+    std::swap(context_.scene.surface, surface);
     context_.contacts.count = 0;
     settled_.forgetContacts();
     sweep_.clearRecent();
@@ -39,8 +39,8 @@ void ProxySolver::placeAt(const Pose& toolInTooth) {
 
 void ProxySolver::shiftTo(const Pose& toolInTooth) {
     TACTOOTH_ASSERT(toolInTooth.position.allFinite() && toolInTooth.rotation.coeffs().allFinite());
-    context_.state.pose = toolInTooth;
-    ++context_.state.poseStamp;
+    context_.scene.pose = toolInTooth;
+    ++context_.scene.poseStamp;
     context_.contacts.count = 0;
     settled_.placeAt(toolInTooth);
     context_.horizon.wait().endRest();
@@ -49,9 +49,9 @@ void ProxySolver::shiftTo(const Pose& toolInTooth) {
 }
 
 std::optional<bool> ProxySolver::isClearAt(const Pose& toolInTooth) {
-    const ProxyScene& state = context_.state;
+    const ProxyScene& scene = context_.scene;
     NeighbourList& list = context_.horizon.list();
-    if (!context_.horizon.covers(toolInTooth, state.margin)) return std::nullopt;
+    if (!context_.horizon.covers(toolInTooth, scene.margin)) return std::nullopt;
     const ToolMotion still = list.motion(toolInTooth, toolInTooth, 0, {});
     const std::span<const std::uint32_t> packets = list.within(still);
     if (list.isFull()) return std::nullopt;
@@ -61,8 +61,8 @@ std::optional<bool> ProxySolver::isClearAt(const Pose& toolInTooth) {
             for (std::uint32_t uncertain = list.uncertainPairs(cluster, still); uncertain != 0;
                  uncertain &= uncertain - 1) {
                 const NearPair pair = list[NeighbourList::placeOf(cluster, std::countr_zero(uncertain))];
-                const Triangle3 tooth = state.toothTriangle(pair);
-                const Triangle3 tool = state.tool->cornersAt(toolInTooth, pair.tool);
+                const Triangle3 tooth = scene.toothTriangle(pair);
+                const Triangle3 tool = scene.tool->cornersAt(toolInTooth, pair.tool);
                 if (!distanceBetween(tooth, tool, tool[0] - tooth[0]).separated) return false;
             }
         }
@@ -85,7 +85,7 @@ MoveResult ProxySolver::moveToward(const Pose& goal) {
         return {};
     }
     TACTOOTH_ASSERT(surface() != nullptr);
-    if (context_.state.rotates()) return ProxyMove<RotationConstraints>(context_, sweep_, settled_, goal).run();
+    if (context_.scene.rotates()) return ProxyMove<RotationConstraints>(context_, sweep_, settled_, goal).run();
     return ProxyMove<TranslationConstraints>(context_, sweep_, settled_, goal).run();
 }
 

@@ -18,7 +18,7 @@ namespace tactooth {
 ///
 /// With six degrees of freedom the distance is that of Gauss' principle of least constraint: the square of the shift of
 /// the tool's centre, plus the square of the rotation vector times `characteristicLength`. So with turn = from goal to
-/// pose, characteristicLength^2 * turn = sum over the contacts of share * lever x normal; the lever goes from the
+/// pose, characteristicLength^2 * turn = sum over the contacts of multiplier * lever x normal; the lever goes from the
 /// centre to the contact.
 ///
 /// Fixed memory: a move allocates nothing. One thread at a time.
@@ -56,15 +56,15 @@ public:
     [[nodiscard]] std::uint32_t ownListRebuilds() const { return context_.horizon.ownRebuilds(); }
 
     /// Of the tool, in the tooth's frame.
-    [[nodiscard]] const Pose& pose() const { return context_.state.pose; }
-    [[nodiscard]] const ToolShape& tool() const { return *context_.state.tool; }
+    [[nodiscard]] const Pose& pose() const { return context_.scene.pose; }
+    [[nodiscard]] const ToolShape& tool() const { return *context_.scene.tool; }
     /// Null until the first setSurface.
-    [[nodiscard]] const Surface* surface() const { return context_.state.surface.get(); }
+    [[nodiscard]] const Surface* surface() const { return context_.scene.surface.get(); }
     /// The distance that the proxy keeps from the tooth, mm: far below what any device or eye resolves, far above the
     /// rounding of doubles.
-    [[nodiscard]] double margin() const { return context_.state.margin; }
+    [[nodiscard]] double margin() const { return context_.scene.margin; }
     /// The length that weighs a rotation against a shift: the radius of gyration of a rod as long as the tool, mm.
-    [[nodiscard]] double characteristicLength() const { return context_.state.characteristicLength(); }
+    [[nodiscard]] double characteristicLength() const { return context_.scene.characteristicLength(); }
 
 private:
     void enter(std::shared_ptr<const Surface>& surface);

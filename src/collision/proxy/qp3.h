@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// The half-space of all x with normal * x >= offset. `normal` is unit.
+/// The half-space of all x (mm) with normal * x >= offset.
 struct HalfSpace {
-    Vec3 normal;
-    double offset;
+    Vec3 normal;    ///< unit, into the half-space
+    double offset;  ///< mm
 };
 
 /// Solution of solveQp3.

@@ -42,13 +42,13 @@ Vec6 asVec6(const Vec3& shift, const Vec3& turn) {
 }  // namespace
 
 /// Sets the end of the step: the tool's centre shifted, and the tool rotated about it.
-void RotationConstraints::moveTo(const ProxyScene& state, const Vec3& shift, const Vec3& turn, CandidateStep& step) {
+void RotationConstraints::moveTo(const ProxyScene& scene, const Vec3& shift, const Vec3& turn, CandidateStep& step) {
     TACTOOTH_ASSERT(shift.allFinite() && turn.allFinite());
     shift_ = shift;
     turn_ = turn;
-    step.rotation = (rotationBy(turn) * state.pose.rotation).normalized();
+    step.rotation = (rotationBy(turn) * scene.pose.rotation).normalized();
     step.matrix = step.rotation.toRotationMatrix();
-    step.shift = shift + (step.startMatrix - step.matrix) * state.tool->centre();
+    step.shift = shift + (step.startMatrix - step.matrix) * scene.tool->centre();
 }
 
 /// The number of the constraint that keeps two features apart; the number of constraints if there is none.
@@ -62,43 +62,43 @@ int RotationConstraints::find(const WatchedPair& watched, const FeaturePair& fea
 }
 
 /// The features of a pair to keep apart, so that the step does not bring the pair together.
-FeaturePair RotationConstraints::featuresToConstrain(const ProxyScene& state, const CandidateStep& step,
+FeaturePair RotationConstraints::featuresToConstrain(const ProxyScene& scene, const CandidateStep& step,
                                                      const WatchedPair& watched) const {
-    if (const auto blocking = blockingFeatures(state, step, watched)) {
+    if (const auto blocking = blockingFeatures(scene, step, watched)) {
         const int number = find(watched, *blocking);
         if (number == set_.count() || features_[number].tries < kMaxTries) return *blocking;
     }
-    return lowestCorner(state, step, watched);
+    return lowestCorner(scene, step, watched);
 }
 
 void RotationConstraints::add(const ProxyContext& context, CandidateStep& step, const WatchedPair& watched) {
-    const ProxyScene& state = context.state;
-    const FeaturePair features = featuresToConstrain(state, step, watched);
-    const double straight = std::sqrt(state.margin / state.tool->radius());
+    const ProxyScene& scene = context.scene;
+    const FeaturePair features = featuresToConstrain(scene, step, watched);
+    const double straight = std::sqrt(scene.margin / scene.tool->radius());
     if (features.kind == FeaturePair::Kind::CornerOverPlane && turn_.norm() > straight) {
         step.limits.rotationBound = straight;
     } else {
-        addFeatures(state, step, watched, features);
+        addFeatures(scene, step, watched, features);
     }
 }
 
 /// Adds the half-space of two features, linear in shift and rotation. A rotation bends the path. Where the path bends
 /// away, the slope at the start of the step keeps the features apart, else the slope at its end.
-void RotationConstraints::addFeatures(const ProxyScene& state, const CandidateStep& step, const WatchedPair& watched,
+void RotationConstraints::addFeatures(const ProxyScene& scene, const CandidateStep& step, const WatchedPair& watched,
                                       const FeaturePair& features) {
     const int number = find(watched, features);
     const bool isNew = number == set_.count();
-    const double length = state.characteristicLength();
-    const Vec3 centre = state.pose * state.tool->centre();
+    const double length = scene.characteristicLength();
+    const Vec3 centre = scene.pose * scene.tool->centre();
     const auto slopeOf = [&](const FeatureGap& gap, const Vec3& about) {
         return asVec6(gap.normal, (gap.point - about).cross(gap.normal) / length);
     };
-    const FeatureGap here = gapOf(state, watched, features, state.pose);
-    const FeatureGap there = gapOf(state, watched, features, step.end(state.pose));
+    const FeatureGap here = gapOf(scene, watched, features, scene.pose);
+    const FeatureGap there = gapOf(scene, watched, features, step.end(scene.pose));
     HalfSpace6 space;
     space.normal = slopeOf(there, centre + shift_);
-    space.offset = state.margin - there.gap + space.normal.dot(asVec6(shift_, turn_ * length));
-    if (space.offset > state.margin - here.gap) space = {slopeOf(here, centre), state.margin - here.gap};
+    space.offset = scene.margin - there.gap + space.normal.dot(asVec6(shift_, turn_ * length));
+    if (space.offset > scene.margin - here.gap) space = {slopeOf(here, centre), scene.margin - here.gap};
     // To stay is always allowed: a gap that rounding has left below the margin may stay so.
     space.offset = std::min(0.0, space.offset);
     set_.set(number, watched, space);
@@ -106,61 +106,61 @@ void RotationConstraints::addFeatures(const ProxyScene& state, const CandidateSt
 }
 
 /// The shift and the rotation nearest to those of the goal under the constraints so far.
-Qp6Result RotationConstraints::nearest(const ProxyScene& state, const Pose& goal) const {
-    const Vec3 centre = state.tool->centre();
-    const Vec6 wanted = asVec6(goal * centre - state.pose * centre,
-                               rotationBetween(state.pose.rotation, goal.rotation) * state.characteristicLength());
-    return set_.nearest(wanted, state.margin * kSolveTolerance);
+Qp6Result RotationConstraints::nearest(const ProxyScene& scene, const Pose& goal) const {
+    const Vec3 centre = scene.tool->centre();
+    const Vec6 wanted = asVec6(goal * centre - scene.pose * centre,
+                               rotationBetween(scene.pose.rotation, goal.rotation) * scene.characteristicLength());
+    return set_.nearest(wanted, scene.margin * kSolveTolerance);
 }
 
 Vec3 RotationConstraints::predictShift(ProxyContext& context, CandidateStep& step, double& turn) {
-    const ProxyScene& state = context.state;
-    step.startMatrix = state.pose.rotation.toRotationMatrix();
+    const ProxyScene& scene = context.scene;
+    step.startMatrix = scene.pose.rotation.toRotationMatrix();
     restart(context, step);
-    const Qp6Result answer = nearest(state, step.goal);
+    const Qp6Result answer = nearest(scene, step.goal);
     if (!answer.feasible) return Vec3::Zero();
-    moveTo(state, answer.point.head<3>(), answer.point.tail<3>() / state.characteristicLength(), step);
-    turn = chordBetween(step.rotation, state.pose.rotation);
+    moveTo(scene, answer.point.head<3>(), answer.point.tail<3>() / scene.characteristicLength(), step);
+    turn = chordBetween(step.rotation, scene.pose.rotation);
     return step.shift;
 }
 
 void RotationConstraints::restart(ProxyContext& context, CandidateStep& step) {
     set_.clear();
-    moveTo(context.state, Vec3::Zero(), Vec3::Zero(), step);
+    moveTo(context.scene, Vec3::Zero(), Vec3::Zero(), step);
     for (int i = 0; i < context.contacts.count; ++i) {
         WatchedPair& watched = context.contacts.pairs[i];
         if (!context.ensurePlane(watched)) continue;
-        if (stillTouch(context.state, watched, context.contacts.features[i]))
-            addFeatures(context.state, step, watched, context.contacts.features[i]);
+        if (stillTouch(context.scene, watched, context.contacts.features[i]))
+            addFeatures(context.scene, step, watched, context.contacts.features[i]);
     }
 }
 
 bool RotationConstraints::solve(const ProxyContext& context, CandidateStep& step) {
-    const ProxyScene& state = context.state;
-    const Qp6Result answer = nearest(state, step.goal);
+    const ProxyScene& scene = context.scene;
+    const Qp6Result answer = nearest(scene, step.goal);
     if (!answer.feasible) return false;
     set_.setActive(answer);
     const Vec3 shift = answer.point.head<3>();
-    const Vec3 turn = answer.point.tail<3>() / state.characteristicLength();
+    const Vec3 turn = answer.point.tail<3>() / scene.characteristicLength();
     const double share = shareAllowed(context, shift, turn, step);
     TACTOOTH_ASSERT(share >= 0 && share <= 1);
     step.clipping.isClipped = share < 1;
-    moveTo(state, share * shift, share * turn, step);
+    moveTo(scene, share * shift, share * turn, step);
     return true;
 }
 
 /// The share of a step that the limits and the neighbour list leave. With a step, each share of it is allowed too.
 double RotationConstraints::shareAllowed(const ProxyContext& context, const Vec3& shift, const Vec3& turn,
                                          CandidateStep& step) {
-    const ProxyScene& state = context.state;
+    const ProxyScene& scene = context.scene;
     const StepLimits& limits = step.limits;
-    const double length = shift.norm() + turn.norm() * state.tool->radius();
+    const double length = shift.norm() + turn.norm() * scene.tool->radius();
     double limited = length > limits.allowance ? limits.allowance / length : 1;
     if (limited * turn.norm() > limits.rotationBound) limited = limits.rotationBound / turn.norm();
     const auto isCovered = [&](double share) {
-        moveTo(state, share * shift, share * turn, step);
-        return context.horizon.coversPosition(state.pose.position + step.shift, state.margin) &&
-               chordBetween(step.rotation, state.pose.rotation) <= limits.rotationLeft;
+        moveTo(scene, share * shift, share * turn, step);
+        return context.horizon.coversPosition(scene.pose.position + step.shift, scene.margin) &&
+               chordBetween(step.rotation, scene.pose.rotation) <= limits.rotationLeft;
     };
     step.clipping.isByList = !isCovered(limited);
     if (!step.clipping.isByList) return limited;

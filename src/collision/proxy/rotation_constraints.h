@@ -27,11 +27,11 @@ public:
     /// Finds the step nearest to the goal under the constraints so far, shortened to its limits. False if there is
     /// none.
     [[nodiscard]] bool solve(const ProxyContext& context, CandidateStep& step);
-    /// Adds a constraint that keeps a pair apart which the step would bring together. If none of its features block the
-    /// step, the rotation may be too long for a separating plane to be found: then a rotation is tried that bends the
-    /// paths by less than the margin.
+    /// Adds a constraint that keeps apart a pair which the step would bring together. If none of its features blocks
+    /// the step, the rotation may be too large for a separating plane: then a rotation is tried so small that the paths
+    /// of the corners differ from straight lines by less than the margin.
     void add(const ProxyContext& context, CandidateStep& step, const WatchedPair& watched);
-    /// Whether the step stays where it is. Never known with rotation.
+    /// Whether the step is known to stay where it is: never with rotation.
     [[nodiscard]] static bool isStationary(const ProxyContext&, const CandidateStep&) { return false; }
     /// Stores the active pairs in the context, and writes them as contacts.
     void storeContacts(ProxyContext& context, MoveResult& result) const;
@@ -41,18 +41,18 @@ private:
     /// The features of a pair that a constraint keeps apart.
     struct FeatureContact {
         FeaturePair features;
-        int tries = 0;  // how often they have been made linear in this iteration
+        int tries = 0;  // linearisations in this iteration
         Vec3 normal = Vec3::Zero();
         Vec3 point = Vec3::Zero();
     };
 
-    void moveTo(const ProxyScene& state, const Vec3& shift, const Vec3& turn, CandidateStep& step);
-    void addFeatures(const ProxyScene& state, const CandidateStep& step, const WatchedPair& watched,
+    void moveTo(const ProxyScene& scene, const Vec3& shift, const Vec3& turn, CandidateStep& step);
+    void addFeatures(const ProxyScene& scene, const CandidateStep& step, const WatchedPair& watched,
                      const FeaturePair& features);
-    [[nodiscard]] FeaturePair featuresToConstrain(const ProxyScene& state, const CandidateStep& step,
+    [[nodiscard]] FeaturePair featuresToConstrain(const ProxyScene& scene, const CandidateStep& step,
                                                   const WatchedPair& watched) const;
     [[nodiscard]] int find(const WatchedPair& watched, const FeaturePair& features) const;
-    [[nodiscard]] Qp6Result nearest(const ProxyScene& state, const Pose& goal) const;
+    [[nodiscard]] Qp6Result nearest(const ProxyScene& scene, const Pose& goal) const;
     [[nodiscard]] double shareAllowed(const ProxyContext& context, const Vec3& shift, const Vec3& turn,
                                       CandidateStep& step);
 

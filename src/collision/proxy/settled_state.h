@@ -12,7 +12,7 @@ namespace tactooth {
 /// A settled proxy stays where it is, bit for bit and without work, until its goal or surface changes.
 class SettledState {
 public:
-    /// A settled proxy that the same pairs hold is checked afresh once in so many moves.
+    /// A proxy that the same pairs hold move after move is checked without their planes once in so many moves.
     static constexpr int kRecheckInterval = 8;
 
     /// Whether a move to `goal` would find again what the last move found.
@@ -25,30 +25,31 @@ public:
         return result_;
     }
 
-    /// From where the displacement of the goal counts: the last goal, or the pose of a proxy that lags behind it.
+    /// The pose from which the displacement of the goal is measured: the last goal, or `pose` if the proxy lags behind
+    /// it.
     [[nodiscard]] const Pose& origin(const Pose& pose) const { return isLagging_ ? pose : goal_; }
     void beginMove(const Pose& goal) { goal_ = goal; }
     /// Whether the pairs that hold the proxy are those that held it at the end of the last move.
     [[nodiscard]] bool isUnchanged(const ActiveContacts& contacts) const;
-    /// Whether they are, and no fresh check is due.
+    /// Whether they are the same and may be kept without a recheck in this move.
     [[nodiscard]] bool isKnown(const ActiveContacts& contacts) const {
         return isUnchanged(contacts) && unchangedMoves_ % kRecheckInterval != kRecheckInterval - 1;
     }
     /// Remembers the end of a move.
     void endMove(const MoveResult& result, const ActiveContacts& contacts);
 
-    /// The surface changed: the pairs and the result no longer hold.
+    /// Forgets the pairs and the result, since the surface has changed.
     void forgetContacts() {
         heldCount_ = 0;
         isSettled_ = false;
     }
-    /// The proxy was put at a pose.
+    /// Starts from a pose at which the proxy was placed.
     void placeAt(const Pose& pose) {
         forgetContacts();
         goal_ = pose;
         isLagging_ = false;
     }
-    /// The next move is done afresh.
+    /// Makes the next move compute its result, also for the same goal.
     void unsettle() { isSettled_ = false; }
 
 private:

@@ -35,8 +35,8 @@ Violation SweepCheck::checkList(ProxyContext& context, const CandidateStep& step
                                 WatchedPair& violator) {
     PairCheck pairs(context, step, query);
     NeighbourList& list = context.horizon.list();
-    const Pose& start = context.state.pose;
-    const ToolMotion motion = list.motion(start, step.end(start), context.state.margin, query.activeNormals());
+    const Pose& start = context.scene.pose;
+    const ToolMotion motion = list.motion(start, step.end(start), context.scene.margin, query.activeNormals());
     const std::span<const std::uint32_t> packets = list.within(motion);
     context.budget.addListWork(list.takeWork(), context.horizon.rebuilds() <= 1);
     if (list.isFull()) return Violation::OutOfBudget;

@@ -17,9 +17,9 @@ enum class Violation {
 
 /// Finds a pair that a step would bring together, in the whole motion from start to end.
 ///
-/// A pair is safe if some plane separates it during the whole step. The check first asks the planes of the neighbour
-/// list, eight clusters at a time; then those of the query; then the remembered plane of the pair; then GJK on the
-/// swept triangle.
+/// A pair is safe if some plane separates it during the whole step. The check first tries the slabs of the neighbour
+/// list, eight clusters at a time; then the normals of the query; then the remembered plane of the pair; then it runs
+/// GJK on the hull of the tool's triangle at both ends of the step.
 class SweepCheck {
 public:
     /// Checks a step. `query` must be new for each step. With Found, `violator` is the pair and its plane.

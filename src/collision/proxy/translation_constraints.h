@@ -31,8 +31,8 @@ public:
     [[nodiscard]] bool solve(const ProxyContext& context, CandidateStep& step);
     /// Adds a constraint that keeps a pair apart.
     void add(const ProxyContext& context, const CandidateStep& step, const WatchedPair& watched);
-    /// Whether the active planes leave the tool no way to go. To stay where it stands brings nothing together, so no
-    /// check of other pairs is needed.
+    /// Whether the active planes allow no motion toward the goal. A tool that stays where it is brings no pair
+    /// together, so such a step needs no sweep check.
     [[nodiscard]] bool isStationary(const ProxyContext& context, const CandidateStep& step) const;
     /// Stores the active pairs in the context, and writes them as contacts at the present pose.
     void storeContacts(ProxyContext& context, MoveResult& result) const;
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    void storeWarmStart(const ProxyScene& state);
+    void storeWarmStart(const ProxyScene& scene);
 
     Set set_;
     int warmStartCount_ = 0;

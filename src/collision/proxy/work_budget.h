@@ -14,7 +14,7 @@ namespace tactooth {
 ///
 /// A move that exhausts its allowance stops where it is. The next move then gets twice the budget, so an expensive
 /// situation ends after a few moves. A move that was stopped before its first step starves: the next move tries a
-/// shorter first step, which brings fewer pairs into doubt. At the shortest first step the work is done whatever it
+/// shorter first step, which makes fewer pairs uncertain. At the shortest first step the work is done whatever it
 /// costs, so the proxy never stands still for long.
 class WorkBudget {
 public:

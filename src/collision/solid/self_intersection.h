@@ -11,8 +11,8 @@
 namespace tactooth {
 
 /// The triangles that intersect another one elsewhere than in their common corners or edge, in ascending order; for
-/// meshes with triangles of any size. Triangles with two equal corners are left out. None if that takes more than
-/// `most` tests of pairs: if triangles cross each other everywhere, they bound no body.
+/// meshes with triangles of any size. Triangles with two equal corners are left out. std::nullopt if that takes more
+/// than `most` tests of pairs: triangles that intersect each other everywhere bound no body.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> selfIntersectingTriangles(const SurfacePart& part,
                                                                                   std::uint64_t most);
 

@@ -8,9 +8,9 @@
 
 namespace tactooth {
 
-/// Moves the vertices of triangles that cross others back to their rest positions, first few vertices, then more around
-/// them, until no triangles cross. `restPositions` holds one position (mm) for each vertex. False if some still cross:
-/// then the rest positions cross themselves.
+/// Moves the vertices of triangles that intersect others back to their rest positions, first a few vertices, then more
+/// around them, until no triangles intersect. `restPositions` holds one position (mm) for each vertex. False if some
+/// still intersect: then the surface of the rest positions intersects itself.
 [[nodiscard]] bool repairSelfIntersections(TriangleMesh& mesh, const std::vector<Vec3f>& restPositions);
 
 }  // namespace tactooth

@@ -97,7 +97,7 @@ public:
     [[nodiscard]] virtual const Message* faultMessage() const { return poseMonitor_.faultMessage(); }
 
     /// Records the pose fault that the servo thread found at this tick, for faultMessage(). Servo thread only.
-    void judge(PoseFault fault, double elapsed) { poseMonitor_.update(fault, elapsed); }
+    void recordPoseFault(PoseFault fault, double elapsed) { poseMonitor_.update(fault, elapsed); }
 
     /// Accepts only a wrench that has passed the safety limiter. Force in the device's frame.
     virtual void write(const SafeWrench& wrench) = 0;

@@ -16,7 +16,7 @@ inline constexpr MessageText kDeviceChoice{"device_choice", "%1, %2 or %3 for on
                                            "%1、複数あるうちの一つなら %2 か %3"};
 inline constexpr MessageText kUnknownPedal{
     "unknown_pedal",
-    "the pedal '%1' is none: it is axis:N or button:N of a joystick (N from 0 to 31), with :NAME of the joystick "
+    "'%1' is not a pedal: give axis:N or button:N of a joystick (N from 0 to 31), with :NAME of the joystick "
     "behind it if there are several.",
     "'%1' はペダルではありません。ジョイスティックの axis:N か button:N（N は 0～31）で書き、"
     "複数あるときは後ろに :NAME を付けてください。"};
@@ -137,7 +137,7 @@ inline constexpr MessageText kHdFlood{
     "装置のドライバーの呼び出しが多すぎるため、力を切りました。"
     "メーカーのサービスかコンピューターを再起動してください。"};
 inline constexpr MessageText kHdDockPen{
-    "hd_dock_pen", "Put the pen into its inkwell for a moment, so that the device learns where it is.",
+    "hd_dock_pen", "Put the pen into its inkwell for a moment, so that the device can find its position.",
     "装置が位置を覚えるように、ペンを少しの間インクウェルに差し込んでください。"};
 inline constexpr MessageText kHdSilent{
     "hd_silent",
@@ -158,7 +158,7 @@ inline constexpr MessageText kHaplyIsAnother{
     "%1 で応答しているのはHaply Inverse Serviceではありません。そのプログラムを終了するか、TACTOOTH_HAPLY "
     "に待ち受け先を設定してください。"};
 inline constexpr MessageText kHaplySaysNothing{
-    "haply_says_nothing", "The Haply Inverse Service at %1 does not say who is there: restart it.",
+    "haply_says_nothing", "The Haply Inverse Service at %1 does not list its devices: restart it.",
     "%1 の Haply Inverse Serviceが接続中の装置を知らせません。再起動してください。"};
 inline constexpr MessageText kHaplyNoInverse3{
     "haply_no_inverse3", "The Haply Inverse Service finds no Inverse3: check its cable and power supply.",
@@ -183,18 +183,18 @@ inline constexpr MessageText kHaplyNoAnswer{
     "Haply Inverse Serviceの応答が止まりました。再起動してください。1秒ごとに再試行します。"};
 inline constexpr MessageText kHaplyNoJson{
     "haply_no_json",
-    "The Haply Inverse Service sends what is no message: restart it; if that does not help, install it anew.",
+    "The Haply Inverse Service sends messages that cannot be read: restart it; if that does not help, install it anew.",
     "Haply Inverse Serviceから正しくない通信が届きました。再起動し、"
     "それでも直らなければ再インストールしてください。"};
 inline constexpr MessageText kHaplyOtherVersion{
-    "haply_other_version", "The Haply Inverse Service speaks another version of its language: install version 3.",
+    "haply_other_version", "The Haply Inverse Service uses another version of its protocol: install version 3.",
     "Haply Inverse Serviceの通信のバージョンが違います。バージョン3をインストールしてください。"};
 inline constexpr MessageText kHaplyOtherUnits{
-    "haply_other_units", "The Haply Inverse Service tells places that are not in metres: install version 3 of it.",
+    "haply_other_units", "The Haply Inverse Service reports positions that are not in metres: install version 3 of it.",
     "Haply Inverse Serviceの位置の単位がメートルではありません。バージョン3をインストールしてください。"};
 inline constexpr MessageText kInverse3Lost{
     "inverse3_lost",
-    "The Inverse3 does not know where it is: put its arms into their rest position and switch it off and on "
+    "The Inverse3 has lost its position: put its arms into their rest position and switch it off and on "
     "again.",
     "Inverse3の位置が分かりません。アームを休止位置に置き、電源を入れ直してください。"};
 inline constexpr MessageText kInverse3Gone{
@@ -213,19 +213,21 @@ inline constexpr MessageText kInverse3NotReady{
 inline constexpr MessageText kGripAsleep{"grip_asleep", "The VerseGrip is asleep: press one of its buttons.",
                                          "VerseGripがスリープしています。ボタンを一つ押してください。"};
 inline constexpr MessageText kGripBroken{
-    "grip_broken", "The VerseGrip tells a direction that is none: switch it off and on again if this comes again.",
+    "grip_broken",
+    "The VerseGrip reports an orientation that is not valid: switch it off and on again if this happens again.",
     "VerseGripの向きが正しい値になっていません。繰り返すときは電源を入れ直してください。"};
 
 // Poses that no hand can have.
 inline constexpr MessageText kPoseNotANumber{
-    "pose_not_a_number", "The device tells a place that is no number: switch it off and on again if this comes again.",
+    "pose_not_a_number",
+    "The device reports a position that is not a number: switch it off and on again if this happens again.",
     "装置の位置が数値になっていません。繰り返すときは電源を入れ直してください。"};
 inline constexpr MessageText kPoseInvalidRotation{
     "pose_invalid_rotation",
-    "The device tells a direction that is none: switch it off and on again if this comes again.",
+    "The device reports an orientation that is not valid: switch it off and on again if this happens again.",
     "装置の向きが正しい値になっていません。繰り返すときは電源を入れ直してください。"};
 inline constexpr MessageText kPoseJump{
-    "pose_jump", "The device's place has jumped: check its cable, and let it calibrate if this comes again.",
+    "pose_jump", "The device's position has jumped: check its cable, and calibrate it if this happens again.",
     "装置の位置が飛びました。ケーブルを確かめ、繰り返すときは校正してください。"};
 inline constexpr MessageText kPoseTooFast{
     "pose_too_fast",
@@ -234,21 +236,22 @@ inline constexpr MessageText kPoseTooFast{
     "歯に触れている間に装置が毎秒1.5 mより速く動いたため、力を切りました。バーを歯から離してください。"
     "手がゆっくりだったときは、ケーブルを確かめてください。"};
 inline constexpr MessageText kPoseRotatesTooFast{
-    "pose_rotates_too_fast", "The device's direction has jumped: switch it off and on again if this comes again.",
+    "pose_rotates_too_fast", "The device's orientation has jumped: switch it off and on again if this happens again.",
     "装置の向きが飛びました。繰り返すときは電源を入れ直してください。"};
 inline constexpr MessageText kPoseStale{
-    "pose_stale", "The device's places come too late: close other programs that keep this machine busy.",
+    "pose_stale", "The device's positions come too late: close other programs that keep this machine busy.",
     "装置の位置が遅れて届いています。コンピューターに負荷をかけている他のプログラムを閉じてください。"};
 inline constexpr MessageText kPoseForce{
     "pose_force",
-    "The force came out as no number and was switched off: lift the bur, and report it to the authors if this "
-    "comes again.",
+    "The computed force was not a number, so the force is off: lift the bur, and report it to the authors if "
+    "this happens again.",
     "力が数値にならなかったため、力を切りました。バーを歯から離してください。"
     "繰り返すときは作者に知らせてください。"};
 
 // Kinds of devices.
 inline constexpr MessageText kMouseAndKeyboard{"mouse_and_keyboard", "Mouse and keyboard", "マウスとキーボード"};
 inline constexpr MessageText kHapticPen{"haptic_pen", "Haptic pen (OpenHaptics)", "力覚ペン（OpenHaptics）"};
+inline constexpr MessageText kNamedHapticPen{"named_haptic_pen", "Haptic pen %1", "力覚ペン %1"};
 inline constexpr MessageText kHaplyInverse3{"haply_inverse3", "Haply Inverse3", "Haply Inverse3"};  // a name
 inline constexpr MessageText kGamepad{"gamepad", "Gamepad", "ゲームパッド"};
 inline constexpr MessageText kSpaceMouse{"space_mouse", "SpaceMouse", "SpaceMouse"};  // a name

@@ -7,10 +7,10 @@
 
 namespace tactooth {
 
-WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box) {
+WorkspaceFit fitWorkspace(const Vec3& workspace, const Vec3& box) {
     constexpr double kSteps = 10;       // steps in each unit of motion scaling
     constexpr double kRounding = 1e-9;  // tolerance for a workspace that is only just large enough
-    const double most = room.cwiseQuotient(box).minCoeff();
+    const double most = workspace.cwiseQuotient(box).minCoeff();
     if (!(most >= kMinMotionScaling - kRounding)) return {kMinMotionScaling, false};
     return {std::clamp(std::floor(kSteps * most + kRounding) / kSteps, kMinMotionScaling, kMaxMotionScaling), true};
 }

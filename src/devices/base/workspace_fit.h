@@ -14,11 +14,11 @@ struct WorkspaceFit {
     bool coversBox = true;  ///< without use of the clutch
 };
 
-/// The largest motion scaling at which a device with a workspace of size `room` brings the tool to all points of a box
-/// of size `box`. Both sizes are in mm along the device's axes, and the centres coincide. The result is a multiple of
-/// 0.1, like the value that the user can set. If even the smallest motion scaling does not cover the box, the result is
-/// the smallest.
-[[nodiscard]] WorkspaceFit fitWorkspace(const Vec3& room, const Vec3& box);
+/// The largest motion scaling at which a device with a workspace of size `workspace` brings the tool to all points of a
+/// box of size `box`. Both sizes are in mm along the device's axes, and the centres coincide. The result is a multiple
+/// of 0.1, like the value that the user can set. If even the smallest motion scaling does not cover the box, the result
+/// is the smallest.
+[[nodiscard]] WorkspaceFit fitWorkspace(const Vec3& workspace, const Vec3& box);
 
 /// Size along the device's axes of a box that is aligned with the tooth's axes. `turn`: rotation from the device's
 /// frame into the tooth's.

@@ -122,10 +122,10 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     double continuous = 0;
     call_.getDoubles(hd::kContinuousForce, &continuous);
     info.limits = limitsOf(preset, peak, continuous);
-    std::array<double, 6> room{};
-    call_.getDoubles(hd::kUsableWorkspace, room.data());
-    info.workspace = Vec3(room[3] - room[0], room[5] - room[2], room[4] - room[1]);
-    info.workspaceCentre = 0.5 * Vec3(room[3] + room[0], -room[5] - room[2], room[4] + room[1]);
+    std::array<double, 6> usable{};
+    call_.getDoubles(hd::kUsableWorkspace, usable.data());
+    info.workspace = Vec3(usable[3] - usable[0], usable[5] - usable[2], usable[4] - usable[1]);
+    info.workspaceCentre = 0.5 * Vec3(usable[3] + usable[0], -usable[5] - usable[2], usable[4] + usable[1]);
     if (!info.workspace.allFinite() || info.workspace.minCoeff() <= 0) {
         info.workspace = preset.workspace;
         info.workspaceCentre.reset();

@@ -44,10 +44,18 @@ std::unique_ptr<HapticDevice> createPen(const DeviceRequest& request) {
     return std::make_unique<OpenHapticsDevice>(request.unit, HdLibrary::defaultPath(), request.rateHz);
 }
 
+std::vector<std::string> namedPens() {
+    std::vector<std::string> pens = configuredPens();
+    std::erase(pens, kDefaultPen);
+    return pens;
+}
+
 Expected<void> tryLibrary() { return HdLibrary::probeLibrary(HdLibrary::defaultPath()); }
 
 }  // namespace
 
-DeviceBackend openHapticsBackend() { return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens}; }
+DeviceBackend openHapticsBackend() {
+    return {kName, msg::kHapticPen, "NAME", createPen, tryLibrary, probePens, namedPens, &msg::kNamedHapticPen};
+}
 
 }  // namespace tactooth

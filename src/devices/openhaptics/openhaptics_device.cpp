@@ -23,7 +23,7 @@ Vec3 toHd(const Vec3& v) { return {v.x(), v.z(), -v.y()}; }
 
 /// Rotation of the three axes. Axes that are not orthonormal and right-handed give four zeros, which later checks
 /// recognise as no rotation: a conversion of a distorted matrix would give some arbitrary rotation.
-Quat turnOf(const Eigen::Matrix3d& axes) {
+Quat rotationOf(const Eigen::Matrix3d& axes) {
     if (!axes.allFinite()) return {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
     const double bent = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (bent > kMaxBent || axes.determinant() < 0) return {0, 0, 0, 0};
@@ -36,7 +36,7 @@ Pose poseOf(const std::array<double, 16>& transform) {
         const double* const axis = &transform[static_cast<std::size_t>(4 * column)];
         rotation.col(column) = fromHd(Vec3(axis[0], axis[1], axis[2]));
     }
-    return {fromHd(Vec3(transform[12], transform[13], transform[14])), turnOf(rotation)};
+    return {fromHd(Vec3(transform[12], transform[13], transform[14])), rotationOf(rotation)};
 }
 
 }  // namespace

@@ -34,6 +34,10 @@ struct DeviceBackend {
     Expected<void> (*trial)();
     /// The devices of this kind that are present, or one entry with the reason why there is none.
     std::vector<DetectedDevice> (*probe)();
+    /// The names of several devices of this kind, as the user has set them up: the text after the colon. Without the
+    /// default one. nullptr: they have no names.
+    std::vector<std::string> (*units)() = nullptr;
+    const MessageText* unitTitle = nullptr;  ///< display name of one of these; %1: its name
 };
 
 /// All kinds, in display order; the mouse comes first.

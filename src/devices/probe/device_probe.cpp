@@ -27,15 +27,15 @@ std::string tenths(double value) {
 std::string packed(const ProbeResult& result) {
     const DeviceCapabilities& can = result.capabilities;
     const auto list = [](const auto& value) { return value ? Json::array({*value}) : Json::array(); };
-    Json room = Json::array();
-    if (can.workspace) room = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
+    Json workspace = Json::array();
+    if (can.workspace) workspace = {can.workspace->x(), can.workspace->y(), can.workspace->z()};
     const Json json = {static_cast<int>(result.state),
                        result.text,
                        list(can.force),
                        list(can.continuousForce),
                        list(can.stiffness),
                        list(can.buttons),
-                       room};
+                       workspace};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -51,8 +51,8 @@ std::optional<ProbeResult> unpacked(const std::string& text) {
     take(json[3], result.capabilities.continuousForce);
     take(json[4], result.capabilities.stiffness);
     take(json[5], result.capabilities.buttons);
-    const Json& room = json[6];
-    if (!room.empty()) result.capabilities.workspace = Vec3(room[0], room[1], room[2]);
+    const Json& workspace = json[6];
+    if (!workspace.empty()) result.capabilities.workspace = Vec3(workspace[0], workspace[1], workspace[2]);
     return result;
 }
 
@@ -69,10 +69,11 @@ DeviceCapabilities capabilitiesOf(const DeviceInfo& info) {
 }
 
 std::string capabilityText(const DeviceInfo& info) {
-    const Vec3& room = info.workspace;
+    const Vec3& workspace = info.workspace;
     return info.name + ": force " + tenths(info.limits.force) + " N, " + tenths(info.limits.continuousForce) +
-           " N for ever; workspace " + tenths(room.x()) + " x " + tenths(room.y()) + " x " + tenths(room.z()) +
-           " mm; stiffest wall " + tenths(info.stiffness) + " N/mm; " + std::to_string(info.buttonCount) + " buttons";
+           " N for ever; workspace " + tenths(workspace.x()) + " x " + tenths(workspace.y()) + " x " +
+           tenths(workspace.z()) + " mm; stiffest wall " + tenths(info.stiffness) + " N/mm; " +
+           std::to_string(info.buttonCount) + " buttons";
 }
 
 DetectedDevice probeInChild(const std::string& name, const char* backend, const std::string& library,

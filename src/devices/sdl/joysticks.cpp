@@ -98,8 +98,7 @@ public:
 
     [[nodiscard]] bool works() const { return works_; }
 
-    /// Reads all joysticks.
-    [[nodiscard]] std::vector<JoystickState> look() {
+    [[nodiscard]] std::vector<JoystickState> readAll() {
         SDL_JoystickUpdate();
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // no code reads them
         openNew();
@@ -196,7 +195,7 @@ SdlJoysticks::SdlJoysticks() {
         {
             const std::lock_guard guard(mutex_);
             if (!worker.works()) failure_ = {msg::kJoysticksNotRead, SDL_GetError()};
-            if (worker.works()) states_ = worker.look();
+            if (worker.works()) states_ = worker.readAll();
             started_ = true;
             started.notify_all();
         }
@@ -212,7 +211,7 @@ void SdlJoysticks::run(const std::stop_token& stop, Worker& worker) {
     std::mutex none;
     std::unique_lock sleeping(none);
     while (worker.works() && !wake.wait_for(sleeping, stop, kPeriod, [] { return false; }) && !stop.stop_requested()) {
-        std::vector<JoystickState> states = worker.look();
+        std::vector<JoystickState> states = worker.readAll();
         const std::lock_guard lock(mutex_);
         states_ = std::move(states);
         port_ != nullptr ? worker.feed(*port_, wanted_) : worker.silence();

@@ -52,11 +52,11 @@ Expected<void> SimulatedDevice::open() {
 }
 
 Vec3 SimulatedDevice::tremorOffset(double time) const {
-    Vec3 shake;
+    Vec3 sines;
     for (int axis = 0; axis < 3; ++axis) {
-        shake[axis] = std::sin(2 * std::numbers::pi * kTremor[static_cast<std::size_t>(axis)] * time);
+        sines[axis] = std::sin(2 * std::numbers::pi * kTremor[static_cast<std::size_t>(axis)] * time);
     }
-    return behaviour_.tremor * std::sqrt(2.0 / 3) * shake;  // the mean square of each sine is one half
+    return behaviour_.tremor * std::sqrt(2.0 / 3) * sines;  // the mean square of each sine is one half
 }
 
 void SimulatedDevice::move(const Vec3& wanted, const Vec3& wantedSpeed, const Vec3& force, double dt) {

@@ -17,7 +17,7 @@ namespace tactooth {
 struct DualMesh {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 4>> quads;
-    std::vector<Triangle> triangles;  ///< at the rare places where a quad is not enough
+    std::vector<Triangle> triangles;  ///< of the few polygons with more than four corners
 };
 
 /// Makes a closed, oriented manifold from sampled values: one vertex for each patch of surface in a cell, and one quad

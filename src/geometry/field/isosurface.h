@@ -18,7 +18,7 @@ struct IsosurfaceOptions {
     double cellSize = 0.2;  ///< mm; triangles have about this edge length
     /// Lipschitz bound: two values differ by at most this times the distance of their points.
     double lipschitzBound = 1.5;
-    int relaxations = 3;  ///< rounds of relaxation before the vertices move onto the exact surface
+    int relaxations = 3;  ///< steps of relaxation before the vertices move onto the exact surface
 };
 
 /// The surface field = 0 within `box`: closed (where the body ends within the box), oriented, every edge with two

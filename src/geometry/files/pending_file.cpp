@@ -14,8 +14,8 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_identity.h"
 #include "geometry/files/unfinished_files.h"
+#include "geometry/files/write_refusal.h"
 #include "geometry/util/messages.h"
-#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -25,15 +25,6 @@ namespace fs = std::filesystem;
 /// Small writes are buffered up to this size; larger ones go to the system directly.
 constexpr std::size_t kBufferBytes = 64 * 1024;
 constexpr mode_t kModeBits = 07777;
-
-Unexpected cannotWrite(const fs::path& path, int reason) {
-    const std::string name = displayName(path);
-    if (reason == ENOENT || reason == ENOTDIR) return unexpected(msg::kOutputFolderMissing, name);
-    if (reason == EACCES || reason == EPERM || reason == EROFS) {
-        return unexpected(msg::kOutputFolderNotWritable, name);
-    }
-    return unexpected(msg::kOutputNotWritten, name, systemReason(reason));
-}
 
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {

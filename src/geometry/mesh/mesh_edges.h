@@ -11,10 +11,10 @@
 
 namespace tactooth {
 
-/// One side of a triangle. `corner` = 3 * triangle + number of the corner where the side begins.
+/// The use of an edge by one triangle: a side of that triangle.
 struct EdgeUse {
     std::uint32_t other;   ///< the edge's larger vertex number
-    std::uint32_t corner;  ///< corner where the side begins
+    std::uint32_t corner;  ///< where the side begins: 3 * triangle + number of the corner
     bool upward;           ///< the side runs from the smaller vertex number to the larger
 };
 

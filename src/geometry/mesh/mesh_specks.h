@@ -8,11 +8,11 @@
 
 namespace tactooth {
 
-/// Components smaller than this share of the largest body are specks, in length.
+/// Components smaller than this fraction of the largest body, in length, are specks.
 inline constexpr double kSpeck = 0.05;
 
-/// The components that are not specks have at least this share of the area of a surface. Otherwise there is no body
-/// with specks beside it, and all components stay.
+/// The components that are not specks must have at least this fraction of the surface's area. Else the surface is no
+/// body with a few specks beside it, and all components stay.
 inline constexpr double kLeastBody = 0.98;
 
 /// Drops isolated triangles without an area, and specks: components whose bounding box has a diagonal of less than

@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// Triangles that are this close count as crossing: a nanometre is far above the rounding of double precision, and far
-/// below that of the vertices.
+/// Triangles that are this close count as intersecting: a nanometre is far above the rounding of double precision, and
+/// far below the rounding of vertices to single precision.
 inline constexpr double kIntersectionDistance = 1e-6;  // mm
 
 /// Whether two different triangles of a mesh meet elsewhere than in their common corners or edge.

@@ -5,19 +5,8 @@
 #include <limits>
 
 #include "geometry/util/assert.h"
-#include "geometry/util/messages.h"
 
 namespace tactooth {
-
-Expected<void> validate(const TriangleMesh& mesh) {
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        for (const std::uint32_t vertex : mesh.triangles[triangle]) {
-            if (vertex >= mesh.vertices.size()) return unexpected(msg::kCornerNoVertex, triangle, vertex);
-            if (!mesh.vertices[vertex].allFinite()) return unexpected(msg::kCornerNotFinite, triangle, vertex);
-        }
-    }
-    return {};
-}
 
 Box3 boundingBox(const TriangleMesh& mesh) {
     Box3 box;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "geometry/util/assert.h"
-#include "geometry/util/expected.h"
 #include "geometry/util/pose.h"
 #include "geometry/util/vec.h"
 
@@ -36,14 +35,10 @@ struct TriangleMesh {
     }
 };
 
-/// Checks the invariants of a mesh: every corner of a triangle names a vertex, and every vertex that a triangle uses is
-/// finite. Fails with the number of the first triangle that breaks one. Takes time in proportion to the mesh.
-[[nodiscard]] Expected<void> validate(const TriangleMesh& mesh);
-
 /// The bounding box of all vertices that a triangle uses; empty for an empty mesh.
 [[nodiscard]] Box3 boundingBox(const TriangleMesh& mesh);
 
-/// `mesh` with every vertex transformed by `pose`.
+/// `mesh` in another frame: every vertex transformed by `pose`, which must be a rigid transform.
 [[nodiscard]] TriangleMesh transformed(const TriangleMesh& mesh, const Pose& pose);
 
 /// Adds the vertices and triangles of `part` to `mesh`.

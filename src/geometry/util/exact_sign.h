@@ -51,7 +51,7 @@ private:
     Numbers permanent_;  // the same sum as `normal_`, of absolute values
 };
 
-/// The side of the plane a, b, c that d is on.
+/// The exact sign of det[b - a, c - a, d - a], as of ExactPlane: on which side of the plane a, b, c the point d lies.
 [[nodiscard]] inline int orientationSign(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
     return ExactPlane(a, b, c).sideOf(d);
 }

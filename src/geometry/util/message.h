@@ -77,7 +77,7 @@ public:
 
     [[nodiscard]] std::string in(Language language) const;
 
-    /// Of the row; empty for other words.
+    /// The id of the row; empty for other words.
     [[nodiscard]] std::string_view id() const { return text_ != nullptr ? text_->id : std::string_view(); }
     /// Whether it is this row, or has it among its arguments at any depth.
     [[nodiscard]] bool contains(const MessageText& text) const;

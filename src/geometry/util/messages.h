@@ -118,12 +118,6 @@ inline constexpr MessageText kFaceTooLarge{"face_too_large", "the face has too m
                                            "面の頂点が多すぎて三角形に分けられません"};
 inline constexpr MessageText kExpectedFinite{"expected_finite", "expected a finite coordinate", "有限の座標が必要です"};
 
-inline constexpr MessageText kCornerNoVertex{"corner_no_vertex",
-                                             "triangle %1 has the corner %2, which is not a vertex of the mesh",
-                                             "三角形 %1 の頂点 %2 がメッシュの頂点ではありません"};
-inline constexpr MessageText kCornerNotFinite{"corner_not_finite", "triangle %1 has the corner %2, which is not finite",
-                                              "三角形 %1 の頂点 %2 が有限の数値ではありません"};
-
 // STL.
 inline constexpr MessageText kStlCornerNotFinite{
     "stl_corner_not_finite",

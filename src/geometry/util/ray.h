@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-/// A half line; `direction` is unit.
+/// A half line from `origin`, mm, along the unit vector `direction`.
 struct Ray {
     Vec3 origin;
     Vec3 direction;

@@ -13,4 +13,8 @@ using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 using Box3 = Eigen::AlignedBox3d;
 
+/// Largest coordinate of a surface or of a pose, mm: a thousand jaws. Beyond it single precision is coarser than a
+/// tenth of a millimetre, and finding a contact takes seconds.
+inline constexpr double kMaxCoordinate = 1e6;
+
 }  // namespace tactooth

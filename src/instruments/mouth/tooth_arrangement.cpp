@@ -62,30 +62,30 @@ ToothSurface toothSurfaceOf(int fdi, std::uint32_t seed) {
     ToothShape shape = varied(toothShape(fdi), seed);
     SurfacePart surface(
         isosurface(shape.outer, shape.bounds, {.cellSize = kCell, .lipschitzBound = 1.3, .relaxations = 1}));
-    ToothSurface stand{std::move(shape), std::move(surface)};
+    ToothSurface tooth{std::move(shape), std::move(surface)};
     Box3 crown;
-    for (const Vec3f& v : stand.surface.mesh().vertices) {
+    for (const Vec3f& v : tooth.surface.mesh().vertices) {
         if (v.z() > 0) crown.extend(v.cast<double>());
     }
-    stand.halfWidth = crown.sizes().x() / 2;
+    tooth.halfWidth = crown.sizes().x() / 2;
     const bool upper = fdi < 30, front = isAnteriorTooth(fdi);
     if (!upper) {  // the edge, or the buccal cusps
         Vec3 top(0, 0, -1e9);
-        for (const Vec3f& v : stand.surface.mesh().vertices) {
+        for (const Vec3f& v : tooth.surface.mesh().vertices) {
             if ((front || v.y() > 0) && v.z() > top.z()) top = v.cast<double>();
         }
         constexpr double kCanine = 0.9;  // mm that the tips of the canines are above the other edges
-        stand.onLine = Vec3(0, top.y(), top.z() - (fdi % 10 == 3 ? kCanine : 0));
+        tooth.onLine = Vec3(0, top.y(), top.z() - (fdi % 10 == 3 ? kCanine : 0));
     } else if (front) {  // the palatal face, an overbite above the edge
         constexpr double kOverbite = 2.6, kStep = 0.02;
         Vec3 point(0, crown.min().y() - 1, crown.max().z() - kOverbite);
-        while (stand.shape.outer(point) > 0 && point.y() < crown.max().y()) point.y() += kStep;
-        stand.onLine = point;
+        while (tooth.shape.outer(point) > 0 && point.y() < crown.max().y()) point.y() += kStep;
+        tooth.onLine = point;
     } else {  // the fossae
         constexpr double kBuccal = 0.3, kBelowCusps = 2.2;
-        stand.onLine = Vec3(0, kBuccal, crown.max().z() - kBelowCusps);
+        tooth.onLine = Vec3(0, kBuccal, crown.max().z() - kBelowCusps);
     }
-    return stand;
+    return tooth;
 }
 
 /// The closest points of two teeth; the distance is negative where they overlap.
@@ -131,11 +131,11 @@ constexpr double kFar = 0.6;  // mm: beyond it, distances do not matter
 class InclinationVariation {
 public:
     InclinationVariation(std::uint32_t seed, bool upper) : random_(2 * seed + (upper ? 1 : 0)), isAverage_(seed == 0) {}
-    ToothInclination operator()(ToothInclination stance) {
-        stance.tip += deviation(2.0);
-        stance.torque += deviation(1.5);
-        stance.turn += deviation(3.0);
-        return stance;
+    ToothInclination operator()(ToothInclination inclination) {
+        inclination.tip += deviation(2.0);
+        inclination.torque += deviation(1.5);
+        inclination.turn += deviation(3.0);
+        return inclination;
     }
 
 private:
@@ -149,7 +149,7 @@ private:
 };
 
 /// The pose of a tooth with its point on the line at `s`.
-Pose poseAt(const ArchCurve& line, double s, bool upper, const ToothInclination& stance, const Vec3& onLine) {
+Pose poseAt(const ArchCurve& line, double s, bool upper, const ToothInclination& inclination, const Vec3& onLine) {
     const ArchCurve::Place place = line.at(upper ? s : -s);
     const Vec3 mesial = upper ? Vec3(-place.along) : place.along;
     const double depth = -place.point.y();
@@ -159,13 +159,14 @@ Pose poseAt(const ArchCurve& line, double s, bool upper, const ToothInclination&
     const double rise = (occlusalPlane(depth + kStep) - occlusalPlane(depth)) / kStep;
     // Posterior teeth are perpendicular to the occlusal surface, which rises backward.
     const double back = std::atan(rise) * std::max(0.0, mesial.y()) * (upper ? -1 : 1);
-    const Quat lean = Quat(Eigen::AngleAxisd(stance.turn * kDegree, Vec3::UnitZ())) *
-                      Quat(Eigen::AngleAxisd(stance.tip * kDegree + back, Vec3::UnitY())) *
-                      Quat(Eigen::AngleAxisd(-stance.torque * kDegree, Vec3::UnitX()));
+    const Quat lean = Quat(Eigen::AngleAxisd(inclination.turn * kDegree, Vec3::UnitZ())) *
+                      Quat(Eigen::AngleAxisd(inclination.tip * kDegree + back, Vec3::UnitY())) *
+                      Quat(Eigen::AngleAxisd(-inclination.torque * kDegree, Vec3::UnitX()));
     const Quat rotation = (Quat(axes) * lean).normalized();
     // The upper arch is so far forward that the mesiobuccal cusps of its first molars meet the buccal grooves below.
     const Vec3 forward = (upper ? 1.5 : 0.0) * Vec3::UnitY();
-    const Vec3 point = place.point + forward + stance.outward * place.outward + occlusalPlane(depth) * Vec3::UnitZ();
+    const Vec3 point =
+        place.point + forward + inclination.outward * place.outward + occlusalPlane(depth) * Vec3::UnitZ();
     return {point - rotation * onLine, rotation};
 }
 
@@ -193,9 +194,9 @@ ToothSurfaces toothSurfacesOf(int quadrant, std::uint32_t seed) {
 }
 
 /// A central incisor and its mirror image.
-Nearest nearestToMirror(const ToothSurface& stand, const Pose& pose, bool onTheRight) {
+Nearest nearestToMirror(const ToothSurface& tooth, const Pose& pose, bool onTheRight) {
     Nearest nearest{1e9};
-    for (const Vec3f& v : stand.surface.mesh().vertices) {
+    for (const Vec3f& v : tooth.surface.mesh().vertices) {
         const Vec3 point = pose * v.cast<double>();
         const double apart = 2 * (onTheRight ? point.x() : -point.x());
         if (apart < nearest.distance) nearest = {apart, Vec3(0, point.y(), point.z())};
@@ -204,25 +205,25 @@ Nearest nearestToMirror(const ToothSurface& stand, const Pose& pose, bool onTheR
 }
 
 /// Pushes each tooth along the line up to the one before it.
-void placeAlong(const ArchCurve& line, const ToothSurfaces& stands, const ToothInclinations& stances,
+void placeAlong(const ArchCurve& line, const ToothSurfaces& surfaces, const ToothInclinations& inclinations,
                 const Heights& heights, JawQuadrant& side) {
     double s = 0;
     for (std::size_t i = 0; i < kTeethPerQuadrant; ++i) {
-        const ToothSurface& stand = stands[i];
+        const ToothSurface& tooth = surfaces[i];
         const auto pose = [&](double at) {
-            Pose placed = poseAt(line, at, side.upper, stances[i], stand.onLine);
+            Pose placed = poseAt(line, at, side.upper, inclinations[i], tooth.onLine);
             placed.position.z() += heights[i];
             return placed;
         };
         const auto nearest = [&](double at) {
-            if (i == 0) return nearestToMirror(stand, pose(at), side.upper);
-            return nearestBetween(stands[i - 1], side.teeth[i - 1].shapeInMouth, stand, pose(at), kFar);
+            if (i == 0) return nearestToMirror(tooth, pose(at), side.upper);
+            return nearestBetween(surfaces[i - 1], side.teeth[i - 1].shapeInMouth, tooth, pose(at), kFar);
         };
         constexpr double kLeast = 0.5, kMost = 1.35;  // of the step that two straight teeth side by side would need
-        const double step = i > 0 ? stands[i - 1].halfWidth + stand.halfWidth : stand.halfWidth;
+        const double step = i > 0 ? surfaces[i - 1].halfWidth + tooth.halfWidth : tooth.halfWidth;
         s = firstWith(kContactGap, s + kLeast * step, s + kMost * step,
                       [&](double at) { return nearest(at).distance; });
-        side.teeth[i] = {stand.shape, pose(s)};
+        side.teeth[i] = {tooth.shape, pose(s)};
         const Nearest contact = nearest(s);
         side.contacts[i] = {contact.at, contact.distance};
     }
@@ -274,9 +275,9 @@ void part(ToothArrangement& places, const ToothSurfaces& upper, const ToothSurfa
 
 ToothInclinations inclinationsOf(bool upper, std::uint32_t seed) {
     InclinationVariation variation(seed, upper);
-    ToothInclinations stances;
-    std::ranges::transform(upper ? kUpper : kLower, stances.begin(), variation);
-    return stances;
+    ToothInclinations inclinations;
+    std::ranges::transform(upper ? kUpper : kLower, inclinations.begin(), variation);
+    return inclinations;
 }
 
 }  // namespace

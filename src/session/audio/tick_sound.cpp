@@ -38,24 +38,38 @@ MotorKind motorOf(const SpindlePreset& spindle) {
     return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
 
-DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const MaterialTable& materials,
-                        const BurEdge& edge) {
-    DrillSoundState state;
-    state.motor = motorOf(spindle);
-    state.speedRpm = tick.speedRpm;
-    state.freeSpeedRpm = spindle.freeSpeedRpm;
-    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal has no effect
-    state.load = std::clamp(tick.load / spindle.stallTorque, 0.0, 1.0);
-    state.removalPower = tick.removalPower;
-    state.material = characterOf(materials, tick.material);
+TickSound::TickSound(const SpindlePreset& spindle, const MaterialTable& materials, const BurEdge& edge)
+    : motor_(motorOf(spindle)),
+      freeSpeedRpm_(spindle.freeSpeedRpm),
+      stallTorque_(spindle.stallTorque),
+      blades_(edge.flutes) {
     const double coarseness = std::clamp(edge.gritMicrometres / kCoarsestGrit, 0.0, 1.0);
-    state.material.graininess += kMaxGrainier * coarseness * (1 - state.material.graininess);
-    state.blades = edge.flutes;
+    for (const MaterialId id : materials.registry().ids()) {
+        SoundCharacter& character = characters_[static_cast<std::size_t>(id)] = characterOf(materials, id);
+        character.graininess += kMaxGrainier * coarseness * (1 - character.graininess);
+    }
+}
+
+DrillSoundState TickSound::at(const Tick& tick) const {
+    DrillSoundState state;
+    state.motor = motor_;
+    state.speedRpm = tick.speedRpm;
+    state.freeSpeedRpm = freeSpeedRpm_;
+    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal has no effect
+    state.load = std::clamp(tick.load / stallTorque_, 0.0, 1.0);
+    state.removalPower = tick.removalPower;
+    state.material = characters_[static_cast<std::size_t>(tick.material)];
+    state.blades = blades_;
     state.contactCount = tick.contactOnsets;
     state.contactSpeed = tick.impactSpeed;
     state.water = state.pedal;
     state.suction = tick.cutting ? 1 : 0;
     return state;
+}
+
+DrillSoundState soundOf(const Tick& tick, const SpindlePreset& spindle, const MaterialTable& materials,
+                        const BurEdge& edge) {
+    return TickSound(spindle, materials, edge).at(tick);
 }
 
 }  // namespace tactooth

@@ -26,7 +26,7 @@ struct CaseTooth {
     std::vector<std::string> assumed = {};  ///< assumptions about the surfaces, one sentence each
 };
 
-/// A body around the teeth (bone, gingiva). It is felt and can be cut.
+/// A body around the teeth (bone, gingiva). It can be touched and cut.
 struct CaseSurrounding {
     std::string name;  ///< unique in the case
     std::string surface;

@@ -27,7 +27,7 @@ struct LoadedTooth {
         tooth;  ///< of a case: all its bodies, in the frame of the tooth that is worked on
     ToothPlacement place;
     Provenance provenance = {};
-    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
+    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and on repairs
 };
 
 /// A tooth from surfaces, or from a case if the source's outer surface names one (docs/cases.md); `workOn` is then the
@@ -39,7 +39,7 @@ struct LoadedModel {
     std::shared_ptr<CutModel> piece;
     ToothPlacement place;
     Provenance provenance = {};
-    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and what was mended
+    std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and on repairs
 };
 
 /// The same as a model to cut; also from a saved tooth. `voxel` and `defaultVoxel` as for loadTooth.

@@ -29,9 +29,9 @@ std::vector<std::string> words(const std::vector<ImportNote>& importNotes) {
     return sentences;
 }
 
-class CaseMaker {
+class CaseBuilder {
 public:
-    CaseMaker(const CaseRequest& request, const CaseProgress& progress) : request_(request), progress_(progress) {}
+    CaseBuilder(const CaseRequest& request, const CaseProgress& progress) : request_(request), progress_(progress) {}
 
     Expected<NewCase> make() {
         if (auto known = readRegistry(); !known) return Unexpected{known.error()};
@@ -188,11 +188,11 @@ private:
 }  // namespace
 
 Expected<NewCase> makeCase(const CaseRequest& request, const CaseProgress& progress) {
-    return CaseMaker(request, progress).make();
+    return CaseBuilder(request, progress).make();
 }
 
 Expected<NewCase> caseOf(const ExaminedScan& tooth, const CaseRequest& request) {
-    return CaseMaker(request, {}).makeOf(tooth);
+    return CaseBuilder(request, {}).makeOf(tooth);
 }
 
 }  // namespace tactooth

@@ -54,13 +54,13 @@ inline constexpr MessageText kEntryNoFile{
 // Opening a case.
 inline constexpr MessageText kCaseClaimsTooMuch{
     "case_claims_too_much",
-    "%1 claims to hold %2 bytes, more than the %3 that a case may; it is damaged or not meant well.",
+    "%1 claims to hold %2 bytes, more than the %3 that a case may; it is damaged or made to do harm.",
     "%1 は %2 バイトとなっていて、症例の上限 %3 バイトを超えています。壊れているか、悪意のあるファイルです。"};
 inline constexpr MessageText kCaseFolderTooFull{
     "case_folder_too_full", "%1: the folder holds more than %2 files; give a case a folder of its own.",
     "%1：フォルダーに %2 個を超えるファイルがあります。症例には専用のフォルダーを使ってください。"};
 inline constexpr MessageText kArchivePointsOut{
-    "archive_points_out", "%1: the archive holds a file named '%2', which points out of it; it is not meant well.",
+    "archive_points_out", "%1: the archive holds a file named '%2', which points out of it; it may be made to do harm.",
     "%1：アーカイブの外を指すファイル '%2' が入っています。悪意のあるファイルです。"};
 inline constexpr MessageText kArchiveControlCharacters{
     "archive_control_characters",
@@ -100,7 +100,7 @@ inline constexpr MessageText kArchiveMethod{
 inline constexpr MessageText kArchiveBomb{
     "archive_bomb",
     "%1: the file claims to unpack from %2 to %3 bytes, more than any surface does; the archive is damaged or "
-    "not meant well.",
+    "made to do harm.",
     "%1：%2 バイトから %3 バイトに展開されることになっていますが、どんな表面もこれほど大きくなりません。"
     "アーカイブが壊れているか、悪意のあるファイルです。"};
 inline constexpr MessageText kNoArchive{"no_archive", "%1: this is no zip archive that can be read (%2).",
@@ -136,7 +136,7 @@ inline constexpr MessageText kCaseWithoutTooth{
 inline constexpr MessageText kCaseSurfaceNotSolid{
     "case_surface_not_solid", "%1: %2. Leave it out, or ask for all holes to be filled.",
     "%1：%2。この表面を除くか、すべての穴をふさぐように指定してください。"};
-inline constexpr MessageText kCaseNotReadable{"case_not_readable", "nobody could open this case: %1",
+inline constexpr MessageText kCaseNotReadable{"case_not_readable", "the new case could not be opened: %1",
                                               "この症例は誰にも開けません：%1"};
 inline constexpr MessageText kCaseTargetTaken{
     "case_target_taken", "%1: there is something already; give a new folder, or a name that ends in %2.",

@@ -38,7 +38,7 @@ public:
         : store_(store), description_(description), chosen_(chosen), caseInTooth_(chosen.toothInCase.inverse()) {}
 
     /// Notes on repairs of the surfaces.
-    [[nodiscard]] std::vector<ImportNote> takeImportNotes() { return std::move(remarks_); }
+    [[nodiscard]] std::vector<ImportNote> takeImportNotes() { return std::move(importNotes_); }
 
     Expected<std::shared_ptr<const LayeredTooth>> assemble() {
         if (chosen_.fdi != 0) toothContext_.mesialX = mesialX(chosen_.fdi);
@@ -49,7 +49,7 @@ public:
             if (auto done = add(tooth); !done) return Unexpected{done.error()};
         }
         for (const CaseSurrounding& body : description_.around) {
-            auto mesh = readSurface(store_, body.surface, caseInTooth_ * body.bodyInCase, remarks_);
+            auto mesh = readSurface(store_, body.surface, caseInTooth_ * body.bodyInCase, importNotes_);
             if (!mesh) return Unexpected{mesh.error()};
             append(outer_, *mesh);
             layers_.push_back({body.name, body.material, std::move(*mesh)});
@@ -67,12 +67,12 @@ private:
         const bool isChosen = &tooth == &chosen_;
         const Pose pose = isChosen ? Pose() : caseInTooth_ * tooth.toothInCase;
         const std::string prefix = isChosen ? "" : tooth.name + " ";
-        auto outer = readSurface(store_, tooth.outer, pose, remarks_);
+        auto outer = readSurface(store_, tooth.outer, pose, importNotes_);
         if (!outer) return Unexpected{outer.error()};
         if (isChosen) toothContext_.firstAdjacent = static_cast<std::uint32_t>(outer->triangles.size());
         for (const auto& [id, file] : tooth.layers) {
             auto mesh =
-                file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose, remarks_);
+                file == tooth.outer ? Expected<TriangleMesh>(*outer) : readSurface(store_, file, pose, importNotes_);
             if (!mesh) return Unexpected{mesh.error()};
             layers_.push_back({prefix + description_.registry->nameOf(id), id, std::move(*mesh)});
         }
@@ -90,7 +90,7 @@ private:
     TriangleMesh outer_;
     std::vector<LayerMesh> layers_;
     ToothContext toothContext_;
-    std::vector<ImportNote> remarks_;
+    std::vector<ImportNote> importNotes_;
 };
 
 Expected<const CaseTooth*> findTooth(const CaseDescription& description, const std::string& wanted,

@@ -17,7 +17,7 @@
 
 namespace tactooth {
 
-/// All bodies of a case in the frame of the tooth that is worked on. All of them are felt and can be cut.
+/// All bodies of a case in the frame of the tooth that is worked on. All of them can be touched and cut.
 struct OpenedCase {
     CaseDescription description;
     std::string tooth;  ///< name of the one that is worked on

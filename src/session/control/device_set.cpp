@@ -91,7 +91,7 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
     for (HeldDevice* const hand : devices_) {
         if (hand == nullptr) continue;
         const DeviceSample& sample = hand->sample = hand->device->read(elapsed);
-        hand->poseValid = sample.connected && hand->pipeline.judge(readingOf(sample), elapsed) == PoseFault::None;
+        hand->poseValid = sample.connected && hand->pipeline.check(readingOf(sample), elapsed) == PoseFault::None;
         if (!hand->poseValid) continue;
         hand->buttons.press(hand->sample.buttons, controls.buttons);
         hand->atWorkspaceLimit = !controls.clutch && !hand->buttons.clutchHeld() &&
@@ -129,7 +129,7 @@ void DeviceSet::write(const Tick& tick, bool enabled, double elapsed) {
         if (hand == nullptr) continue;
         const SafeWrench safe = hand->pipeline.pass(wantedFor(*hand, tick, enabled), elapsed);
         hand->device->write(safe);
-        hand->device->judge(hand->pipeline.fault(), elapsed);
+        hand->device->recordPoseFault(hand->pipeline.fault(), elapsed);
         silent_ &= safe.force().isZero(0) && safe.torque().isZero(0);
     }
 }

@@ -47,10 +47,12 @@ private:
         if (entries == nullptr) {
             return toml_.fail(node, {msg::kMaterialNotTable, name.str(), name.str(), describedToml(node)});
         }
-        const auto known = std::ranges::find(all_, name.str(), &MaterialDefinition::name);
-        if (known == all_.end() && !add(name, *entries)) return;
-        MaterialDefinition& material = known == all_.end() ? all_.back() : *known;
-        for (auto&& [key, value] : *entries) readKey(material, key, value);
+        auto material = std::ranges::find(all_, name.str(), &MaterialDefinition::name);
+        if (material == all_.end()) {
+            if (!add(name, *entries)) return;
+            material = std::prev(all_.end());  // the list has grown: positions of before are no longer valid
+        }
+        for (auto&& [key, value] : *entries) readKey(*material, key, value);
     }
 
     /// Adds a material with the numbers of the surroundings; its block then changes them.

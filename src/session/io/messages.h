@@ -160,7 +160,7 @@ inline constexpr MessageText kToolTooFar{
     "tool_too_far", "%1: the tool is farther than 10 m from the tooth's origin; x,y,z are in mm, so check the unit.",
     "%1：器具が歯の原点から 10 m より遠くにあります。x,y,z の単位は mm です。単位を確かめてください。"};
 inline constexpr MessageText kTimeTooLarge{
-    "time_too_large", "%1: t is beyond any clock's seconds; t is in s, so check the unit.",
+    "time_too_large", "%1: t is too large; t is in s, so check the unit.",
     "%1：t が時計の秒として大きすぎます。t の単位は秒です。単位を確かめてください。"};
 inline constexpr MessageText kTimeBackwards{
     "time_backwards", "%1: time runs backwards (t is less than in the row above); sort the rows by t.",

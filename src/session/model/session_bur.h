@@ -7,7 +7,7 @@
 #include <string>
 
 #include "session/cases/custom_bur.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 
 namespace tactooth {
 

@@ -67,7 +67,7 @@ void SessionModel::setCutting(bool cutting) {
 
 void SessionModel::resetTooth() {
     if (simulator_ == nullptr) return;
-    simulator_->requestReset();
+    simulator_->request(Edit::Reset);
     log_.clearEvents(haptics_.materials.registry());
 }
 
@@ -90,11 +90,11 @@ void SessionModel::startSimulator() {
     needsSimulator_ = false;
     manipulator_.release();
     devices_.moveMouse(manipulator_.pose());
-    simulator_.reset();  // its threads end before the new ones begin: they share the work piece and the device
+    simulator_.reset();  // its threads end before the new ones begin: they share the cut model and the device
     simulator_ = std::make_unique<Simulator>(
         tooth_->piece, bur_->instrument, haptics_, devices_.active(),
-        [this, haptics = haptics_, edge = bur_->instrument.edge](const Tick& tick) {
-            DrillSoundState heard = soundOf(tick, haptics.spindle, haptics.materials, edge);
+        [this, tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
+            DrillSoundState heard = tickSound.at(tick);
             instruments_.muteIdle(heard);
             sound_.publish(heard);
         },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <any>
 #include <array>
 #include <memory>
 #include <optional>
@@ -20,8 +21,6 @@
 
 namespace tactooth {
 
-struct Exercise;
-
 /// A tooth that is ready to be worked on.
 struct SessionTooth {
     std::string name;  ///< for people
@@ -29,11 +28,11 @@ struct SessionTooth {
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
     Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
-    std::vector<std::string> teethOfCase = {};      ///< names; empty: the tooth is not from a case
-    std::optional<SessionBur> bur = {};             ///< that goes with the tooth: of its case or its exercise
-    std::vector<ToothInMouth::Body> around = {};    ///< the rest of the mouth, which is felt and drawn
-    std::shared_ptr<const Exercise> exercise = {};  ///< that the tooth was made for; the session only hands it on
-    std::vector<ImportNote> importNotes = {};       ///< what was mended in the surfaces that were read
+    std::vector<std::string> teethOfCase = {};    ///< names; empty: the tooth is not from a case
+    std::optional<SessionBur> bur = {};           ///< that goes with the tooth: of its case or its exercise
+    std::vector<ToothInMouth::Body> around = {};  ///< the rest of the mouth, which is touched and drawn
+    std::any purpose = {};                        ///< what a layer above made the tooth for; the session keeps it
+    std::vector<ImportNote> importNotes = {};     ///< what was repaired in the surfaces that were read
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };

@@ -85,11 +85,11 @@ Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingT
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
         if (isTurnToCut) lastCut = row.time;
-        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.removeLoosePieces(tick));
+        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.removeDetachedPieces(tick));
         updateHapticSurface(piece, tick, isCut, surfaces, simulation);
         visit(row.time, tick, piece.loss());
     }
-    piece.removeLoosePieces();
+    piece.removeDetachedPieces();
     return {};
 }
 

@@ -29,7 +29,7 @@ void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, Ha
                          HapticSimulation& simulation);
 
 /// Follows the path with the device pose; the removal law limits the cut. The haptic surface lags behind the cut by at
-/// most 5 ms of simulated time. Loose pieces fall when the bur is lifted and at the end of the path. Fails as
+/// most 5 ms of simulated time. Detached pieces fall when the bur is lifted and at the end of the path. Fails as
 /// cutKinematically does.
 [[nodiscard]] Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingTool& tool,
                                                const MaterialTable& materials, HapticSimulation& simulation,

@@ -49,6 +49,7 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
     HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
     ForcePipeline pipeline(hand.info().limits);
     SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
+    const TickSound tickSound(settings.spindle, settings.materials, instrument.edge);
 
     CutEvents events(piece.tooth().materials());
     Demonstration result;
@@ -65,14 +66,14 @@ Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrume
         events.update(tick.time, tick, piece.loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
         const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
-        const bool isChanged = isCut || (isTurnToCut && piece.removeLoosePieces(tick));
+        const bool isChanged = isCut || (isTurnToCut && piece.removeDetachedPieces(tick));
         updateHapticSurface(piece, tick, isChanged, surfaces, simulation);
         if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;
         spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0)
             result.work = {i, piece.surface(), {spray.particles().begin(), spray.particles().end()}};
-        result.sound.push_back({tick.time, soundOf(tick, settings.spindle, settings.materials, instrument.edge), {}});
+        result.sound.push_back({tick.time, tickSound.at(tick), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
     result.events = events.all();

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "session/live/simulator.h"
 #include "session/simulation/cut_events.h"
-#include "session/simulation/simulator.h"
 #include "session/simulation/spray_particle_system.h"
 #include "sound/output/offline_render.h"
 

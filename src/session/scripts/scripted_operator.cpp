@@ -21,7 +21,7 @@ constexpr double kSideways = 12;  // mm/s at most: a stroke of a trained hand
 ScriptedOperator::ScriptedOperator(const Vec3& start, const Quat& grip, std::vector<OperatorPhase> script)
     : script_(std::move(script)), waitingHeight_(start.z()), tip_(start), grip_(grip) {
     TACTOOTH_ASSERT(!script_.empty());
-    info_.name = "practised hand";
+    info_.name = "scripted operator";
     info_.rendersForce = info_.hasPedal = true;
 }
 

@@ -11,7 +11,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kReached = 1e-4;  // mm^3, a cube of 46 um; less of a tissue may be rounding at its border
+constexpr double kReached = 1e-4;  // mm^3, a cube of 46 um; less of a tissue may be rounding at its boundary
 constexpr double kNothing = 1e-6;  // mm^3, a cube of 10 um: less than any bur removes in a cut
 constexpr double kAtMost =
     1.05;  // times the loss of the surroundings, which is computed from surfaces and so not exact

@@ -50,7 +50,7 @@ struct CutEvent {
 /// Detects the events of a cut tick by tick. First contact, each tissue of the tooth itself and a cut beside the tooth
 /// are reported once. While a neighbour loses volume as well, a tissue counts when more of it has gone than all
 /// neighbours lost. A touch of a neighbour, gum or bone is reported again after half a second without contact. Each
-/// stall and each fall of loose pieces is reported.
+/// stall and each fall of detached pieces is reported.
 class CutEvents {
 public:
     /// `materials`: of the tooth; they say which material is dentin, pulp or gingiva.

@@ -32,7 +32,7 @@ std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface
 }
 
 CutModel::CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel)
-    : tooth_(tooth), volume_(std::move(tooth), voxel), live_(volume_) {}
+    : tooth_(tooth), volume_(std::move(tooth), voxel), incremental_(volume_) {}
 
 const std::shared_ptr<BrickPool>& CutModel::pool() {
     if (pool_ == nullptr) {
@@ -98,12 +98,12 @@ void CutModel::updateContact(const Tick& tick) {
     if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
 }
 
-bool CutModel::removeLoosePieces(const Tick& tick) {
+bool CutModel::removeDetachedPieces(const Tick& tick) {
     updateContact(tick);
-    return tick.time > touchedAt_ + kLifted && removeLoosePieces();
+    return tick.time > touchedAt_ + kLifted && removeDetachedPieces();
 }
 
-bool CutModel::removeLoosePieces() {
+bool CutModel::removeDetachedPieces() {
     if (!std::exchange(mayBeDetached_, false)) return false;
     const std::uint64_t revision = surface()->revision;
     refreshSurface();
@@ -124,9 +124,9 @@ void CutModel::addFallen(const CarveResult& carve) {
 
 void CutModel::refreshSurface() {
     if (changed_.empty()) return;
-    live_.update(volume_, merged(std::move(changed_)));
+    incremental_.update(volume_, merged(std::move(changed_)));
     changed_.clear();
-    loss_.beside = live_.lostAdjacent();
+    loss_.beside = incremental_.lostAdjacent();
 }
 
 void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed) {
@@ -135,31 +135,55 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
     refreshSurface();
 }
 
-void CutModel::mark() {
-    if (!volume_.mark()) return;
-    if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the volume has dropped its oldest mark
-    lossAt_.push_back(loss_);
+void CutModel::followSteps() { steps_.follow(volume_.undoable(), volume_.redoable()); }
+
+void CutModel::markStep(const CutStep& step) {
+    followSteps();
+    volume_.mark();
+    followSteps();  // the volume may have forgotten old steps
+    steps_.mark(step, loss_);
+}
+
+void CutModel::mark(double time) { markStep({CutStep::Kind::Stroke, time}); }
+
+CutHistory CutModel::history() {
+    followSteps();
+    return steps_.history();
 }
 
 bool CutModel::undo() {
-    if (marks() == 0) return false;
-    reached_.reset();
-    const std::vector<ChangedBrick> changed = volume_.undo();
-    changed_.insert(changed_.end(), changed.begin(), changed.end());
-    loss_ = lossAt_[marks()];
-    lossAt_.resize(marks());
-    refreshSurface();
+    followSteps();
+    if (volume_.undoable() == 0) return false;
+    restore(volume_.undo(), steps_.undo(loss_));
     return true;
 }
 
-void CutModel::reset() {
-    volume_.reset();
-    live_.reset();
-    loss_ = {};
-    lossAt_.clear();
-    changed_.clear();
+bool CutModel::redo() {
+    followSteps();
+    if (volume_.redoable() == 0) return false;
+    restore(volume_.redo(), steps_.redo(loss_));
+    return true;
+}
+
+void CutModel::restore(const std::vector<ChangedBrick>& changed, const ToothLoss& loss) {
+    reached_.reset();
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    loss_ = loss;
+    refreshSurface();
+}
+
+bool CutModel::reset(double time) {
     reached_.reset();
     lastFeedLength_ = 0;
+    mayBeDetached_ = false;
+    if (volume_.cutBricks().empty()) return false;
+    markStep({CutStep::Kind::Reset, time});
+    volume_.reset();
+    incremental_.reset();
+    loss_ = {};
+    changed_.clear();
+    markStep({CutStep::Kind::Stroke, time});
+    return true;
 }
 
 }  // namespace tactooth

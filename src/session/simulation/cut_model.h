@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "haptics/haptic_simulation.h"
+#include "session/simulation/cut_history.h"
+#include "session/simulation/step_losses.h"
+#include "session/simulation/tooth_loss.h"
 #include "tooth/file/exported_mesh.h"
 #include "tooth/surface/incremental_surface.h"
 #include "tooth/volume/bur_feed.h"
@@ -19,30 +22,12 @@ struct CuttingTool {
     double sharpness = 1;
 };
 
-/// Bodies that are felt but never cut: neighbours of the tooth, gums. In the tooth frame.
+/// Bodies that are touched but never cut: neighbours of the tooth, gums. In the tooth frame.
 using Surroundings = std::vector<std::shared_ptr<const SurfacePart>>;
 
 /// `surface` with the bodies around it as further patches; the same one if there are none.
 [[nodiscard]] std::shared_ptr<const Surface> surrounded(std::shared_ptr<const Surface> surface,
                                                         const Surroundings& bodies);
-
-/// The volume that a tooth has lost since it was whole.
-struct ToothLoss {
-    MaterialVolumes removed{};   ///< in all, mm^3
-    MaterialVolumes detached{};  ///< of that, in pieces that burs had cut off all around, mm^3
-    std::size_t pieces = 0;      ///< fallen pieces that an eye can see (kVisiblePiece)
-    double beside = 0;           ///< of all, lost by bodies around the tooth, mm^3
-
-    /// The volume that burs have ground to chips.
-    [[nodiscard]] MaterialVolumes ground() const {
-        MaterialVolumes volumes = removed;
-        for (std::size_t i = 0; i < kMaxMaterials; ++i) volumes[i] -= detached[i];
-        return volumes;
-    }
-};
-
-/// mm^3: a cube of 0.2 mm. A smaller loose piece is dust.
-inline constexpr double kVisiblePiece = 0.008;
 
 /// A tooth that is cut: its volume, its surface and the removed volumes. One thread cuts; any thread may hold the
 /// surface snapshots.
@@ -51,17 +36,17 @@ public:
     /// `voxel`: spacing of the cut volume, mm.
     CutModel(std::shared_ptr<const LayeredTooth> tooth, double voxel);
 
-    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return live_.snapshot(); }
+    [[nodiscard]] const std::shared_ptr<const Surface>& surface() const { return incremental_.snapshot(); }
     /// The surface for files: see exportedMesh.
     [[nodiscard]] TaggedMesh exported() const { return exportedMesh(*surface(), volume_.lattice().spacing()); }
-    /// The surface that is felt: with the bodies around it as further patches.
+    /// The surface that is touched: with the bodies around it as further patches.
     [[nodiscard]] std::shared_ptr<const Surface> contactSurface() const { return surrounded(surface(), surroundings_); }
     [[nodiscard]] const MaterialVolumes& removed() const { return loss_.removed; }
     [[nodiscard]] const ToothLoss& loss() const { return loss_; }
     [[nodiscard]] const LayeredTooth& tooth() const { return *tooth_; }
     [[nodiscard]] const CutVolume& volume() const { return volume_; }
 
-    /// Puts the tooth among other bodies. Call it before anything is felt.
+    /// Puts the tooth among other bodies. Call it before anything is touched.
     void surroundBy(Surroundings bodies) { surroundings_ = std::move(bodies); }
     [[nodiscard]] const Surroundings& surroundings() const { return surroundings_; }
 
@@ -76,11 +61,11 @@ public:
     /// true if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
-    /// Removes loose pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
+    /// Removes detached pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
     /// Returns true if the surface has changed.
-    bool removeLoosePieces(const Tick& tick);
+    bool removeDetachedPieces(const Tick& tick);
     /// The same, at once.
-    bool removeLoosePieces();
+    bool removeDetachedPieces();
 
     /// The end of the last `feed`; nothing before the first one and after the bur was lifted.
     [[nodiscard]] const std::optional<Pose>& reached() const { return reached_; }
@@ -97,33 +82,37 @@ public:
     /// Takes over a saved cut of the same tooth (CutVolume::adopt).
     void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
 
-    /// Sets a mark that `undo` goes back to.
-    void mark();
-    /// The number of marks that `undo` can go back.
-    [[nodiscard]] std::size_t marks() const { return volume_.marks(); }
-    /// Restores the tooth at the last mark, bit for bit. Returns false if there is no mark.
+    /// The next change begins a step of its own. `time`: Tick::time, s.
+    void mark(double time);
+    /// Restores the tooth before the last step, bit for bit. Returns false if there is none.
     bool undo();
-
-    /// Restores the whole tooth and drops all marks.
-    void reset();
+    /// Restores the tooth after the step that was undone last, bit for bit. Returns false if there is none: something
+    /// was cut since.
+    bool redo();
+    /// Restores the whole tooth, as a step of its own. `time` as in `mark`. Returns false if nothing was cut.
+    bool reset(double time);
+    [[nodiscard]] CutHistory history();
 
 private:
     [[nodiscard]] Pose startOf(const Tick& tick) const;
     void addRemoved(const CarveResult& carve);
     void updateContact(const Tick& tick);
     void addFallen(const CarveResult& carve);
+    void markStep(const CutStep& step);
+    void followSteps();
+    void restore(const std::vector<ChangedBrick>& changed, const ToothLoss& loss);
 
     std::shared_ptr<const LayeredTooth> tooth_;
     CutVolume volume_;
     std::shared_ptr<BrickPool> pool_;
-    IncrementalSurface live_;
+    IncrementalSurface incremental_;
     Surroundings surroundings_;
     ToothLoss loss_;
     std::vector<ChangedBrick> changed_;  // since the last refresh
-    std::vector<ToothLoss> lossAt_;      // the marks
+    StepLosses steps_;
     std::optional<Pose> reached_;
     double lastFeedLength_ = 0;   // of the last feed, mm
-    bool mayBeDetached_ = false;  // something was cut since the last look
+    bool mayBeDetached_ = false;  // something was cut since the last search for pieces
     double touchedAt_ = 0;        // Tick::time of the last contact seen, s
     double workSpent_ = 0;        // of Tick::cutWork, N*m
     double workSeen_ = 0;         // Tick::cutWork at the last feed, N*m

@@ -49,7 +49,7 @@ float SprayParticleSystem::random(double low, double high) {
 }
 
 void SprayParticleSystem::advance(const SprayInput& now, double dt) {
-    std::erase_if(particles_, [](const SprayParticle& bit) { return bit.kind == SprayParticleKind::Jet; });
+    std::erase_if(particles_, [](const SprayParticle& particle) { return particle.kind == SprayParticleKind::Jet; });
     fly(now, static_cast<float>(dt));
     if (now.water > 0) {
         emitMist(now, dt);
@@ -61,21 +61,21 @@ void SprayParticleSystem::advance(const SprayInput& now, double dt) {
 }
 
 void SprayParticleSystem::fly(const SprayInput& now, float dt) {
-    for (SprayParticle& bit : particles_) {
-        const Vec3f air(0, 0, static_cast<float>(-kGravity) * bit.relaxation);
-        const float left = std::exp(-dt / bit.relaxation);
-        bit.place += air * dt + (bit.velocity - air) * (bit.relaxation * (1 - left));
-        bit.velocity = air + (bit.velocity - air) * left;
-        bit.age += dt;
-        if (bit.kind == SprayParticleKind::Mist) bit.radius += kMistGrowth * dt;
+    for (SprayParticle& particle : particles_) {
+        const Vec3f air(0, 0, static_cast<float>(-kGravity) * particle.relaxation);
+        const float left = std::exp(-dt / particle.relaxation);
+        particle.place += air * dt + (particle.velocity - air) * (particle.relaxation * (1 - left));
+        particle.velocity = air + (particle.velocity - air) * left;
+        particle.age += dt;
+        if (particle.kind == SprayParticleKind::Mist) particle.radius += kMistGrowth * dt;
         if (!now.suction) continue;
-        const Vec3f away = bit.place - tube_;
+        const Vec3f away = particle.place - tube_;
         const double distance = away.norm();
         const double drawn = drawnTo(distance, dt);
-        if (drawn < kTubeRadius) bit.age = bit.lifetime;
-        bit.place = tube_ + away * static_cast<float>(drawn / std::max(distance, 1e-9));
+        if (drawn < kTubeRadius) particle.age = particle.lifetime;
+        particle.place = tube_ + away * static_cast<float>(drawn / std::max(distance, 1e-9));
     }
-    std::erase_if(particles_, [](const SprayParticle& bit) { return bit.age >= bit.lifetime; });
+    std::erase_if(particles_, [](const SprayParticle& particle) { return particle.age >= particle.lifetime; });
 }
 
 void SprayParticleSystem::emitJets(const SprayInput& now) {
@@ -106,16 +106,16 @@ SprayParticle SprayParticleSystem::thrown(const SprayInput& now, double dt) {
     direction += std::max(0.0, 0.15 - direction.dot(now.normal)) * now.normal;
     const double speed = std::min(kFastest, burRadius_ * kTwoPi * now.speedRpm / 60) * random(0.1, 1);
     const double grain = random(kMinGrain, kLargestGrain);
-    SprayParticle bit;
-    bit.place = (now.toolInTooth * rim).cast<float>();
-    bit.velocity = (speed * direction.normalized()).cast<float>();
-    bit.relaxation = static_cast<float>(kRelaxation * grain * grain);
-    bit.age = -random(0, dt);  // it left at some time during the step
-    const float flown = static_cast<float>(dt) + bit.age;
-    bit.place += bit.velocity * (bit.relaxation * (1 - std::exp(-flown / bit.relaxation)));
-    bit.velocity *= std::exp(-flown / bit.relaxation);
-    bit.age = flown;
-    return bit;
+    SprayParticle particle;
+    particle.place = (now.toolInTooth * rim).cast<float>();
+    particle.velocity = (speed * direction.normalized()).cast<float>();
+    particle.relaxation = static_cast<float>(kRelaxation * grain * grain);
+    particle.age = -random(0, dt);  // it left at some time during the step
+    const float flown = static_cast<float>(dt) + particle.age;
+    particle.place += particle.velocity * (particle.relaxation * (1 - std::exp(-flown / particle.relaxation)));
+    particle.velocity *= std::exp(-flown / particle.relaxation);
+    particle.age = flown;
+    return particle;
 }
 
 void SprayParticleSystem::emitMist(const SprayInput& now, double dt) {

@@ -11,7 +11,7 @@
 
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
-#include "tooth/file/byte_stream.h"
+#include "geometry/util/byte_stream.h"
 
 namespace tactooth {
 namespace {

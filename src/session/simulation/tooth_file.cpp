@@ -35,12 +35,16 @@ std::vector<ImportNote> notesOn(const std::vector<std::string>& unknownMaterials
 Expected<OpenedTooth> openTooth(const std::filesystem::path& path, const MaterialRegistry* materials) {
     const auto file = readFile(path);
     if (!file) return Unexpected{file.error()};
-    auto saved =
-        parseSavedTooth(file->bytes(), displayName(path), materials != nullptr ? *materials : builtinMaterials());
+    return parseTooth(file->bytes(), displayName(path), materials != nullptr ? *materials : builtinMaterials());
+}
+
+Expected<OpenedTooth> parseTooth(std::span<const std::byte> bytes, const std::string& name,
+                                 const MaterialRegistry& materials) {
+    auto saved = parseSavedTooth(bytes, name, materials);
     if (!saved) return Unexpected{saved.error()};
     auto tooth = LayeredTooth::make(std::move(saved->outer), std::move(saved->layers), saved->body, saved->toothContext,
                                     *saved->materials);
-    if (!tooth) return unexpected(msg::kNamed, displayName(path), tooth.error());
+    if (!tooth) return unexpected(msg::kNamed, name, tooth.error());
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
     return OpenedTooth{std::move(piece), std::move(saved->provenance), notesOn(saved->unknownMaterials)};

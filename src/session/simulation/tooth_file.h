@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct OpenedTooth {
     Provenance provenance;
     std::vector<ImportNote> importNotes = {};  ///< on the files and on repairs
 };
+/// A tooth from the bytes of its file; `name` stands for them in messages. `materials`: see parseSavedTooth.
+[[nodiscard]] Expected<OpenedTooth> parseTooth(std::span<const std::byte> bytes, const std::string& name,
+                                               const MaterialRegistry& materials);
 /// `materials`: null for the built-in ones. A material of the file that is not among them is taken as the surroundings,
 /// and an import note says so.
 [[nodiscard]] Expected<OpenedTooth> openTooth(const std::filesystem::path& path,

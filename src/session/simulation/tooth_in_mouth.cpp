@@ -22,9 +22,9 @@ int placeInArch(int fdi) {
 
 bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
 
-BuiltinTooth rigidlyMoved(BuiltinTooth tooth, const Pose& pose) {
+BuiltinTooth transformed(BuiltinTooth tooth, const Pose& pose) {
     for (TriangleMesh* mesh : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries})
-        *mesh = rigidlyMoved(std::move(*mesh), pose);
+        *mesh = transformed(*mesh, pose);
     return tooth;
 }
 
@@ -57,17 +57,17 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     parallelFor(bodies.size(), [&](std::size_t i) {
         const auto& [mesh, pose, material, upper] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
-        auto part = std::make_shared<const SurfacePart>(rigidlyMoved(*mesh, pose), std::move(tags), 0);
+        auto part = std::make_shared<const SurfacePart>(transformed(*mesh, pose), std::move(tags), 0);
         const bool isGingiva = builtinMaterials().hasRole(material, MaterialRole::Surroundings);
         auto shown = isGingiva ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
-                               : std::make_shared<const TriangleMesh>(rigidlyMoved(supragingivalMesh(*mesh), pose));
+                               : std::make_shared<const TriangleMesh>(transformed(supragingivalMesh(*mesh), pose));
         result.around[i] = {std::move(part), std::move(shown), isGingiva, upper != isUpper(fdi)};
     });
     result.tooth = worked->tooth;
     const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
     for (const MouthTooth& tooth : mouth.teeth) {
         if (areBeside(tooth.tooth.fdi, fdi))
-            result.beside.push_back(rigidlyMoved(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
+            result.beside.push_back(transformed(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
     }
     return result;
 }

@@ -9,10 +9,10 @@
 
 namespace tactooth {
 
-/// Finds debris: components of the surface that hold no node of the lattice. These are flakes thinner than a voxel,
-/// left where a cut ran out through the tooth's own surface. Returns the nodes in the air beside them that no bur has
-/// removed. When these nodes are removed (nodesToRemove), the debris is gone too. `surface` belongs to the present
-/// state of `bricks`.
+/// Finds debris: components of the surface that hold no node of the lattice. They are flakes thinner than a voxel, left
+/// where a cut leaves the tooth through its own surface. Returns the nodes beside them that are in the air and not
+/// removed. Removing these nodes (nodesToRemove) removes the debris. `surface` belongs to the present state of
+/// `bricks`.
 [[nodiscard]] NodeSets nodesBesideDebris(const Surface& surface, const BrickMap& bricks, const Lattice& lattice);
 
 }  // namespace tactooth

@@ -9,21 +9,20 @@
 #include <type_traits>
 
 #include "geometry/util/assert.h"
-#include "tooth/file/byte_stream.h"
+#include "geometry/util/byte_stream.h"
 #include "tooth/model/messages.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 3;         // version 1 had no ToothContext, version 2 no table of materials
-constexpr std::uint8_t kOldMaterials = 6;     // materials of versions 1 and 2: those with the codes 0 to 5
-constexpr double kWidestBand = 2;             // voxels; the first files kept the cut distance in a wider band
-constexpr double kFinestVoxel = 0.005;        // mm, the limit of the command line
-constexpr double kCoarsestVoxel = 0.5;        // mm
-constexpr int kFarthestBrick = 1 << 16;       // bricks from the origin: 13 m at the default voxel
-constexpr float kMaxVertexCoordinate = 1e6F;  // mm, of a vertex
-constexpr std::size_t kMaxLayers = 2000;      // of a case: 200 bodies of a few layers each
+constexpr std::uint32_t kVersion = 3;      // version 1 had no ToothContext, version 2 no table of materials
+constexpr std::uint8_t kOldMaterials = 6;  // materials of versions 1 and 2: those with the codes 0 to 5
+constexpr double kWidestBand = 2;          // voxels; the first files kept the cut distance in a wider band
+constexpr double kFinestVoxel = 0.005;     // mm, the limit of the command line
+constexpr double kCoarsestVoxel = 0.5;     // mm
+constexpr int kFarthestBrick = 1 << 16;    // bricks from the origin: 13 m at the default voxel
+constexpr std::size_t kMaxLayers = 2000;   // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMaxNotes = 10'000;
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
@@ -131,7 +130,7 @@ private:
         for (const auto& [x, y, z] : places) {
             mesh.vertices.emplace_back(x, y, z);
             const Vec3f& vertex = mesh.vertices.back();
-            require(vertex.allFinite() && vertex.cwiseAbs().maxCoeff() < kMaxVertexCoordinate, kDamaged);
+            require(vertex.allFinite() && static_cast<double>(vertex.cwiseAbs().maxCoeff()) < kMaxCoordinate, kDamaged);
         }
         for (const Triangle& triangle : mesh.triangles) {
             for (const std::uint32_t corner : triangle) require(corner < places.size(), kDamaged);

@@ -38,8 +38,8 @@ struct SavedTooth {
                                                      const Provenance& provenance);
 
 /// Reads such bytes. Messages name the file `name`. The names of the materials in the file are looked up in
-/// `materials`. Fails with one sentence that tells the position of the byte if the bytes are not as savedToothBytes
-/// writes them.
+/// `materials`. Fails with one sentence that names the position of the byte, if the bytes are not as
+/// savedToothBytes writes them.
 [[nodiscard]] Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name,
                                                    const MaterialRegistry& materials = builtinMaterials());
 

@@ -16,7 +16,7 @@ enum class MaterialId : std::uint8_t {};
 /// nothing.
 inline constexpr std::size_t kMaxMaterials = 32;
 
-/// What the program takes a material for. Several materials may have the same role.
+/// What a material means to the program. Several materials may have the same role.
 enum class MaterialRole : std::uint8_t {
     None,
     Enamel,        ///< the crown's shell; a tooth without layers is made of it
@@ -28,10 +28,10 @@ enum class MaterialRole : std::uint8_t {
 /// The number of roles, None included.
 inline constexpr std::size_t kMaterialRoleCount = 6;
 
-/// How a material feels, cuts, looks and sounds.
+/// Mechanics, removal, appearance and sound of a material.
 struct Material {
-    double stiffness;  ///< of the felt surface, N/mm
-    double damping;    ///< of the felt surface, N*s/mm
+    double stiffness;  ///< of the contact, N/mm
+    double damping;    ///< of the contact, N*s/mm
     double friction;   ///< Coulomb coefficient against steel
     double removal;    ///< volume cut per force and rim travel, mm^3/(N*m): dV = removal * force * rim speed * dt
     std::array<float, 3> colour;  ///< sRGB, 0..1

@@ -47,8 +47,8 @@ inline constexpr int kMaxMaterialCode = 255;
 /// named after materials.
 [[nodiscard]] bool isMaterialName(std::string_view name);
 
-/// The most that a file may ask of a material, above twice of what any device renders: a file, above all one that came
-/// with a case, may be anybody's, and what it says is felt by a hand.
+/// Limits of a material from a file, more than twice what any device renders. A file, above all one that came with a
+/// case, may come from anybody, and a hand feels what it says.
 inline constexpr double kMaxMaterialStiffness = 5;   ///< N/mm
 inline constexpr double kMaxMaterialDamping = 0.02;  ///< N*s/mm
 inline constexpr double kMaxMaterialFriction = 2;    ///< Coulomb coefficient

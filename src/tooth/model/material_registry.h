@@ -18,14 +18,14 @@ namespace tactooth {
 /// tables and threads refer to it without owning it. Equal lists give the same registry.
 class MaterialRegistry {
 public:
-    /// `definitions` in the order in which menus list them; the codes give the order of the MaterialIds. At most
-    /// kMaxMaterials of them, no name and no code twice, and one at least for each role.
+    /// Makes a registry, or returns an equal one. `definitions` in the order of menus; the order of their codes is that
+    /// of the MaterialIds. At most kMaxMaterials of them, no name and no code twice, and one at least for each role.
     [[nodiscard]] static const MaterialRegistry& make(std::vector<MaterialDefinition> definitions);
 
     [[nodiscard]] std::size_t size() const { return materials_.size(); }
-    /// All of them, in rising order.
+    /// The ids of all materials, in rising order.
     [[nodiscard]] std::span<const MaterialId> ids() const { return std::span(ids_).first(size()); }
-    /// All of them, in the order in which menus list them.
+    /// The same in the order of menus.
     [[nodiscard]] std::span<const MaterialId> inMenuOrder() const { return menuOrder_; }
     /// One material for each role, in the order of MaterialRole, then all others.
     [[nodiscard]] std::span<const MaterialId> byRole() const { return byRole_; }
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] MaterialId withRole(MaterialRole role) const { return withRole_[static_cast<std::size_t>(role)]; }
     [[nodiscard]] bool hasRole(MaterialId id, MaterialRole role) const { return (*this)[id].role == role; }
 
-    /// In the order in which menus list them: what `make` takes.
+    /// The definitions in the order of menus, as `make` takes them.
     [[nodiscard]] std::vector<MaterialDefinition> definitions() const;
     /// The lowest code that a material without one of its own can take.
     [[nodiscard]] static std::optional<std::uint8_t> freeCode(std::span<const MaterialDefinition> taken);
@@ -57,10 +57,10 @@ private:
     std::array<MaterialId, kMaterialRoleCount> withRole_{};
 };
 
-/// Those of data/materials.toml.
+/// The materials of data/materials.toml.
 [[nodiscard]] const MaterialRegistry& builtinMaterials();
 
-/// The numbers of each material of a registry. A copy may change them.
+/// The numbers of each material of a registry, for one simulation: they may differ from those of the registry.
 class MaterialTable {
 public:
     MaterialTable() : MaterialTable(builtinMaterials()) {}

@@ -24,10 +24,10 @@ struct CavityWall {
     /// The following lists are empty if no triangle may cross the tooth's surface.
     std::vector<Place> places;           ///< for each triangle
     std::vector<std::uint64_t> faceIds;  ///< for each triangle, unique in the lattice
-    /// For each vertex of a triangle that may cross the tooth's surface: a number that is unique in the lattice ...
+    /// For each vertex of a triangle that may cross the tooth's surface: its number, unique in the lattice.
     std::vector<std::uint64_t> vertexIds;
-    /// ... and its side of the tooth's surface: -1 surely inside, 1 surely outside, 0 unknown. 0 for all other
-    /// vertices.
+    /// For each vertex of the wall, its side of the tooth's surface: -1 certainly inside, 1 certainly outside, 0
+    /// unknown or not needed.
     std::vector<std::int8_t> sides;
 
     /// Asserts that all lists have one entry each, that corners are vertices of the wall, and that the numbers of

@@ -19,7 +19,7 @@ namespace {
 /// vertex stays at the mean of the crossings. Edges sharper than about 20 degrees stay sharp.
 constexpr double kFlat = 0.03;
 
-Vec3 clamped(const Vec3& point, const Box3& room) { return point.cwiseMax(room.min()).cwiseMin(room.max()); }
+Vec3 clamped(const Vec3& point, const Box3& bounds) { return point.cwiseMax(bounds.min()).cwiseMin(bounds.max()); }
 
 /// Sums over the planes for the least-squares point. Offsets count from the centre.
 struct Quadric {
@@ -73,9 +73,9 @@ CellQef8::Flat CellQef8::flat() const {
             centres + normals_ * (dotAsEigen(normals_, offsets) / along)};
 }
 
-Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
+Vec3f CellQef8::nearestPoint(int lane, const Box3& bounds) const {
     TACTOOTH_ASSERT(lane >= 0 && lane < 8);
-    TACTOOTH_ASSERT(!room.isEmpty());
+    TACTOOTH_ASSERT(!bounds.isEmpty());
     const auto of = [lane](const Vec3x8& vectors) {
         float lanes[3][8];
         vectors.store(lanes);
@@ -90,8 +90,8 @@ Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
     Vec3 held = Vec3::Zero();  // displacement along the axes that are not free
     Vec3 free = Vec3::Ones();
     Vec3 offset = quadric.nearestOffset(held, free);
-    for (int i = 0; i < 3 && !room.contains(centre + offset); ++i) {
-        const Vec3 inside = clamped(centre + offset, room) - centre;
+    for (int i = 0; i < 3 && !bounds.contains(centre + offset); ++i) {
+        const Vec3 inside = clamped(centre + offset, bounds) - centre;
         int worst = 0;
         (inside - offset).cwiseAbs().maxCoeff(&worst);
         held[worst] = inside[worst];
@@ -99,7 +99,7 @@ Vec3f CellQef8::nearestPoint(int lane, const Box3& room) const {
         offset = quadric.nearestOffset(held, free);
     }
     TACTOOTH_ASSERT(centre.allFinite() && offset.allFinite());
-    return clamped(centre + offset, room).cast<float>();
+    return clamped(centre + offset, bounds).cast<float>();
 }
 
 }  // namespace tactooth

@@ -28,10 +28,10 @@ public:
     };
     [[nodiscard]] Flat flat() const;
 
-    /// The point of `room` that is nearest to all planes of one cell and then to their mean. Directions without an edge
-    /// do not count. If the planes meet outside the room, the point slides along the wall of the room, so that a sharp
-    /// edge that leaves the room stays sharp.
-    [[nodiscard]] Vec3f nearestPoint(int lane, const Box3& room) const;
+    /// The point within `bounds` that is nearest to all planes of one cell and then to their mean, in the frame and
+    /// unit of the planes. Directions without an edge do not count. If the planes meet outside the bounds, the point
+    /// slides along a face of the bounds, so that a sharp edge that leaves them stays sharp.
+    [[nodiscard]] Vec3f nearestPoint(int lane, const Box3& bounds) const;
 
 private:
     [[nodiscard]] Vec3x8 timesProducts(const Vec3x8& vectors) const;

@@ -106,8 +106,8 @@ void IncrementalSurface::update(const CutVolume& volume, const std::vector<Chang
     TACTOOTH_ASSERT(volume.tooth()->outer() == base_);
     TACTOOTH_ASSERT(volume.lattice().spacing() == lattice_.spacing());
     if (changed.empty()) return;
-    onlyGrows_ = std::exchange(undosSeen_, volume.undos()) == volume.undos();
-    if (!onlyGrows_) {  // an undo may bring back triangles that a bur has passed
+    onlyGrows_ = std::exchange(restorationsSeen_, volume.restorations()) == volume.restorations();
+    if (!onlyGrows_) {  // an undo or redo may bring back triangles that a bur has passed
         for (auto& [key, cell] : cells_) cell.knowsBase = false;
     }
     const std::vector<BrickKey> keys = bricksToExtract(volume, changed);

@@ -95,7 +95,7 @@ private:
     double sixfoldAdjacent_ = 0;       ///< change of six times the volume of the bodies around the tooth
     std::size_t adjacentPatches_ = 0;  ///< number of patches with triangles of these bodies
     std::size_t failures_ = 0;
-    std::uint64_t undosSeen_ = 0;
+    std::uint64_t restorationsSeen_ = 0;
     bool onlyGrows_ = true;  ///< whether the removed region only grows in the current update
 };
 

@@ -12,7 +12,7 @@
 
 // Source: T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Differences:
 // crossings and normals come from the swept envelope of the bur, which gives exact planes. The vertex of a sharp edge
-// stays in a box around its cell (roomOf) and on the planes as far as they pass through the box. Eight cells are
+// stays in a box around its cell (boundsOf) and on the planes as far as they pass through the box. Eight cells are
 // processed at a time, since single cells took most of the time of a wall.
 
 namespace tactooth {
@@ -71,16 +71,16 @@ double beyond(unsigned inside, unsigned corners) {
     return isCrossed ? -kFaceGap : kOvershoot;
 }
 
-/// The box for the vertex of a cell with these inside corners, from the middle of the cell. It does not extend beyond a
-/// face that has another vertex behind it.
-Box3 roomOf(unsigned inside) {
-    Box3 room;
+/// The bounds of the vertex of a cell with these inside corners, from the middle of the cell, in cells. They do not
+/// extend beyond a face that has another vertex behind it.
+Box3 boundsOf(unsigned inside) {
+    Box3 bounds;
     for (int axis = 0; axis < 3; ++axis) {
         const unsigned low = kLowCorners[axis];
-        room.min()[axis] = -0.5 - beyond(inside & low, low);
-        room.max()[axis] = 0.5 + beyond(inside & ~low, ~low & 0xFFU);
+        bounds.min()[axis] = -0.5 - beyond(inside & low, low);
+        bounds.max()[axis] = 0.5 + beyond(inside & ~low, ~low & 0xFFU);
     }
-    return room;
+    return bounds;
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
     placed.z.store(&places_[2][first]);
     for (unsigned sharp = ~lessEqual(one8(), isFlat) & ((1U << lanes) - 1); sharp != 0; sharp &= sharp - 1) {
         const int lane = std::countr_zero(sharp);
-        const Vec3f place = planes.nearestPoint(lane, roomOf(nodes.removedCorners(cells[lane])));
+        const Vec3f place = planes.nearestPoint(lane, boundsOf(nodes.removedCorners(cells[lane])));
         for (int axis = 0; axis < 3; ++axis) places_[axis][first + lane] = place[axis];
     }
 }

@@ -35,7 +35,7 @@ public:
         const auto [middle, path] = pathOf(point);
         return {middle, envelope_->sample(middle), path};
     }
-    /// Lower bound of `sample` from such a query.
+    /// Lower bound of the distance that `sample` returns, from such a query, mm.
     [[nodiscard]] double lowerBound(const MidpointQuery& query) const {
         TACTOOTH_ASSERT(query.path >= 0 && !std::isnan(query.sample.distance));
         return query.sample.distance - query.path / 2 - clearance_;

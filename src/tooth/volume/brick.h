@@ -175,10 +175,10 @@ private:
     std::array<std::uint64_t, kBrickSide> layers_{};
 };
 
-/// Width of the bands in which the two distances of a node are kept, in voxels. Distances beyond are clamped. Cut
-/// field: a node next to one across the boundary lies within 1 of it, and the field must know it; the volume count
-/// needs less. A wider band makes every move look at more nodes. Tooth field: wide enough to prove that a wall is clear
-/// of the surface.
+/// Half width of the narrow bands of the two distance fields, in voxels; larger distances are clamped. Cut field: two
+/// neighbouring nodes on different sides of the boundary lie within 1 of it, and dual contouring needs both distances;
+/// the count of volumes needs less. A wider band would cost time, since each move updates more nodes. Tooth field: wide
+/// enough to prove that a wall does not meet the tooth's surface.
 inline constexpr double kCutBand = 1.25;
 inline constexpr double kToothBand = 4.0;
 
@@ -221,8 +221,8 @@ struct Brick : CutField {
     float maxToothDistance = kUnknown;     ///< the maximum of `tooth`
     std::array<OctahedralNormal, kBrickNodes> toothNormal;  ///< gradient of `tooth`, out of the tooth
     std::array<MaterialId, kBrickNodes> material;
-    std::array<MaterialId, kBrickNodes> neighbour;            ///< second material in the voxel, beyond a layer's border
-    std::array<std::uint8_t, kBrickNodes> neighbourFraction;  ///< its share of the voxel, in 255ths
+    std::array<MaterialId, kBrickNodes> neighbour;  ///< second material in the voxel, beyond a layer's surface
+    std::array<std::uint8_t, kBrickNodes> neighbourFraction;  ///< its volume fraction, in 255ths
 
     NodeBits removed;  ///< nodes where `cut < 0`
 

@@ -55,7 +55,6 @@ public:
             found->second.around[26 - i] = entry.brick.get();
         }
     }
-    void clear() { bricks_.clear(); }
     /// Keys of the existing bricks, in ascending order.
     [[nodiscard]] std::vector<BrickKey> keys() const {
         std::vector<BrickKey> result;

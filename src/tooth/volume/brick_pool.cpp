@@ -89,11 +89,6 @@ std::vector<std::optional<std::unique_ptr<Brick>>> BrickPool::take(const std::ve
     return bricks;
 }
 
-void BrickPool::forgetTaken() {
-    const std::lock_guard lock(mutex_);
-    taken_.clear();
-}
-
 void BrickPool::validate() {
     const std::lock_guard lock(mutex_);
     TACTOOTH_ASSERT(made_.size() < kMaxSampled + kBatch);

@@ -42,9 +42,6 @@ public:
     /// the tooth. No value: the brick is not finished. All keys count as taken from now on.
     [[nodiscard]] std::vector<std::optional<std::unique_ptr<Brick>>> take(const std::vector<BrickKey>& keys);
 
-    /// Forgets which bricks were taken, since the whole tooth is needed again.
-    void forgetTaken();
-
     /// Asserts that no brick is both made and taken, that the pool is within its capacity, and the invariants of its
     /// bricks. Any thread may call it. Looks at every node.
     void validate();

@@ -12,7 +12,7 @@ namespace tactooth {
 struct FeedResult {
     double fraction = 0;  ///< of the path, 0..1
     double work = 0;      ///< spent, N*m
-    double wanted = 0;    ///< work for the smallest step tried, if none was affordable, N*m; infinite if none suffices
+    double wanted = 0;    ///< if the work paid for no step: what the smallest step tried needs, N*m; may be infinite
     CarveResult carve;
 };
 
@@ -20,8 +20,9 @@ struct FeedResult {
 /// material. `sharpness` is not negative. Infinite for a bur that does not cut.
 [[nodiscard]] double workFor(const MaterialVolumes& volumes, const MaterialTable& materials, double sharpness);
 
-/// Cuts from one pose of the spinning bur toward another as far as `work` (N*m, not negative) pays for. `enough` (above
-/// 0): a share of the path that probably costs more than `work`; the rest of the path is tried only if it does not.
+/// Cuts from one pose of the spinning bur toward another (both in the tooth's frame), as far as `work` (N*m, not
+/// negative) suffices. `enough` (above 0) saves time: an estimate of the fraction of the path that needs more than
+/// `work`. The whole path is planned only if that fraction needs less.
 [[nodiscard]] FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from,
                                  const Pose& to, double work, const MaterialTable& materials, double sharpness,
                                  double enough = 1);

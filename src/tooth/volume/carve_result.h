@@ -9,12 +9,13 @@
 
 namespace tactooth {
 
+/// What a carve has removed, and the bricks in which it has moved the boundary.
 struct CarveResult {
-    MaterialVolumes removed{};
+    MaterialVolumes removed{};          ///< by material, mm^3
     std::vector<ChangedBrick> changed;  ///< in ascending order of the keys
 };
 
-/// The pieces that burs have cut off all around, after their removal.
+/// The detached pieces that were removed.
 struct DetachedPieces {
     std::vector<double> volumes;  ///< volume of each piece, mm^3, exact to about a voxel at its surface
     CarveResult carve;            ///< what was removed with them

@@ -2,43 +2,94 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/cut_journal.h"
 
-#include <utility>
-
 #include "geometry/util/assert.h"
 
 namespace tactooth {
+namespace {
 
-bool CutJournal::mark() {
-    if (!pages_.empty() && pages_.back().empty()) return false;
-    if (pages_.size() == kMaxCheckpoints) pages_.erase(pages_.begin());
-    pages_.emplace_back();
-    TACTOOTH_ASSERT(pages_.size() <= kMaxCheckpoints);
-    return true;
+std::size_t bytesOf(const std::vector<std::pair<BrickKey, FieldChange>>& step) {
+    std::size_t bytes = 0;
+    for (const auto& [key, change] : step) bytes += sizeof key + change.bytes();
+    return bytes;
 }
 
-std::map<BrickKey, CutField> CutJournal::rollBack() {
-    TACTOOTH_ASSERT(!pages_.empty());
-    if (pages_.back().empty() && pages_.size() > 1) pages_.pop_back();
-    std::map<BrickKey, CutField> page = std::move(pages_.back());
-    pages_.pop_back();
-    return page;
+}  // namespace
+
+void CutJournal::mark(const BrickMap& bricks) {
+    finish(bricks);
+    isMarked_ = true;
 }
 
-void CutJournal::validate(const BrickMap& bricks, double spacing) const {
-    TACTOOTH_ASSERT(pages_.size() <= kMaxCheckpoints);
-    for (std::size_t i = 0; i < pages_.size(); ++i) {
-        TACTOOTH_ASSERT(!pages_[i].empty() || i + 1 == pages_.size());
-        for (const auto& [key, field] : pages_[i]) {
+void CutJournal::finish(const BrickMap& bricks) {
+    if (open_.empty()) return;
+    Step step;
+    step.reserve(open_.size());
+    for (const auto& [key, before] : open_) {
+        TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+        step.emplace_back(key, FieldChange::between(*bricks.find(key), before, spacing_));
+    }
+    open_.clear();
+    undo_.push_back(std::move(step));
+    std::size_t total = 0;
+    for (const Step& kept : undo_) total += bytesOf(kept);
+    while (total > maxBytes_ && undo_.size() > 1) {
+        total -= bytesOf(undo_.front());
+        undo_.erase(undo_.begin());
+    }
+}
+
+/// Takes the last step of `from` and leaves its opposite in `to`.
+CutJournal::Fields CutJournal::exchange(std::vector<Step>& from, std::vector<Step>& to, const BrickMap& bricks) const {
+    TACTOOTH_ASSERT(!from.empty());
+    Fields fields;
+    Step opposite;
+    for (const auto& [key, change] : from.back()) {
+        TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+        const CutField& now = *bricks.find(key);
+        CutField& then = fields.emplace_back(key, now).second;
+        change.apply(then, spacing_);
+        opposite.emplace_back(key, FieldChange::between(then, now, spacing_));
+    }
+    from.pop_back();
+    to.push_back(std::move(opposite));
+    return fields;
+}
+
+CutJournal::Fields CutJournal::undo(const BrickMap& bricks) {
+    finish(bricks);
+    return exchange(undo_, redo_, bricks);
+}
+
+CutJournal::Fields CutJournal::redo(const BrickMap& bricks) {
+    TACTOOTH_ASSERT(open_.empty());
+    return exchange(redo_, undo_, bricks);
+}
+
+void CutJournal::validate(const BrickMap& bricks) const {
+    TACTOOTH_ASSERT(redo_.empty() || open_.empty());
+    for (const auto& [key, field] : open_) {
+        TACTOOTH_ASSERT(bricks.find(key) != nullptr);
+        field.validate(spacing_);
+    }
+    // The last step tells how the bricks were before it, the last undone step how they were after it.
+    for (const std::vector<Step>* steps : {&undo_, &redo_}) {
+        if (steps->empty()) continue;
+        for (const auto& [key, change] : steps->back()) {
             TACTOOTH_ASSERT(bricks.find(key) != nullptr);
-            field.validate(spacing);
+            const auto open = open_.find(key);
+            CutField field = open != open_.end() ? open->second : *bricks.find(key);
+            change.apply(field, spacing_);
+            field.validate(spacing_);
         }
     }
 }
 
 std::size_t CutJournal::bytes() const {
-    std::size_t bricks = 0;
-    for (const auto& page : pages_) bricks += page.size();
-    return bricks * (sizeof(BrickKey) + sizeof(CutField));
+    std::size_t bytes = open_.size() * (sizeof(BrickKey) + sizeof(CutField));
+    for (const std::vector<Step>* steps : {&undo_, &redo_}) {
+        for (const Step& step : *steps) bytes += bytesOf(step);
+    }
+    return bytes;
 }
 
 }  // namespace tactooth

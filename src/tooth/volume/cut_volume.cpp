@@ -39,14 +39,19 @@ void gather(std::vector<BrickRemoval>& parts, PlannedRemoval& result) {
 }  // namespace
 
 CutVolume::CutVolume(std::shared_ptr<const LayeredTooth> tooth, double voxel)
-    : tooth_(std::move(tooth)), lattice_(voxel) {
+    : tooth_(std::move(tooth)), lattice_(voxel), journal_(voxel) {
     TACTOOTH_ASSERT(tooth_ != nullptr);
 }
 
 void CutVolume::reset() {
-    bricks_.clear();
-    journal_.clear();
-    if (pool_ != nullptr) pool_->forgetTaken();
+    ++carves_;  // plans made before are invalid
+    ++restorations_;
+    const CutField untouched = CutField::untouched(lattice_.spacing());
+    for (const BrickKey& key : cutBricks()) {
+        Brick& brick = *bricks_.find(key);
+        journal_.keep(key, brick);
+        brick.setField(untouched);
+    }
 }
 
 /// Returns the bricks at these keys and makes those that are still unknown. Null where a brick is clear of the tooth.
@@ -235,14 +240,21 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
 }
 
 std::vector<ChangedBrick> CutVolume::undo() {
-    TACTOOTH_ASSERT(marks() > 0);
+    TACTOOTH_ASSERT(undoable() > 0);
+    return restore(journal_.undo(bricks_));
+}
+
+std::vector<ChangedBrick> CutVolume::redo() {
+    TACTOOTH_ASSERT(redoable() > 0);
+    return restore(journal_.redo(bricks_));
+}
+
+std::vector<ChangedBrick> CutVolume::restore(const CutJournal::Fields& fields) {
     std::vector<ChangedBrick> changed;
     ++carves_;  // plans made before are invalid
-    ++undos_;
-    for (const auto& [key, before] : journal_.rollBack()) {
-        Brick* brick = bricks_.find(key);
-        TACTOOTH_ASSERT(brick != nullptr);
-        brick->setField(before);
+    ++restorations_;
+    for (const auto& [key, field] : fields) {
+        bricks_.find(key)->setField(field);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;
@@ -256,7 +268,7 @@ std::vector<BrickKey> CutVolume::cutBricks() const {
 
 std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
     TACTOOTH_ASSERT(cutBricks().empty());
-    TACTOOTH_ASSERT(marks() == 0);
+    TACTOOTH_ASSERT(undoable() == 0);
     std::vector<BrickKey> keys;
     for (const auto& [key, field] : fields) keys.push_back(key);
     const std::vector<Brick*> bricks = bricksAt(keys);
@@ -302,7 +314,7 @@ double CutVolume::cutDistance(const Vec3& point) const {
 
 void CutVolume::validate() const {
     bricks_.validate(lattice_.spacing());
-    journal_.validate(bricks_, lattice_.spacing());
+    journal_.validate(bricks_);
     if (pool_ != nullptr) pool_->validate();
     for (const BrickKey& key : bricks_.keys()) {
         const Brick& brick = *bricks_.find(key);

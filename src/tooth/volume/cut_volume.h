@@ -19,9 +19,10 @@
 
 namespace tactooth {
 
-/// Default clearance in voxels: how much wider than the bur the cut is. It leaves room for the chords of the extracted
-/// surface, so that a bur at rest in its own cut does not touch it. A flat bur of 1 mm that mills a slot at 50 um meets
-/// no remains at 0.1, and 1.6 um at 0.04. Use 0 to measure the removed volume itself.
+/// Default clearance in voxels: how much wider than the bur the cut is. It exceeds the distance between the cut and the
+/// triangles that approximate it, so that a bur at rest in its own cut does not touch them. A flat bur of 1 mm in a
+/// slot that it has milled at 50 um touches nothing with 0.1; with 0.04 the triangles reach 1.6 um into the bur. Use 0
+/// to measure the removed volume itself.
 inline constexpr double kDefaultClearance = 0.1;
 
 /// The part of a tooth that burs have removed: a sparse volume of bricks. Bricks are made when a bur comes near. One
@@ -66,23 +67,26 @@ public:
     /// Removes the debris that has these nodes beside it in the air (nodesBesideDebris).
     CarveResult removeDebris(const NodeSets& beside);
 
-    /// Sets a mark for `undo`. Returns false if nothing has changed since the last mark, which then serves.
-    bool mark() { return journal_.mark(); }
-    /// Number of possible calls of `undo`: the marks that were set, at most CutJournal::kMaxCheckpoints.
-    [[nodiscard]] std::size_t marks() const { return journal_.marks(); }
-    /// Restores the state of the last mark that was followed by a change, bit for bit, and forgets that mark. Returns
-    /// the bricks that changed. There must be a mark.
+    /// The next change begins a step of its own for `undo`.
+    void mark() { journal_.mark(bricks_); }
+    /// Number of steps that can be undone and redone (CutJournal). A change after an undo leaves nothing to redo.
+    [[nodiscard]] std::size_t undoable() const { return journal_.undoable(); }
+    [[nodiscard]] std::size_t redoable() const { return journal_.redoable(); }
+    /// Restores the state before the last step, bit for bit. Returns the bricks that changed. There must be a step.
     std::vector<ChangedBrick> undo();
-    /// Number of calls of `undo`. Between two calls the removed region only grows.
-    [[nodiscard]] std::uint64_t undos() const { return undos_; }
+    /// Restores the state after the step that was undone last, bit for bit. Returns the bricks that changed. There must
+    /// be such a step.
+    std::vector<ChangedBrick> redo();
+    /// Number of calls of `undo`, `redo` and `reset`. Between two of them the removed region only grows.
+    [[nodiscard]] std::uint64_t restorations() const { return restorations_; }
 
-    /// Restores the whole tooth. Forgets all marks.
+    /// Restores the whole tooth. The journal takes it for a change like any other.
     void reset();
 
     /// The bricks that a bur has reached, in ascending order of the keys.
     [[nodiscard]] std::vector<BrickKey> cutBricks() const;
-    /// Takes over the removed region of another volume of the same spacing, or of a file. Nothing was cut here, and no
-    /// mark was set. Returns the bricks that changed. Bricks that are clear of this tooth are left out.
+    /// Takes over the removed region of another volume of the same spacing, or of a file. Nothing was cut here, and
+    /// there is no step. Returns the bricks that changed. Bricks that are clear of this tooth are left out.
     std::vector<ChangedBrick> adopt(const std::map<BrickKey, CutField>& fields);
 
     /// The volume removed so far, mm^3, summed again over all bricks.
@@ -108,6 +112,7 @@ private:
     void makeAffected(const std::vector<ChangedBrick>& changed);
     [[nodiscard]] NodeSets nodesOf(const DetachedPiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
+    [[nodiscard]] std::vector<ChangedBrick> restore(const CutJournal::Fields& fields);
     [[nodiscard]] std::vector<ChangedBrick> updateHermiteData(const PlannedRemoval& carved);
 
     std::shared_ptr<const LayeredTooth> tooth_;
@@ -116,7 +121,7 @@ private:
     CutJournal journal_;
     std::shared_ptr<BrickPool> pool_;
     std::uint64_t carves_ = 0;
-    std::uint64_t undos_ = 0;
+    std::uint64_t restorations_ = 0;
 };
 
 }  // namespace tactooth

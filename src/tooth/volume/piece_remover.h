@@ -8,14 +8,14 @@
 
 namespace tactooth {
 
-/// The nodes to remove so that nothing remains of pieces with these nodes (solid ones, and some beside them in the
-/// air). These are the nodes themselves and nodes around them that are in the air or removed already, since a piece may
-/// end in an edge too thin to hold nodes. A node in the air next to a node that stays is not removed. The bricks of the
-/// pieces and all around them were sampled. `pieces` is not empty.
+/// The nodes to remove so that nothing remains of some detached pieces. `pieces` holds the solid nodes of the pieces,
+/// and nodes in the air beside them; it is not empty. A piece may end in an edge too thin to hold a node. So the result
+/// is `pieces` and the nodes around them that are in the air or removed already, but no node in the air next to a solid
+/// node that stays. The bricks of the pieces and their neighbours must be sampled.
 [[nodiscard]] NodeSets nodesToRemove(const BrickMap& bricks, const NodeSets& pieces);
 
-/// Removes nodes of one brick as if a bur had been deep around each. Returns the removed volumes, mm^3. `nodes` is not
-/// empty.
+/// Removes nodes of one brick, as if a bur had removed everything around each of them. Returns the removed volumes,
+/// mm^3. `nodes` is not empty; `spacing` in mm.
 MaterialVolumes removeNodes(Brick& brick, const NodeSet& nodes, double spacing);
 
 /// Sets the boundary on the lattice edges of one brick from a node of `gone` to a node that is not removed. It lies

@@ -24,7 +24,7 @@ struct BrickRemoval {
     std::vector<Sample> lowered;
 };
 
-/// A plan: what a move of the bur would remove, and all data to remove it.
+/// A plan of a carve: what a move of the bur would remove, and the data to remove it.
 struct PlannedRemoval {
     MaterialVolumes volumes{};
     std::vector<BrickRemoval> where;  ///< in ascending order of the keys

@@ -8,8 +8,8 @@
 
 namespace tactooth {
 
-/// A half-space: the signed distance of a cube's centre from its border (in cube sides, negative inside), and the unit
-/// normal out of it.
+/// A half-space relative to a cube: the signed distance of the cube's centre from its plane (in sides of the cube,
+/// negative inside), and the unit normal out of it.
 struct HalfSpace {
     double distance;
     Vec3 normal;

@@ -24,7 +24,7 @@ using PairKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();  // mm
 constexpr std::size_t kCapacity = 1 << 14;
-constexpr double kMargin = 1e-6;
+constexpr double kMargin = 1e-6;  // mm
 
 PairKey keyOf(const NearPair& pair) { return {pair.part, pair.tooth, pair.tool}; }
 
@@ -34,7 +34,7 @@ Box3 boxOf(const Triangle3& triangle) {
     return box;
 }
 
-/// Every pair within `distance`, by brute force.
+/// Every pair of triangles that is nearer than `distance` (mm) with the tool at `pose`, by brute force.
 std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, const Pose& pose, double distance) {
     std::set<PairKey> pairs;
     std::vector<Box3> boxes;
@@ -51,9 +51,9 @@ std::set<PairKey> pairsWithin(const TriangleMesh& tooth, const ToolShape& tool, 
     return pairs;
 }
 
-/// All uncertain pairs of the list, for a step between two poses.
-std::set<PairKey> uncertainCount(NeighbourList& list, const Pose& start, const Pose& end,
-                                 std::span<const Vec3> known = {}) {
+/// The pairs that the list does not prove to be separated during a step. `known`: the normals of active constraints.
+std::set<PairKey> uncertainPairsOf(NeighbourList& list, const Pose& start, const Pose& end,
+                                   std::span<const Vec3> known = {}) {
     const ToolMotion motion = list.motion(start, end, kMargin, known);
     std::ignore = list.within(motion);  // opens uncertain nodes
     EXPECT_FALSE(list.isFull());
@@ -76,7 +76,8 @@ Vec3 randomVector(std::mt19937& random, double length) {
     return length * Vec3(x, y, normal(random)).normalized();
 }
 
-Quat turned(const Quat& rotation, std::mt19937& random, double chord) {
+/// The orientation rotated about a random axis, by an angle with this chord.
+Quat rotated(const Quat& rotation, std::mt19937& random, double chord) {
     return (Quat(Eigen::AngleAxisd(2 * std::asin(chord / 2), randomVector(random, 1))) * rotation).normalized();
 }
 
@@ -93,12 +94,12 @@ struct Scene {
 
 }  // namespace
 
-TEST(NeighbourList, EveryPairThatAMotionWithinTheMarginBringsTogetherIsUncertain) {
+TEST(NeighbourList, APairThatAMotionWithinTheMarginBringsTogetherIsUncertain) {
     const Scene scene;
     NeighbourList list(*scene.tool, kCapacity);
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
-    int met = 0;
+    int nearPairs = 0;
     for (int i = 0; i < 60; ++i) {
         const Pose at = scene.poseAbove(random, 0.05 * unit(random));
         list.make(*scene.surface, at, {randomVector(random, 0.15 * unit(random)), 0.05, 0.1 * unit(random)});
@@ -106,16 +107,16 @@ TEST(NeighbourList, EveryPairThatAMotionWithinTheMarginBringsTogetherIsUncertain
         ASSERT_GT(contactMargin.around, 0.01);
         const double share = unit(random);
         const Vec3 shift = share * contactMargin.along + randomVector(random, 0.99 * contactMargin.around);
-        const Pose end{at.position + shift, turned(at.rotation, random, 0.99 * contactMargin.turn)};
+        const Pose end{at.position + shift, rotated(at.rotation, random, 0.99 * contactMargin.turn)};
         EXPECT_LE(list.deviation(end.position), contactMargin.around);
         EXPECT_LE(list.chordTo(end.rotation), contactMargin.turn);
-        const std::set<PairKey> uncertainSet = uncertainCount(list, at, end);
+        const std::set<PairKey> uncertain = uncertainPairsOf(list, at, end);
         for (const PairKey& pair : pairsWithin(scene.tooth, *scene.tool, end, kMargin)) {
-            EXPECT_TRUE(uncertainSet.contains(pair)) << i;
-            ++met;
+            EXPECT_TRUE(uncertain.contains(pair)) << i;
+            ++nearPairs;
         }
     }
-    EXPECT_GT(met, 200);
+    EXPECT_GT(nearPairs, 200);
 }
 
 TEST(NeighbourList, TheLocalCandidatesContainEveryUncertainCluster) {
@@ -123,35 +124,35 @@ TEST(NeighbourList, TheLocalCandidatesContainEveryUncertainCluster) {
     NeighbourList list(*scene.tool, kCapacity);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0, 1);
-    std::size_t uncertainSet = 0;
-    std::size_t looked = 0;
-    std::size_t all = 0;
+    std::size_t uncertainPackets = 0;
+    std::size_t candidatePackets = 0;
+    std::size_t allPackets = 0;
     for (int i = 0; i < 60; ++i) {
         Pose pose = scene.poseAbove(random, 0.02 * unit(random));
         const Vec3 along = randomVector(random, 0.1);
         list.buildAll(*scene.surface, pose, {along, 0.05, 0.02});
         for (int step = 0; step < 12; ++step) {  // further along the path, with some deviation and rotation
             const Vec3 shift = 0.008 * along.normalized() + randomVector(random, 0.004 * unit(random));
-            const Pose end{pose.position + shift, turned(pose.rotation, random, 0.001 * unit(random))};
+            const Pose end{pose.position + shift, rotated(pose.rotation, random, 0.001 * unit(random))};
             const ToolMotion motion = list.motion(pose, end, kMargin, {});
-            const auto within = list.within(motion);
-            EXPECT_TRUE(std::is_sorted(within.begin(), within.end()));
+            const auto candidates = list.within(motion);
+            EXPECT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
             for (std::uint32_t first = 0; first < list.clusters(); first += 8) {
                 if (list.uncertainClusters(first, motion) == 0) continue;
-                EXPECT_TRUE(std::binary_search(within.begin(), within.end(), first)) << i << ", step " << step;
-                ++uncertainSet;
+                EXPECT_TRUE(std::binary_search(candidates.begin(), candidates.end(), first)) << i << ", step " << step;
+                ++uncertainPackets;
             }
-            looked += within.size();
-            all += (list.clusters() + 7) / 8;
+            candidatePackets += candidates.size();
+            allPackets += (list.clusters() + 7) / 8;
             pose = end;
         }
     }
-    EXPECT_GT(uncertainSet, 1000U);
-    EXPECT_LT(looked, all - all / 4) << "else it saves little";
+    EXPECT_GT(uncertainPackets, 1000U);
+    EXPECT_LT(candidatePackets, allPackets - allPackets / 4) << "else the search saves little";
 }
 
-TEST(NeighbourList, AStepDoesNotMeetNodesThatStayClosed) {
-    TriangleMesh plate;  // rough, and a tool much smaller than its hull: a ball, a thin neck, another ball
+TEST(NeighbourList, NodesThatAStepDoesNotOpenHoldNoPairThatItBringsTogether) {
+    TriangleMesh plate;  // rough
     std::mt19937 random(13);
     std::uniform_real_distribution<double> unit(0, 1);
     for (std::uint32_t i = 0; i < 41 * 41; ++i) {
@@ -159,6 +160,7 @@ TEST(NeighbourList, AStepDoesNotMeetNodesThatStayClosed) {
         plate.vertices.push_back(Vec3(x, y, 0.1 * x * x + 0.03 * unit(random)).cast<float>());
     }
     plate.triangles = test::gridTriangles(41);
+    // Two balls and a thin neck: a tool much smaller than its convex hull.
     TriangleMesh dumbbell = test::sphere(Vec3(0, 0, 0.4), 0.4, 16, 10);
     for (const TriangleMesh& more :
          {test::cylinder(Vec3(0, 0, 0.4), 0.1, 2, 12), test::sphere(Vec3(0, 0, 2.4), 0.5, 16, 10)}) {
@@ -170,30 +172,30 @@ TEST(NeighbourList, AStepDoesNotMeetNodesThatStayClosed) {
     const auto surface = test::surfaceOf(plate);
     const auto tool = test::toolOf(dumbbell);
     NeighbourList list(*tool, kCapacity);
-    int met = 0;
+    int nearPairs = 0;
     for (int i = 0; i < 20; ++i) {
-        const Quat lying = turned(Quat(Eigen::AngleAxisd(-unit(random), Vec3::UnitX())), random, 0.3);
-        const Pose at{Vec3(unit(random) - 0.5, 0.5, 0.05 + 0.1 * unit(random)), lying};
+        const Quat tilt = rotated(Quat(Eigen::AngleAxisd(-unit(random), Vec3::UnitX())), random, 0.3);
+        const Pose at{Vec3(unit(random) - 0.5, 0.5, 0.05 + 0.1 * unit(random)), tilt};
         list.make(*surface, at, {randomVector(random, 0.1), 0.05, 0.02});
-        for (int step = 0; step < 6; ++step) {  // later steps find the nodes that one step has opened
-            const auto within = [&](double share) {
+        for (int step = 0; step < 6; ++step) {  // a later step finds the nodes open that earlier ones opened
+            const auto poseWithinMargin = [&](double share) {
                 const Vec3 shift =
                     share * list.contactMargin().along + randomVector(random, 0.99 * list.contactMargin().around);
                 return Pose{at.position + shift,
-                            turned(at.rotation, random, 0.99 * list.contactMargin().turn * unit(random))};
+                            rotated(at.rotation, random, 0.99 * list.contactMargin().turn * unit(random))};
             };
-            const Pose start = within(unit(random)), end = within(unit(random));
+            const Pose start = poseWithinMargin(unit(random)), end = poseWithinMargin(unit(random));
             const Vec3 up = Vec3::UnitZ();
-            const std::set<PairKey> uncertainSet = uncertainCount(list, start, end, {&up, 1});
+            const std::set<PairKey> uncertain = uncertainPairsOf(list, start, end, {&up, 1});
             for (const Pose& pose : {start, end}) {
                 for (const PairKey& pair : pairsWithin(plate, *tool, pose, kMargin)) {
-                    EXPECT_TRUE(uncertainSet.contains(pair)) << i << ", step " << step;
-                    ++met;
+                    EXPECT_TRUE(uncertain.contains(pair)) << i << ", step " << step;
+                    ++nearPairs;
                 }
             }
         }
     }
-    EXPECT_GT(met, 1000);
+    EXPECT_GT(nearPairs, 1000);
 }
 
 TEST(NeighbourList, OpensNoMoreNodesThanAStepNeeds) {
@@ -217,12 +219,12 @@ TEST(NeighbourList, AListWithTooLittleRoomCoversLessAndIsComplete) {
     const ContactMargin wanted{Vec3(0.6, 0, 0), 0.3, 0.02};
     NeighbourList all(*scene.tool, kCapacity);
     all.buildAll(*scene.surface, at, wanted);
-    const std::size_t room = all.clusters() / 4 / 8 * 8;
-    ASSERT_GT(room, 0U);
-    NeighbourList some(*scene.tool, room);
+    const std::size_t fewClusters = all.clusters() / 4 / 8 * 8;
+    ASSERT_GT(fewClusters, 0U);
+    NeighbourList some(*scene.tool, fewClusters);
     some.buildWithinCapacity(*scene.surface, at, wanted, 0.1, kNoLimit);
     EXPECT_TRUE(some.made());
-    EXPECT_LE(some.clusters(), room);
+    EXPECT_LE(some.clusters(), fewClusters);
     const double reach = some.contactMargin().along.norm() + some.contactMargin().around;
     EXPECT_LT(reach, 0.9);
     EXPECT_GE(reach, 0.1);
@@ -230,9 +232,9 @@ TEST(NeighbourList, AListWithTooLittleRoomCoversLessAndIsComplete) {
     same.buildAll(*scene.surface, at, some.contactMargin());
     EXPECT_EQ(some.clusters(), same.clusters());
 
-    for (const std::size_t capacity : {kCapacity, room}) {  // enough room, or just enough
+    for (const std::size_t capacity : {kCapacity, fewClusters}) {  // more than enough, and too few
         NeighbourList whole(*scene.tool, capacity);
-        whole.buildWithinCapacity(*scene.surface, at, wanted, capacity == room ? 0.9 : 0.1, kNoLimit);
+        whole.buildWithinCapacity(*scene.surface, at, wanted, capacity == fewClusters ? 0.9 : 0.1, kNoLimit);
         EXPECT_EQ(whole.clusters(), all.clusters());
         EXPECT_EQ(whole.contactMargin().along, wanted.along);
     }
@@ -262,9 +264,9 @@ TEST(NeighbourList, AKnownPlaneClearsAllPairsThatItSeparates) {
     list.make(*plate, at, {Vec3(0.1, 0, 0), 0.05, 0});
     const Pose end{at.position + Vec3(0.08, 0, 0), at.rotation};
     const Vec3 up = Vec3::UnitZ();
-    EXPECT_FALSE(uncertainCount(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
+    EXPECT_FALSE(uncertainPairsOf(list, at, {at.position - 0.04 * up, at.rotation}, {&up, 1}).empty());
     EXPECT_GT(list.clusters(), 0U);
-    EXPECT_TRUE(uncertainCount(list, at, end, {&up, 1}).empty());
+    EXPECT_TRUE(uncertainPairsOf(list, at, end, {&up, 1}).empty());
 }
 
 TEST(NeighbourList, ACertifiedPairIsNotUncertainWhileItsPlaneSeparatesIt) {
@@ -293,26 +295,26 @@ TEST(NeighbourList, FindsSeparatingPlanesAhead) {
     const Scene scene;
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
-    std::size_t plain = 0;
-    std::size_t ahead = 0;
-    int met = 0;
+    std::size_t uncertainBefore = 0;
+    std::size_t uncertainAfter = 0;
+    int nearPairs = 0;
     for (int i = 0; i < 60; ++i) {
         const Pose at = scene.poseAbove(random, 0.02 * unit(random));
-        const Vec3 stepMotion = randomVector(random, 0.05);
-        const Pose end{at.position + stepMotion, turned(at.rotation, random, 0.01)};
+        const Vec3 shift = randomVector(random, 0.05);
+        const Pose end{at.position + shift, rotated(at.rotation, random, 0.01)};
         NeighbourList list(*scene.tool, kCapacity);
-        list.buildAll(*scene.surface, at, {stepMotion, 0.05, 0.05});
-        plain += uncertainCount(list, at, end).size();
+        list.buildAll(*scene.surface, at, {shift, 0.05, 0.05});
+        uncertainBefore += uncertainPairsOf(list, at, end).size();
         list.separateAhead(*scene.surface, at, end, kMargin);
-        const std::set<PairKey> uncertainSet = uncertainCount(list, at, end);
-        ahead += uncertainSet.size();
+        const std::set<PairKey> uncertain = uncertainPairsOf(list, at, end);
+        uncertainAfter += uncertain.size();
         for (const Pose& pose : {at, end}) {
             for (const PairKey& pair : pairsWithin(scene.tooth, *scene.tool, pose, kMargin)) {
-                EXPECT_TRUE(uncertainSet.contains(pair)) << i;
-                ++met;
+                EXPECT_TRUE(uncertain.contains(pair)) << i;
+                ++nearPairs;
             }
         }
-        for (const PairKey& pair : uncertainSet) {
+        for (const PairKey& pair : uncertain) {
             const Triangle3 tooth = cornersOf(scene.tooth, std::get<1>(pair));
             std::vector<Vec3> swept;
             for (const Pose& pose : {at, end}) {
@@ -322,8 +324,8 @@ TEST(NeighbourList, FindsSeparatingPlanesAhead) {
             EXPECT_LT(gjk.separated ? gjk.distance : 0, 1e-4) << "pairs that are clearly apart are separated";
         }
     }
-    EXPECT_GT(met, 100);
-    EXPECT_LT(ahead, plain);
+    EXPECT_GT(nearPairs, 100);
+    EXPECT_LT(uncertainAfter, uncertainBefore);
 }
 
 TEST(NeighbourList, HiddenTrianglesAreNotListed) {
@@ -343,11 +345,8 @@ TEST(NeighbourList, ShortensItsMarginIfTooManyPairsAreNear) {
     const auto inside = test::surfaceOf(fine);
     NeighbourList list(*tool, kCapacity);
     const Pose at{Vec3(0, 0, 0.05), Quat::Identity()};
-    const ToolMotion stepMotion = [&] {
-        list.make(*inside, at, {Vec3(0.3, 0, 0), 0.3, 0.1});
-        return list.motion(at, {at.position + Vec3(0.3, 0, 0), at.rotation}, kMargin, {});
-    }();
-    std::ignore = list.within(stepMotion);
+    list.make(*inside, at, {Vec3(0.3, 0, 0), 0.3, 0.1});
+    std::ignore = list.within(list.motion(at, {at.position + Vec3(0.3, 0, 0), at.rotation}, kMargin, {}));
     ASSERT_TRUE(list.isFull());
     while (list.isFull()) {
         ASSERT_TRUE(list.shorten());
@@ -365,10 +364,10 @@ TEST(NeighbourList, ListsAllThatIsRequestedHoweverMuch) {
     NeighbourList list(*scene.tool, 64);
     const Pose inside{Vec3(0, 0, 2.4), Quat::Identity()};
     list.buildAll(*scene.surface, inside, {});
-    const std::set<PairKey> uncertainSet = uncertainCount(list, inside, inside);
+    const std::set<PairKey> uncertain = uncertainPairsOf(list, inside, inside);
     const std::set<PairKey> touching = pairsWithin(scene.tooth, *scene.tool, inside, 0);
     EXPECT_GT(touching.size(), 64U);
-    for (const PairKey& pair : touching) EXPECT_TRUE(uncertainSet.contains(pair));
+    for (const PairKey& pair : touching) EXPECT_TRUE(uncertain.contains(pair));
 }
 
 TEST(NeighbourList, KeepsItsInvariantsOverRandomSteps) {
@@ -383,7 +382,7 @@ TEST(NeighbourList, KeepsItsInvariantsOverRandomSteps) {
         if (i % 3 == 2) std::ignore = list.buildUpTo(*scene.surface, pose, 100);
         list.validate(*scene.surface);
         for (int step = 0; step < 4; ++step) {
-            const Pose end{pose.position + randomVector(random, 0.01), turned(pose.rotation, random, 0.001)};
+            const Pose end{pose.position + randomVector(random, 0.01), rotated(pose.rotation, random, 0.001)};
             const Vec3 known[] = {randomVector(random, 1), Vec3::UnitZ()};
             const ToolMotion motion = list.motion(pose, end, kMargin, known);
             for (const std::uint32_t first : list.within(motion)) {
@@ -401,7 +400,7 @@ TEST(NeighbourList, KeepsItsInvariantsOverRandomSteps) {
     }
 }
 
-TEST(NeighbourList, AssertsThatItExistsAndThatItsArgumentsMakeSense) {
+TEST(NeighbourList, AssertsThatItIsMadeAndThatItsArgumentsMakeSense) {
     const Scene scene;
     NeighbourList list(*scene.tool, kCapacity);
     const Pose at{Vec3(0, 0, 3.01), Quat::Identity()};

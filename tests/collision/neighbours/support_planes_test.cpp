@@ -30,7 +30,7 @@ Vec3 randomUnit(std::mt19937& random) {
     return Vec3(x, y, normal(random)).normalized();
 }
 
-TriangleMesh turned(TriangleMesh mesh, const Vec3& axis, double chord) {
+TriangleMesh rotated(TriangleMesh mesh, const Vec3& axis, double chord) {
     const Mat3 rotation = Eigen::AngleAxisd(2 * std::asin(chord / 2), axis).toRotationMatrix();
     for (Vec3f& vertex : mesh.vertices) vertex = (rotation * vertex.cast<double>()).cast<float>();
     return mesh;
@@ -46,12 +46,12 @@ std::vector<TriangleMesh> tools() {
 
 TEST(SupportPlanes, EachGivesHowFarTheToolReaches) {
     for (const TriangleMesh& mesh : tools()) {
-        const SupportPlanes sides(mesh);
-        ASSERT_GT(sides.size(), 100U);
-        for (std::size_t i = 0; i < sides.size(); ++i) {
-            const SupportPlanes::Plane& side = sides[static_cast<SupportPlanes::Number>(i)];
-            EXPECT_NEAR(side.inward.norm(), 1, 1e-6);
-            EXPECT_NEAR(side.low, lowestAlong(mesh, side.inward), kRounding);
+        const SupportPlanes planes(mesh);
+        ASSERT_GT(planes.size(), 100U);
+        for (std::size_t i = 0; i < planes.size(); ++i) {
+            const SupportPlanes::Plane& plane = planes[static_cast<SupportPlanes::Number>(i)];
+            EXPECT_NEAR(plane.inward.norm(), 1, 1e-6);
+            EXPECT_NEAR(plane.low, lowestAlong(mesh, plane.inward), kRounding);
         }
     }
 }
@@ -59,12 +59,12 @@ TEST(SupportPlanes, EachGivesHowFarTheToolReaches) {
 TEST(SupportPlanes, ThereIsOneInEveryDirection) {
     std::mt19937 random(3);
     for (const TriangleMesh& mesh : tools()) {
-        const SupportPlanes sides(mesh);
+        const SupportPlanes planes(mesh);
         for (int i = 0; i < 500; ++i) {
             const Vec3f direction = randomUnit(random).cast<float>();
             float nearest = -1;
-            for (std::size_t k = 0; k < sides.size(); ++k)
-                nearest = std::max(nearest, direction.dot(sides[static_cast<SupportPlanes::Number>(k)].inward));
+            for (std::size_t k = 0; k < planes.size(); ++k)
+                nearest = std::max(nearest, direction.dot(planes[static_cast<SupportPlanes::Number>(k)].inward));
             EXPECT_GT(nearest, std::cos(0.3)) << "17 degrees";
         }
     }
@@ -74,41 +74,41 @@ TEST(SupportPlanes, ARotationMovesTheToolNoFurtherThanTheLoss) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> unit(0, 1);
     for (const TriangleMesh& mesh : tools()) {
-        const SupportPlanes sides(mesh);
+        const SupportPlanes planes(mesh);
         for (int i = 0; i < 200; ++i) {
             const double most = std::pow(10, -3 * unit(random));
             const double chord = most * unit(random);
-            const TriangleMesh moved = turned(mesh, randomUnit(random), chord);
-            const std::span<const float> losses = sides.losses(most);
-            for (std::size_t k = 0; k < sides.size(); ++k) {
-                const SupportPlanes::Plane& side = sides[static_cast<SupportPlanes::Number>(k)];
-                EXPECT_GE(lowestAlong(moved, side.inward) + kRounding,
-                          side.low - losses[k] * static_cast<float>(chord));
+            const TriangleMesh moved = rotated(mesh, randomUnit(random), chord);
+            const std::span<const float> losses = planes.losses(most);
+            for (std::size_t k = 0; k < planes.size(); ++k) {
+                const SupportPlanes::Plane& plane = planes[static_cast<SupportPlanes::Number>(k)];
+                EXPECT_GE(lowestAlong(moved, plane.inward) + kRounding,
+                          plane.low - losses[k] * static_cast<float>(chord));
             }
             const Vec3f direction = randomUnit(random).cast<float>();
-            const SupportPlanes::Reach reach = sides.across(direction, static_cast<float>(most));
-            EXPECT_NEAR(reach.side.low, lowestAlong(mesh, direction), kRounding);
+            const SupportPlanes::Reach reach = planes.across(direction, static_cast<float>(most));
+            EXPECT_NEAR(reach.plane.low, lowestAlong(mesh, direction), kRounding);
             EXPECT_GE(lowestAlong(moved, direction) + kRounding,
-                      reach.side.low - reach.loss * static_cast<float>(chord));
+                      reach.plane.low - reach.loss * static_cast<float>(chord));
         }
     }
 }
 
 TEST(SupportPlanes, TheNeighboursOfAPlaneHaveSimilarDirections) {
-    const SupportPlanes sides(test::sphere(Vec3::Zero(), 1, 16, 10));
-    for (std::size_t i = 0; i < sides.size(); ++i) {
+    const SupportPlanes planes(test::sphere(Vec3::Zero(), 1, 16, 10));
+    for (std::size_t i = 0; i < planes.size(); ++i) {
         const auto number = static_cast<SupportPlanes::Number>(i);
-        EXPECT_EQ(sides.beside(number)[0], number);
-        for (const SupportPlanes::Number other : sides.beside(number))
-            EXPECT_GT(sides[number].inward.dot(sides[other].inward), 0.5F);
+        EXPECT_EQ(planes.similarTo(number)[0], number);
+        for (const SupportPlanes::Number other : planes.similarTo(number))
+            EXPECT_GT(planes[number].inward.dot(planes[other].inward), 0.5F);
     }
 }
 
 TEST(SupportPlanes, ThePlaneThatFacesAPointIsTheOneItIsFurthestBeyond) {
     const TriangleMesh mesh = test::box(Vec3(-1, -1, 0), Vec3(1, 1, 3));
-    const SupportPlanes sides(mesh);
-    EXPECT_GT(sides[sides.facing(Vec3f(0, 0, -1))].inward.z(), 0.99F);
-    EXPECT_LT(sides[sides.facing(Vec3f(2, 0, 1))].inward.x(), -0.99F);
+    const SupportPlanes planes(mesh);
+    EXPECT_GT(planes[planes.facing(Vec3f(0, 0, -1))].inward.z(), 0.99F);
+    EXPECT_LT(planes[planes.facing(Vec3f(2, 0, 1))].inward.x(), -0.99F);
 }
 
 TEST(SupportPlanes, AssertThatDirectionsAreUnitAndChordsInRange) {

@@ -35,21 +35,21 @@ TEST(ContactQuery, AgreesWithTheOracleOnRandomPosesOfEveryTooth) {
     for (std::size_t tooth = 0; tooth < test::cases<std::size_t>(3, 1); ++tooth) {
         for (std::size_t tool = 0; tool < 2; ++tool) {
             SCOPED_TRACE(test::oracleTeeth()[tooth].name + " " + test::oracleTools()[tool].name);
-            const test::ContactReport verdict =
+            const test::ContactReport report =
                 test::checkContact(test::oracleTeeth()[tooth].mesh, test::oracleTools()[tool].mesh, 60, 0, 7);
-            EXPECT_EQ(verdict.wrongTouch, 0);
-            EXPECT_EQ(verdict.notFreed, 0);
-            EXPECT_EQ(verdict.freedEarly, 0);
-            EXPECT_GT(verdict.touching, 20);
+            EXPECT_EQ(report.wrongTouch, 0);
+            EXPECT_EQ(report.notFreed, 0);
+            EXPECT_EQ(report.freedEarly, 0);
+            EXPECT_GT(report.touching, 20);
         }
     }
 }
 
 TEST(ContactQuery, DepthIsNearlyTheLeastThatRandomDirectionsFind) {
-    const test::ContactReport verdict =
+    const test::ContactReport report =
         test::checkContact(test::oracleTeeth()[2].mesh, test::oracleTools()[0].mesh, 60, 100, 11);
-    EXPECT_LE(test::excessAt(verdict, 0.9), 1.05);
-    EXPECT_LE(test::excessAt(verdict, 0.99), 1.25);
+    EXPECT_LE(test::excessAt(report, 0.9), 1.05);
+    EXPECT_LE(test::excessAt(report, 0.99), 1.25);
 }
 
 TEST(ContactQuery, ABallInAPlateIsAsDeepAsItsLowestPoint) {

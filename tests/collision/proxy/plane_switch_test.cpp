@@ -13,8 +13,8 @@ namespace {
 using test::kMargin;
 
 /// A tool that stands one margin beside and one margin above the edge x = 0 of a flat tooth, which lies at x < 0.
-struct EdgeScene {
-    ProxyContext context = test::sceneOf(toolMesh(), toothMesh(), test::poseAt(kMargin, 0, kMargin));
+struct EdgeFixture {
+    ProxyContext context = test::contextOf(toolMesh(), toothMesh(), test::poseAt(kMargin, 0, kMargin));
     std::vector<WatchedPair> watched;
 
     /// Two triangles that share the corner at the origin.
@@ -33,13 +33,13 @@ struct EdgeScene {
     }
     WatchedPair pairWith(std::uint32_t tooth, std::uint32_t tool, const Vec3& normal) const {
         WatchedPair pair{{0, tooth, tool}, {}};
-        pair.plane = {normal, highestAlong(context.state.toothTriangle(pair.pair), normal), context.state.poseStamp};
+        pair.plane = {normal, highestAlong(context.scene.toothTriangle(pair.pair), normal), context.scene.poseStamp};
         return pair;
     }
     /// Adds a contact whose plane stands upright on the edge, and so stops the tool.
     void addUpright(std::uint32_t tool) { watched.push_back(pairWith(0, tool, Vec3::UnitX())); }
     bool run(const Vec3& toGoal, WatchedPair* other = nullptr) {
-        PlaneSwitch planes(context, {context.state.pose.position + toGoal, Quat::Identity()});
+        PlaneSwitch planes(context, {context.scene.pose.position + toGoal, Quat::Identity()});
         for (WatchedPair& pair : watched) planes.addContact(pair);
         if (other != nullptr) planes.addPair(*other);
         return planes.run();
@@ -49,70 +49,71 @@ struct EdgeScene {
 }  // namespace
 
 TEST(PlaneSwitch, DoesNothingWithoutContacts) {
-    EdgeScene scene;
-    EXPECT_FALSE(scene.run(Vec3(-0.5, 0, 0)));
+    EdgeFixture fixture;
+    EXPECT_FALSE(fixture.run(Vec3(-0.5, 0, 0)));
 }
 
 TEST(PlaneSwitch, TakesAPlaneThatLetsTheToolMoveOn) {
-    EdgeScene scene;
-    scene.addUpright(0);
-    EXPECT_TRUE(scene.run(Vec3(-0.5, 0, 0)));
-    const SeparatingPlane& plane = scene.watched[0].plane;
+    EdgeFixture fixture;
+    fixture.addUpright(0);
+    EXPECT_TRUE(fixture.run(Vec3(-0.5, 0, 0)));
+    const SeparatingPlane& plane = fixture.watched[0].plane;
     EXPECT_LT(plane.normal.x(), 0.1) << "the way to -x is open";
-    EXPECT_EQ(plane.stamp, scene.context.state.poseStamp);
+    EXPECT_EQ(plane.stamp, fixture.context.scene.poseStamp);
     const double gap =
-        gapAt(*scene.context.state.tool, scene.watched[0], Mat3::Identity(), scene.context.state.pose.position);
+        gapAt(*fixture.context.scene.tool, fixture.watched[0], Mat3::Identity(), fixture.context.scene.pose.position);
     EXPECT_GE(gap, 0.25 * kMargin);
 }
 
 TEST(PlaneSwitch, RemembersThePlaneThatItTakes) {
-    EdgeScene scene;
-    scene.addUpright(0);
-    ASSERT_TRUE(scene.run(Vec3(-0.5, 0, 0)));
-    const WatchedPair remembered = scene.context.planes.watch(scene.context.state, scene.watched[0].pair, Vec3::Zero());
-    EXPECT_EQ(remembered.plane.normal, scene.watched[0].plane.normal);
+    EdgeFixture fixture;
+    fixture.addUpright(0);
+    ASSERT_TRUE(fixture.run(Vec3(-0.5, 0, 0)));
+    const WatchedPair remembered =
+        fixture.context.planes.watch(fixture.context.scene, fixture.watched[0].pair, Vec3::Zero());
+    EXPECT_EQ(remembered.plane.normal, fixture.watched[0].plane.normal);
 }
 
 TEST(PlaneSwitch, SwitchesContactsThatShareACornerTogether) {
-    EdgeScene scene;
-    scene.addUpright(0);
-    scene.addUpright(1);
-    EXPECT_TRUE(scene.run(Vec3(-0.5, 0, 0)));
-    EXPECT_LT(scene.watched[0].plane.normal.x(), 0.1);
-    EXPECT_EQ(scene.watched[0].plane.normal, scene.watched[1].plane.normal);
+    EdgeFixture fixture;
+    fixture.addUpright(0);
+    fixture.addUpright(1);
+    EXPECT_TRUE(fixture.run(Vec3(-0.5, 0, 0)));
+    EXPECT_LT(fixture.watched[0].plane.normal.x(), 0.1);
+    EXPECT_EQ(fixture.watched[0].plane.normal, fixture.watched[1].plane.normal);
 }
 
 TEST(PlaneSwitch, KeepsThePlanesIfNoneLeadsTowardTheGoal) {
-    EdgeScene scene;
-    scene.context.state.pose = test::poseAt(-0.5, 0, kMargin);  // over the middle of the face
-    scene.watched.push_back(scene.pairWith(0, 0, Vec3::UnitZ()));
-    EXPECT_FALSE(scene.run(Vec3(0, 0, -0.5)));
-    EXPECT_EQ(scene.watched[0].plane.normal, Vec3::UnitZ());
+    EdgeFixture fixture;
+    fixture.context.scene.pose = test::poseAt(-0.5, 0, kMargin);  // over the middle of the face
+    fixture.watched.push_back(fixture.pairWith(0, 0, Vec3::UnitZ()));
+    EXPECT_FALSE(fixture.run(Vec3(0, 0, -0.5)));
+    EXPECT_EQ(fixture.watched[0].plane.normal, Vec3::UnitZ());
 }
 
 TEST(PlaneSwitch, DoesNotSwitchForAShorterWayThanTwentyMargins) {
-    EdgeScene scene;
-    scene.addUpright(0);
-    EXPECT_FALSE(scene.run(Vec3(-19 * kMargin, 0, 0)));
-    EXPECT_EQ(scene.watched[0].plane.normal, Vec3::UnitX());
-    EXPECT_TRUE(scene.run(Vec3(-30 * kMargin, 0, 0)));
+    EdgeFixture fixture;
+    fixture.addUpright(0);
+    EXPECT_FALSE(fixture.run(Vec3(-19 * kMargin, 0, 0)));
+    EXPECT_EQ(fixture.watched[0].plane.normal, Vec3::UnitX());
+    EXPECT_TRUE(fixture.run(Vec3(-30 * kMargin, 0, 0)));
 }
 
 TEST(PlaneSwitch, CountsThePairsThatBlockTheToolBesideItsContacts) {
-    EdgeScene scene;
-    scene.context.state.pose = test::poseAt(kMargin, 0, kMargin);
-    scene.addUpright(0);
+    EdgeFixture fixture;
+    fixture.context.scene.pose = test::poseAt(kMargin, 0, kMargin);
+    fixture.addUpright(0);
     // As if the wall stood right beside the tool.
-    WatchedPair wall{{0, 1, 0}, {Vec3::UnitX(), kMargin, scene.context.state.poseStamp}};
-    EXPECT_FALSE(scene.run(Vec3(-0.5, 0, 0), &wall));
+    WatchedPair wall{{0, 1, 0}, {Vec3::UnitX(), kMargin, fixture.context.scene.poseStamp}};
+    EXPECT_FALSE(fixture.run(Vec3(-0.5, 0, 0), &wall));
 }
 
 TEST(PlaneSwitch, AssertsThatPlanesAreOfThePresentPoseAndContactsComeFirst) {
-    EdgeScene scene;
-    WatchedPair contact = scene.pairWith(0, 0, Vec3::UnitX());
+    EdgeFixture fixture;
+    WatchedPair contact = fixture.pairWith(0, 0, Vec3::UnitX());
     WatchedPair old = contact;
     --old.plane.stamp;
-    PlaneSwitch planes(scene.context, test::poseAt(-1, 0, 0));
+    PlaneSwitch planes(fixture.context, test::poseAt(-1, 0, 0));
     EXPECT_ASSERT(planes.addPair(old));
     planes.addPair(contact);
     EXPECT_ASSERT(planes.addContact(contact));

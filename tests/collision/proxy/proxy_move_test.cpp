@@ -10,17 +10,17 @@ namespace tactooth {
 namespace {
 
 /// The parts of a solver, and moves of either kind.
-struct MoveScene {
+struct MoveFixture {
     ProxyContext context;
     SweepCheck sweep;
     SettledState settled;
 
-    explicit MoveScene(const Pose& start, Freedom freedom = Freedom::Translation)
-        : context(test::sceneOf(test::smallBox(), test::floorBlock(), start, freedom)) {
+    explicit MoveFixture(const Pose& start, Freedom freedom = Freedom::Translation)
+        : context(test::contextOf(test::smallBox(), test::floorBlock(), start, freedom)) {
         settled.placeAt(start);
     }
     MoveResult to(const Pose& goal) {
-        if (context.state.rotates()) return ProxyMove<RotationConstraints>(context, sweep, settled, goal).run();
+        if (context.scene.rotates()) return ProxyMove<RotationConstraints>(context, sweep, settled, goal).run();
         return ProxyMove<TranslationConstraints>(context, sweep, settled, goal).run();
     }
 };
@@ -31,78 +31,78 @@ constexpr Freedom kBoth[] = {Freedom::Translation, Freedom::TranslationAndRotati
 
 TEST(ProxyMove, ReachesAFreeGoal) {
     for (const Freedom freedom : kBoth) {
-        MoveScene scene(test::poseAt(0, 0, 1), freedom);
+        MoveFixture fixture(test::poseAt(0, 0, 1), freedom);
         const Pose goal{Vec3(0.2, 0.1, 0.9), Quat(Eigen::AngleAxisd(0.1, Vec3::UnitZ()))};
-        EXPECT_EQ(scene.to(goal).status, MoveStatus::Reached);
-        EXPECT_LT((scene.context.state.pose.position - goal.position).norm(), 1e-9);
-        EXPECT_TRUE(scene.context.state.pose.rotation.isApprox(goal.rotation, 1e-9));
-        EXPECT_TRUE(scene.settled.answers(goal));
+        EXPECT_EQ(fixture.to(goal).status, MoveStatus::Reached);
+        EXPECT_LT((fixture.context.scene.pose.position - goal.position).norm(), 1e-9);
+        EXPECT_TRUE(fixture.context.scene.pose.rotation.isApprox(goal.rotation, 1e-9));
+        EXPECT_TRUE(fixture.settled.answers(goal));
     }
 }
 
 TEST(ProxyMove, EndsInContactOnTheFloor) {
     for (const Freedom freedom : kBoth) {
-        MoveScene scene(test::poseAt(0, 0, 0.1), freedom);
+        MoveFixture fixture(test::poseAt(0, 0, 0.1), freedom);
         MoveResult result;
-        for (int i = 0; i < 20; ++i) result = scene.to(test::poseAt(0.05, 0, -0.1));
+        for (int i = 0; i < 20; ++i) result = fixture.to(test::poseAt(0.05, 0, -0.1));
         EXPECT_EQ(result.status, MoveStatus::InContact);
         EXPECT_GE(result.contactCount, 1);
-        EXPECT_NEAR(scene.context.state.pose.position.z(), scene.context.state.margin, 1e-6);
-        EXPECT_EQ(scene.context.contacts.count, result.contactCount);
+        EXPECT_NEAR(fixture.context.scene.pose.position.z(), fixture.context.scene.margin, 1e-6);
+        EXPECT_EQ(fixture.context.contacts.count, result.contactCount);
     }
 }
 
 TEST(ProxyMove, LeavesAnOverlappingToolWhereItIs) {
-    MoveScene scene(test::poseAt(0, 0, -0.1));
-    EXPECT_EQ(scene.to(test::poseAt(0, 0, 0.1)).status, MoveStatus::Overlapping);
-    EXPECT_EQ(scene.context.state.pose.position, Vec3(0, 0, -0.1));
+    MoveFixture fixture(test::poseAt(0, 0, -0.1));
+    EXPECT_EQ(fixture.to(test::poseAt(0, 0, 0.1)).status, MoveStatus::Overlapping);
+    EXPECT_EQ(fixture.context.scene.pose.position, Vec3(0, 0, -0.1));
 }
 
 TEST(ProxyMove, StopsWhenTheBudgetIsUsedUpAndContinuesInTheNextMove) {
     const Pose goal = test::poseAt(0.3, 0, -0.2);
-    const Work whole = MoveScene(test::poseAt(0, 0, 0.1)).to(goal).work;
-    MoveScene scene(test::poseAt(0, 0, 0.1));
-    scene.context.budget.setLimit(whole / 4);
-    EXPECT_EQ(scene.to(goal).status, MoveStatus::OutOfBudget);
-    EXPECT_FALSE(scene.settled.answers(goal));
-    for (int i = 0; i < 200; ++i) (void)scene.to(goal);
-    EXPECT_NEAR((scene.context.state.pose.position - Vec3(0.3, 0, 0)).norm(), 0, 1e-5);
+    const Work whole = MoveFixture(test::poseAt(0, 0, 0.1)).to(goal).work;
+    MoveFixture fixture(test::poseAt(0, 0, 0.1));
+    fixture.context.budget.setLimit(whole / 4);
+    EXPECT_EQ(fixture.to(goal).status, MoveStatus::OutOfBudget);
+    EXPECT_FALSE(fixture.settled.answers(goal));
+    for (int i = 0; i < 200; ++i) (void)fixture.to(goal);
+    EXPECT_NEAR((fixture.context.scene.pose.position - Vec3(0.3, 0, 0)).norm(), 0, 1e-5);
 }
 
 TEST(ProxyMove, CountsTheSamePoseForAStationaryTool) {
-    MoveScene scene(test::poseAt(0, 0, 0.1));
-    for (int i = 0; i < 20; ++i) (void)scene.to(test::poseAt(0, 0, -0.1));
-    const std::uint64_t stamp = scene.context.state.poseStamp;
-    const Vec3 position = scene.context.state.pose.position;
-    EXPECT_EQ(scene.to(test::poseAt(0, 0, -0.1)).status, MoveStatus::InContact);
-    EXPECT_EQ(scene.context.state.poseStamp, stamp);
-    EXPECT_EQ(scene.context.state.pose.position, position);
+    MoveFixture fixture(test::poseAt(0, 0, 0.1));
+    for (int i = 0; i < 20; ++i) (void)fixture.to(test::poseAt(0, 0, -0.1));
+    const std::uint64_t stamp = fixture.context.scene.poseStamp;
+    const Vec3 position = fixture.context.scene.pose.position;
+    EXPECT_EQ(fixture.to(test::poseAt(0, 0, -0.1)).status, MoveStatus::InContact);
+    EXPECT_EQ(fixture.context.scene.poseStamp, stamp);
+    EXPECT_EQ(fixture.context.scene.pose.position, position);
 }
 
 TEST(ProxyMove, ScalesTheMarginWithTheToolAndTheDistanceFromTheOrigin) {
     for (const double away : {0.0, 1000.0}) {
-        MoveScene scene(test::poseAt(away, 0, 1));
-        (void)scene.to(test::poseAt(away, 0, 2));
-        EXPECT_NEAR(scene.context.state.margin, 1e-7 * scene.context.state.tool->radius() + 1e-10 * std::max(away, 2.0),
-                    1e-18);
+        MoveFixture fixture(test::poseAt(away, 0, 1));
+        (void)fixture.to(test::poseAt(away, 0, 2));
+        EXPECT_NEAR(fixture.context.scene.margin,
+                    1e-7 * fixture.context.scene.tool->radius() + 1e-10 * std::max(away, 2.0), 1e-18);
     }
 }
 
 TEST(ProxyMove, WaitsAtTheEndOfAGivenListIfTheBudgetIsLimited) {
     const Pose start = test::poseAt(0, 0, 0.02);
     ProxyContext dense =
-        test::sceneOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60), test::sphere(Vec3(0, 0, -2), 2, 300, 200), start);
-    MoveScene scene(start);
-    scene.context = std::move(dense);
-    test::listAround(scene.context, 0.03);
-    scene.context.budget.setLimit(1'000'000'000);
+        test::contextOf(test::sphere(Vec3(0, 0, 0.5), 0.5, 100, 60), test::sphere(Vec3(0, 0, -2), 2, 300, 200), start);
+    MoveFixture fixture(start);
+    fixture.context = std::move(dense);
+    test::listAround(fixture.context, 0.03);
+    fixture.context.budget.setLimit(1'000'000'000);
     const Pose far = test::poseAt(0.3, 0, -0.1);
     for (int move = 0; move < ListWait::kMaxWaits; ++move) {
-        EXPECT_EQ(scene.to(far).status, MoveStatus::OutOfBudget);
-        EXPECT_EQ(scene.context.horizon.ownRebuilds(), 0U);
+        EXPECT_EQ(fixture.to(far).status, MoveStatus::OutOfBudget);
+        EXPECT_EQ(fixture.context.horizon.ownRebuilds(), 0U);
     }
-    (void)scene.to(far);
-    EXPECT_EQ(scene.context.horizon.ownRebuilds(), 1U) << "no list has come";
+    (void)fixture.to(far);
+    EXPECT_EQ(fixture.context.horizon.ownRebuilds(), 1U) << "no list has come";
 }
 
 }  // namespace tactooth

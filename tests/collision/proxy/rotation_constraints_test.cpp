@@ -16,9 +16,9 @@ constexpr NearPair kPair{0, 0, 0};
 
 /// A triangle of the tool over a large one of the tooth in the plane z = 0, with a wide list. Its corner 0 is lowest.
 ProxyContext overTriangle(double height) {
-    ProxyContext context = test::sceneOf(test::oneTriangle({-1, 0, 0}, {1, 1, 0.5F}, {1, -1, 0.5F}),
-                                         test::oneTriangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}),
-                                         test::poseAt(0, 0, height), Freedom::TranslationAndRotation);
+    ProxyContext context = test::contextOf(test::oneTriangle({-1, 0, 0}, {1, 1, 0.5F}, {1, -1, 0.5F}),
+                                           test::oneTriangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}),
+                                           test::poseAt(0, 0, height), Freedom::TranslationAndRotation);
     test::listAround(context, 2, 1);
     return context;
 }
@@ -26,13 +26,13 @@ ProxyContext overTriangle(double height) {
 CandidateStep stepTo(const ProxyContext& context, const Pose& goal) {
     CandidateStep step;
     step.goal = goal;
-    step.rotateBy(context.state.pose.rotation, 0);
+    step.rotateBy(context.scene.pose.rotation, 0);
     step.limits = {100, 0.9, kInfinity};
     return step;
 }
 
 WatchedPair planeOf(ProxyContext& context) {
-    WatchedPair watched = context.planes.watch(context.state, kPair, Vec3::Zero());
+    WatchedPair watched = context.planes.watch(context.scene, kPair, Vec3::Zero());
     EXPECT_TRUE(context.ensurePlane(watched));
     return watched;
 }
@@ -48,7 +48,7 @@ TEST(RotationConstraints, StepToTheGoalWithoutConstraints) {
     RotationConstraints constraints;
     constraints.restart(context, step);
     ASSERT_TRUE(constraints.solve(context, step));
-    const Pose end = step.end(context.state.pose);
+    const Pose end = step.end(context.scene.pose);
     EXPECT_LT((end.position - goal.position).norm(), 1e-12);
     EXPECT_TRUE(end.rotation.isApprox(goal.rotation, 1e-12));
     EXPECT_FALSE(step.clipping.isClipped);
@@ -73,7 +73,7 @@ TEST(RotationConstraints, KeepTheCornerThatTheGoalWouldBringBelowThePlane) {
     ASSERT_TRUE(constraints.solve(context, step));
     constraints.add(context, step, planeOf(context));
     ASSERT_TRUE(constraints.solve(context, step));
-    const Triangle3 tool = context.state.tool->cornersAt(step.end(context.state.pose), 0);
+    const Triangle3 tool = context.scene.tool->cornersAt(step.end(context.scene.pose), 0);
     EXPECT_NEAR(tool[0].z(), test::kMargin, 1e-4) << "to the second order of the rotation";
     EXPECT_NE(step.matrix, Mat3(Mat3::Identity())) << "the tool gives way by rotation";
 }
@@ -91,16 +91,17 @@ TEST(RotationConstraints, ObeyGaussPrincipleOfLeastConstraint) {
     MoveResult result;
     constraints.storeContacts(context, result);
     ASSERT_EQ(result.contactCount, 1);
-    const Vec3 centre = context.state.tool->centre();
-    const Pose end = step.end(context.state.pose);
+    const Vec3 centre = context.scene.tool->centre();
+    const Pose end = step.end(context.scene.pose);
     const Vec3 shift = end * centre - goal * centre;
     const Vec3 normal = result.contacts[0].normal;
-    EXPECT_LT((shift - result.contacts[0].share * normal).norm(), 1e-9);
+    EXPECT_LT((shift - result.contacts[0].multiplier * normal).norm(), 1e-9);
     const Eigen::AngleAxisd turn(end.rotation * goal.rotation.conjugate());
-    const double length = context.state.characteristicLength();
+    const double length = context.scene.characteristicLength();
     const Vec3 lever = result.contacts[0].point - end * centre;
-    EXPECT_LT((length * length * turn.angle() * turn.axis() - result.contacts[0].share * lever.cross(normal)).norm(),
-              1e-5);
+    EXPECT_LT(
+        (length * length * turn.angle() * turn.axis() - result.contacts[0].multiplier * lever.cross(normal)).norm(),
+        1e-5);
 }
 
 TEST(RotationConstraints, ShortenTheStepToItsAllowance) {

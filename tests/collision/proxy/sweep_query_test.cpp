@@ -54,17 +54,17 @@ TEST(SweepQuery, TakesNoMoreNormalsThanItHasRoomFor) {
 
 TEST(SweepQuery, SweepsATriangleFromItsStartToItsEnd) {
     ProxyContext context =
-        test::sceneOf(test::sphere(Vec3::Zero(), 0.5, 12, 8), test::floorBlock(), test::poseAt(1, 2, 3));
-    context.state.pose.rotation = Quat(Eigen::AngleAxisd(0.3, Vec3(0.6, 0.8, 0)));
+        test::contextOf(test::sphere(Vec3::Zero(), 0.5, 12, 8), test::floorBlock(), test::poseAt(1, 2, 3));
+    context.scene.pose.rotation = Quat(Eigen::AngleAxisd(0.3, Vec3(0.6, 0.8, 0)));
     CandidateStep step;
     step.goal.rotation = Quat(Eigen::AngleAxisd(0.5, Vec3(0, 0.6, 0.8)));
-    step.rotateBy(context.state.pose.rotation, 1);
+    step.rotateBy(context.scene.pose.rotation, 1);
     step.shift = Vec3(0.1, -0.2, 0.3);
     SweepQuery query(activeSet({Vec3(0.6, 0, 0.8)}));
     for (const std::uint32_t triangle : {0U, 40U, 72U, 40U, 0U}) {  // 40 and 72 share a place of the table
-        const SweptTool& swept = query.sweep(context.state, step, triangle);
-        const Triangle3 start = context.state.tool->cornersAt(context.state.pose, triangle);
-        const Triangle3 end = context.state.tool->cornersAt(step.end(context.state.pose), triangle);
+        const SweptTool& swept = query.sweep(context.scene, step, triangle);
+        const Triangle3 start = context.scene.tool->cornersAt(context.scene.pose, triangle);
+        const Triangle3 end = context.scene.tool->cornersAt(step.end(context.scene.pose), triangle);
         for (int i = 0; i < 3; ++i) {
             EXPECT_LT((swept.corners[i] - start[i]).norm(), 1e-12);
             EXPECT_LT((swept.corners[i + 3] - end[i]).norm(), 1e-12);
@@ -75,13 +75,13 @@ TEST(SweepQuery, SweepsATriangleFromItsStartToItsEnd) {
 }
 
 TEST(SweepQuery, MeasuresANewNormalOfATriangleThatItKnows) {
-    const ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 1));
+    const ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 1));
     const CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.5));
     SweepQuery query(activeSet({}));
-    EXPECT_EQ(query.sweep(context.state, step, 0).measured, 0);
+    EXPECT_EQ(query.sweep(context.scene, step, 0).measured, 0);
     query.addNarrow(Vec3::UnitZ());
     query.addNarrow(Vec3::UnitZ());
-    const SweptTool& swept = query.sweep(context.state, step, 0);
+    const SweptTool& swept = query.sweep(context.scene, step, 0);
     ASSERT_EQ(swept.measured, 1);
     EXPECT_EQ(swept.startLow[0], swept.lowAtStart(Vec3::UnitZ()));
     EXPECT_EQ(swept.endLow[0], swept.lowAtEnd(Vec3::UnitZ()));
@@ -97,7 +97,7 @@ TEST(SweepQuery, SeparatesWithHalfAMarginLeftAtTheEnd) {
 }
 
 TEST(SweepQuery, SeparatesClustersWhoseLeafWasMeasured) {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, 0.1));
     test::listAround(context, 0.3);
     const NeighbourList& list = context.horizon.list();
     ASSERT_GT(list.clusters(), 0U);
@@ -106,16 +106,16 @@ TEST(SweepQuery, SeparatesClustersWhoseLeafWasMeasured) {
         SweepQuery query(activeSet({Vec3::UnitZ()}));
         for (std::size_t cluster = 0; cluster < list.clusters(); ++cluster) {
             SweepQuery fresh(activeSet({Vec3::UnitZ()}));
-            EXPECT_FALSE(fresh.separatesCluster(context.state, step, list, cluster)) << "not measured yet";
-            query.measureLeaf(context.state, list, cluster);
+            EXPECT_FALSE(fresh.separatesCluster(context.scene, step, list, cluster)) << "not measured yet";
+            query.measureLeaf(context.scene, list, cluster);
             double top = -1e9;  // of the leaf's triangles
             const NearLeaf& leaf = list.leaf(list.leafOf(cluster));
             for (std::uint32_t rest = leaf.present; rest != 0; rest &= rest - 1)
-                top = std::max(top, highestAlong(cornersOf(context.state.surface->base->mesh(),
+                top = std::max(top, highestAlong(cornersOf(context.scene.surface->base->mesh(),
                                                            leaf.triangle[std::countr_zero(rest)]),
                                                  Vec3::UnitZ()));
-            const Triangle3 end = context.state.tool->cornersAt(step.end(context.state.pose), list.toolOf(cluster));
-            EXPECT_EQ(query.separatesCluster(context.state, step, list, cluster),
+            const Triangle3 end = context.scene.tool->cornersAt(step.end(context.scene.pose), list.toolOf(cluster));
+            EXPECT_EQ(query.separatesCluster(context.scene, step, list, cluster),
                       lowestAlong(end, Vec3::UnitZ()) - top >= test::kMargin / 2);
         }
     }

@@ -13,7 +13,7 @@ constexpr double kHeight = 0.1;
 
 /// A cube over a floor, with a list of half a millimetre.
 ProxyContext overFloor() {
-    ProxyContext context = test::sceneOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, kHeight));
+    ProxyContext context = test::contextOf(test::smallBox(), test::floorBlock(), test::poseAt(0, 0, kHeight));
     test::listAround(context, 0.5);
     return context;
 }
@@ -22,10 +22,10 @@ ProxyContext overFloor() {
 WatchedPair floorPair(ProxyContext& context) {
     for (std::uint32_t tooth = 0; tooth < 12; ++tooth) {
         for (std::uint32_t tool = 0; tool < 12; ++tool) {
-            WatchedPair watched = context.planes.watch(context.state, {0, tooth, tool}, Vec3::Zero());
+            WatchedPair watched = context.planes.watch(context.scene, {0, tooth, tool}, Vec3::Zero());
             if (!context.ensurePlane(watched)) continue;
-            const double gap = gapAt(*context.state.tool, watched, Mat3::Identity(), context.state.pose.position);
-            if (watched.plane.normal.z() > 0.999 && std::abs(gap - context.state.pose.position.z()) < 1e-9)
+            const double gap = gapAt(*context.scene.tool, watched, Mat3::Identity(), context.scene.pose.position);
+            if (watched.plane.normal.z() > 0.999 && std::abs(gap - context.scene.pose.position.z()) < 1e-9)
                 return watched;
         }
     }
@@ -40,7 +40,7 @@ TEST(TranslationConstraints, StepToTheGoalWithoutConstraints) {
     CandidateStep step = test::stepBy(context, Vec3(0.1, 0.2, -0.3));
     TranslationConstraints constraints;
     ASSERT_TRUE(constraints.solve(context, step));
-    EXPECT_EQ(step.shift, Vec3(step.goal.position - context.state.pose.position));
+    EXPECT_EQ(step.shift, Vec3(step.goal.position - context.scene.pose.position));
     EXPECT_FALSE(step.clipping.isClipped);
     EXPECT_FALSE(step.clipping.isByList);
 }
@@ -72,7 +72,7 @@ TEST(TranslationConstraints, ShortenTheStepToTheList) {
     CandidateStep step = test::stepBy(context, Vec3(2, 0, 0));
     TranslationConstraints constraints;
     ASSERT_TRUE(constraints.solve(context, step));
-    EXPECT_TRUE(context.horizon.coversPosition(context.state.pose.position + step.shift, test::kMargin));
+    EXPECT_TRUE(context.horizon.coversPosition(context.scene.pose.position + step.shift, test::kMargin));
     EXPECT_NEAR(step.shift.x(), 0.9 * 0.95 * 0.5, 0.001);
     EXPECT_TRUE(step.clipping.isClipped);
     EXPECT_TRUE(step.clipping.isByList);
@@ -95,7 +95,7 @@ TEST(TranslationConstraints, HaveNoStepBetweenPlanesThatCloseOnEachOther) {
 
 TEST(TranslationConstraints, AlwaysAllowToStayWithoutRotation) {
     ProxyContext context = overFloor();
-    context.state.margin = 2 * kHeight;  // the tool stands nearer than the margin
+    context.scene.margin = 2 * kHeight;  // the tool stands nearer than the margin
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));
     TranslationConstraints constraints;
     constraints.add(context, step, floorPair(context));
@@ -107,7 +107,7 @@ TEST(TranslationConstraints, AlwaysAllowToStayWithoutRotation) {
 
 TEST(TranslationConstraints, AreStationaryIfTheActivePlanesLeaveNoWay) {
     ProxyContext context = overFloor();
-    context.state.pose = test::poseAt(0, 0, test::kMargin);
+    context.scene.pose = test::poseAt(0, 0, test::kMargin);
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));
     TranslationConstraints constraints;
     constraints.add(context, step, floorPair(context));
@@ -122,7 +122,7 @@ TEST(TranslationConstraints, AreStationaryIfTheActivePlanesLeaveNoWay) {
 
 TEST(TranslationConstraints, StoreTheActivePairsAsContacts) {
     ProxyContext context = overFloor();
-    context.state.pose = test::poseAt(0, 0, test::kMargin);
+    context.scene.pose = test::poseAt(0, 0, test::kMargin);
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));
     TranslationConstraints constraints;
     const WatchedPair pair = floorPair(context);
@@ -136,7 +136,7 @@ TEST(TranslationConstraints, StoreTheActivePairsAsContacts) {
     EXPECT_EQ(result.contacts[0].tooth, pair.pair.tooth);
     EXPECT_NEAR(result.contacts[0].normal.z(), 1, 1e-9);
     EXPECT_NEAR(result.contacts[0].point.z(), test::kMargin, 1e-9) << "the lowest corner of the tool's triangle";
-    EXPECT_NEAR(result.contacts[0].share, 0.3, 1e-5);
+    EXPECT_NEAR(result.contacts[0].multiplier, 0.3, 1e-5);
 }
 
 TEST(TranslationConstraints, RestartWithTheContactsOfTheIterationBefore) {
@@ -154,12 +154,12 @@ TEST(TranslationConstraints, RestartWithTheContactsOfTheIterationBefore) {
 
 TEST(TranslationConstraints, PredictTheShiftThatTheContactsAllow) {
     ProxyContext context = overFloor();
-    context.state.pose = test::poseAt(0, 0, 0);
+    context.scene.pose = test::poseAt(0, 0, 0);
     const CandidateStep step = test::stepBy(context, Vec3(0.1, 0.2, -0.3));
     double turn = 0.5;
     TranslationConstraints constraints;
     EXPECT_EQ(constraints.predictShift(context, step, turn), Vec3(0.1, 0.2, -0.3));
-    context.state.pose = test::poseAt(0, 0, kHeight);
+    context.scene.pose = test::poseAt(0, 0, kHeight);
     const CandidateStep down = test::stepBy(context, Vec3(0.1, 0.2, -0.3));
     context.contacts.pairs[0] = floorPair(context);
     context.contacts.count = 1;
@@ -170,13 +170,13 @@ TEST(TranslationConstraints, PredictTheShiftThatTheContactsAllow) {
 TEST(TranslationConstraints, WarmStartWithTheInactivePairsThatTheIterationMet) {
     // One triangle whose lowest corner stands on a large one: no other plane separates them.
     ProxyContext context =
-        test::sceneOf(test::oneTriangle({0, 0, 0}, {1, 0, 0.5F}, {0, 1, 0.5F}),
-                      test::oneTriangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}), test::poseAt(0, 0, test::kMargin));
+        test::contextOf(test::oneTriangle({0, 0, 0}, {1, 0, 0.5F}, {0, 1, 0.5F}),
+                        test::oneTriangle({-9, -9, 0}, {9, -9, 0}, {0, 9, 0}), test::poseAt(0, 0, test::kMargin));
     test::listAround(context, 0.5);
     const Pose goal = test::poseAt(0, 0, -0.3);
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));
     TranslationConstraints constraints;
-    WatchedPair pair = context.planes.watch(context.state, {0, 0, 0}, Vec3::Zero());
+    WatchedPair pair = context.planes.watch(context.scene, {0, 0, 0}, Vec3::Zero());
     ASSERT_TRUE(context.ensurePlane(pair));
     constraints.add(context, step, pair);
     WatchedPair other = pair;

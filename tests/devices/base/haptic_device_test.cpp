@@ -29,7 +29,7 @@ static_assert(kTakesOnlySafeWrenches<ScriptedDevice>);
 static_assert(!std::is_copy_constructible_v<HapticDevice> && !std::is_copy_assignable_v<HapticDevice>);
 static_assert(std::has_virtual_destructor_v<HapticDevice>);
 
-TEST(HapticDevice, EveryDeviceOpensTellsWhatItIsAndIsConnected) {
+TEST(HapticDevice, EveryDeviceOpensDescribesItselfAndIsConnected) {
     MouseDevice mouse{Pose{}};
     NullDevice none{Pose{}};
     ScriptedDevice script(std::vector<DeviceKeyframe>{{0, {}}});

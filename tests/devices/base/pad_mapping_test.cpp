@@ -9,7 +9,7 @@
 namespace tactooth {
 namespace {
 
-TEST(PadMapping, AStickHasSlackAroundItsMiddle) {
+TEST(PadMapping, AStickHasADeadZoneAroundItsMiddle) {
     EXPECT_EQ(applyStickDeadZone({0.14, 0})[0], 0);
     EXPECT_EQ(applyStickDeadZone({-0.1, 0.1})[1], 0);
     EXPECT_GT(applyStickDeadZone({0.16, 0})[0], 0);
@@ -20,8 +20,8 @@ TEST(PadMapping, AStickHasSlackAroundItsMiddle) {
 
 TEST(PadMapping, AStickKeepsItsDirectionAndIsNeverFasterThanItsEnd) {
     for (double angle = 0; angle < 6.28; angle += 0.1) {
-        for (const double way : {0.3, 0.8, 1.0, 1.41}) {
-            const auto value = applyStickDeadZone({way * std::cos(angle), way * std::sin(angle)});
+        for (const double deflection : {0.3, 0.8, 1.0, 1.41}) {
+            const auto value = applyStickDeadZone({deflection * std::cos(angle), deflection * std::sin(angle)});
             EXPECT_NEAR(std::atan2(value[1], value[0]), std::remainder(angle, 2 * M_PI), 1e-9);
             EXPECT_LE(std::hypot(value[0], value[1]), 1 + 1e-12);
         }
@@ -29,10 +29,10 @@ TEST(PadMapping, AStickKeepsItsDirectionAndIsNeverFasterThanItsEnd) {
 }
 
 TEST(PadMapping, AStickIsFineNearItsMiddle) {
-    EXPECT_LT(applyStickDeadZone({0.575, 0})[0], 0.35) << "half the way beyond the slack";
+    EXPECT_LT(applyStickDeadZone({0.575, 0})[0], 0.35) << "half of the travel beyond the dead zone";
 }
 
-TEST(PadMapping, ATriggerGoesFromItsSlackToItsEnd) {
+TEST(PadMapping, ATriggerGoesFromItsDeadZoneToItsEnd) {
     EXPECT_EQ(applyTriggerDeadZone(-1), 0);
     EXPECT_EQ(applyTriggerDeadZone(0.03), 0);
     EXPECT_NEAR(applyTriggerDeadZone(0.52), 0.5, 1e-12);

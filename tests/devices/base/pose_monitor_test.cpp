@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 constexpr double kTick = 0.001;  // s
 
-TEST(PoseMonitor, AHandWithoutAFaultIsNoTrouble) {
+TEST(PoseMonitor, AValidPoseIsNoFault) {
     PoseMonitor monitor;
     for (int i = 0; i < 1000; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_EQ(monitor.faultMessage(), nullptr);
@@ -30,7 +30,7 @@ TEST(PoseMonitor, AFaultIsSaidForThreeSecondsAndTheNewestOne) {
     for (int i = 0; i < 2990; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_NE(monitor.faultMessage(), nullptr);
     monitor.update(PoseFault::NotANumber, kTick);
-    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("is no number"));
+    EXPECT_THAT(monitor.faultMessage()->in(Language::English), HasSubstr("is not a number"));
     for (int i = 0; i < 3010; ++i) monitor.update(PoseFault::None, kTick);
     EXPECT_EQ(monitor.faultMessage(), nullptr);
 }

@@ -58,10 +58,10 @@ TEST(WorkspaceFit, EveryPresetReachesTheCornersOfADentalArch) {
     }
 }
 
-TEST(WorkspaceFit, TheEndOfTheRoomIsNearOneOfItsSidesOrOutside) {
+TEST(WorkspaceFit, TheLimitIsNearASideOfTheWorkspaceOrOutside) {
     DeviceInfo device;
     device.workspace = Vec3(160, 70, 120);
-    EXPECT_FALSE(isNearWorkspaceLimit(device, Vec3(500, 0, 0), 2)) << "where its room is, is not known";
+    EXPECT_FALSE(isNearWorkspaceLimit(device, Vec3(500, 0, 0), 2)) << "the position of its workspace is not known";
     device.workspaceCentre = Vec3(10, 0, 100);
     EXPECT_FALSE(isNearWorkspaceLimit(device, Vec3(10, 0, 100), 2));
     EXPECT_FALSE(isNearWorkspaceLimit(device, Vec3(87.9, 0, 100), 2));

@@ -41,7 +41,7 @@ std::string openError(const std::string& name, const std::string& address) {
     return opened ? "" : opened.error().message();
 }
 
-TEST(HaplyDevice, TellsWhatTheDeviceIs) {
+TEST(HaplyDevice, DescribesTheDevice) {
     StandinHaply service;
     HaplyDevice device("", service.address());
     ASSERT_TRUE(device.open());
@@ -69,8 +69,8 @@ TEST(HaplyDevice, TouchesAPlaneAndStops) {
         const PlaneServo servo(device);
         // Hand (0.5 N/mm) and wall (0.4 N/mm) act in series over 4 mm. If the machine stalls, the device releases its
         // force, which returns only after the tool has lifted off.
-        const auto isFelt = [&] { return std::abs(service.force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
-        EXPECT_TRUE(soon([&] { return lean(service) && soon(isFelt, 2s); }));
+        const auto isPressed = [&] { return std::abs(service.force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
+        EXPECT_TRUE(soon([&] { return lean(service) && soon(isPressed, 2s); }));
         service.setGrip({1, 0, 0, 0}, 5);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 5; }));
         EXPECT_EQ(device.faultMessage(), nullptr);
@@ -104,7 +104,7 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
     EXPECT_THAT(openError("", service.address()), HasSubstr("finds no Inverse3"));
     service.setFirstMessage("");
     service.setFault(HaplyFault::Malformed);
-    EXPECT_THAT(openError("", service.address()), HasSubstr("what is no message"));
+    EXPECT_THAT(openError("", service.address()), HasSubstr("messages that cannot be read"));
     service.setFault(HaplyFault::Version);
     EXPECT_THAT(openError("", service.address()), HasSubstr("install version 3"));
     service.setFault(HaplyFault::Units);
@@ -167,19 +167,19 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Fault{HaplyFault::Drop, "Drop", "has closed the connection", true},
                       Fault{HaplyFault::Slow, "Slow", "answers too slowly", true},
                       Fault{HaplyFault::Mute, "Mute", "The Haply Inverse Service", true},
-                      Fault{HaplyFault::Malformed, "Malformed", "what is no message", true},
+                      Fault{HaplyFault::Malformed, "Malformed", "messages that cannot be read", true},
                       Fault{HaplyFault::Version, "Version", "install version 3", true},
                       Fault{HaplyFault::Units, "Units", "not in metres", true},
                       Fault{HaplyFault::Gone, "Gone", "is gone", true},
-                      Fault{HaplyFault::NotANumber, "NoNumber", "does not know where it is", false},
+                      Fault{HaplyFault::NotANumber, "NoNumber", "has lost its position", false},
                       Fault{HaplyFault::Jump, "Jump", "has jumped", false},
                       Fault{HaplyFault::Double, "Double", "sends more answers", true},
                       Fault{HaplyFault::Twenty, "Twenty", "sends more answers", true},
                       Fault{HaplyFault::Flood, "Flood", "sends more answers", true},
-                      Fault{HaplyFault::InvalidRotation, "BrokenTurn", "a direction that is none", false},
-                      Fault{HaplyFault::FlippingTurn, "FlippingTurn", "direction has jumped", false},
-                      Fault{HaplyFault::Jitter, "Jitter", "place has jumped", false},
-                      Fault{HaplyFault::Drift, "Drift", "place has jumped", false},
+                      Fault{HaplyFault::InvalidRotation, "BrokenTurn", "an orientation that is not valid", false},
+                      Fault{HaplyFault::FlippingTurn, "FlippingTurn", "orientation has jumped", false},
+                      Fault{HaplyFault::Jitter, "Jitter", "position has jumped", false},
+                      Fault{HaplyFault::Drift, "Drift", "position has jumped", false},
                       Fault{HaplyFault::NoPower, "NoPower", "plug in its power supply", false},
                       Fault{HaplyFault::NotCalibrated, "NotCalibrated", "is not calibrated", false},
                       Fault{HaplyFault::NotReady, "NotReady", "is not ready", false}),
@@ -225,7 +225,7 @@ TEST(HaplyDevice, AGripThatIsGoneKeepsItsDirection) {
     EXPECT_TRUE(sample.connected);
 }
 
-TEST(HaplyDevice, ATroubleThatIsOverIsNotShownForEver) {
+TEST(HaplyDevice, AFaultThatIsOverIsNotShownForEver) {
     StandinHaply service;
     HaplyDevice device("", service.address());
     ASSERT_TRUE(device.open());

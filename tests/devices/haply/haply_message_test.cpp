@@ -77,7 +77,7 @@ TEST(HaplyMessage, TheGripTurnsTheHandAndPressesItsButtons) {
     EXPECT_EQ(readingOf(messageWith(kMiddle, "{}", numbered)).buttons, 2U);
 }
 
-TEST(HaplyMessage, AGripThatTellsNoRotationTurnsNothing) {
+TEST(HaplyMessage, AGripThatReportsNoRotationTurnsNothing) {
     for (const char* const state :
          {R"({"orientation":7})", R"({"orientation":null})", R"({"orientation":[1,0,0,0]})", "{}", "7"}) {
         const std::string grip = std::string(R"({"device_id":"61576","state":)") + state + "}";
@@ -97,7 +97,7 @@ TEST(HaplyMessage, FourNumbersThatAreNoTurnAreAFaultAndNotAnotherTurn) {
         const HaplyReading reading = readingOf(messageWith(kMiddle, "{}", grip));
         EXPECT_FALSE(reading.usable) << turn;
         ASSERT_NE(reading.faultMessage, nullptr);
-        EXPECT_THAT(reading.faultMessage->in(Language::English), HasSubstr("a direction that is none"));
+        EXPECT_THAT(reading.faultMessage->in(Language::English), HasSubstr("an orientation that is not valid"));
     }
     const std::string rounded = R"({"device_id":"61576","state":{"orientation":{"w":0.7,"x":0.71,"y":0.0,"z":0.04}}})";
     EXPECT_TRUE(readingOf(messageWith(kMiddle, "{}", rounded)).hasTurn) << "text may be rounded";
@@ -113,16 +113,16 @@ TEST(HaplyMessage, EachStateThatKeepsItFromWorkingHasItsSentence) {
     expectFault(messageWith(kMiddle, R"({"power_supply":false})"), "plug in its power supply", false);
     expectFault(messageWith(kMiddle, R"({"calibrated":false})"), "rest position until its light", false);
     expectFault(messageWith(kMiddle, R"({"ready":false})"), "is not ready", false);
-    expectFault(messageWith(R"({"x":null,"y":0,"z":0})"), "does not know where it is", false);
-    expectFault(messageWith(R"({"x":0,"y":0})"), "does not know where it is", false);
+    expectFault(messageWith(R"({"x":null,"y":0,"z":0})"), "has lost its position", false);
+    expectFault(messageWith(R"({"x":0,"y":0})"), "has lost its position", false);
     expectFault(messageWith(kMiddle, "{}", R"({"device_id":"61576","status":{"awake":false}})"),
                 "press one of its buttons", true);
 }
 
 TEST(HaplyMessage, WhatCannotBeMeantIsRefusedWithItsSentence) {
-    EXPECT_THAT(errorOf(R"({"inverse3":[{"device_)"), HasSubstr("what is no message"));
-    EXPECT_THAT(errorOf("[1,2]"), HasSubstr("what is no message"));
-    EXPECT_THAT(errorOf(messageWith(R"({"x":NaN,"y":0,"z":0})")), HasSubstr("what is no message"));
+    EXPECT_THAT(errorOf(R"({"inverse3":[{"device_)"), HasSubstr("messages that cannot be read"));
+    EXPECT_THAT(errorOf("[1,2]"), HasSubstr("messages that cannot be read"));
+    EXPECT_THAT(errorOf(messageWith(R"({"x":NaN,"y":0,"z":0})")), HasSubstr("messages that cannot be read"));
     EXPECT_THAT(errorOf(R"({"devices":[]})"), HasSubstr("install version 3"));
     EXPECT_THAT(errorOf(R"({"version":"2.1.0","inverse3":[]})"), HasSubstr("install version 3"));
     EXPECT_THAT(errorOf(messageWith("[0.1,0.2,0.3]")), HasSubstr("install version 3"));

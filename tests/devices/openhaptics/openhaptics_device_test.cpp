@@ -66,7 +66,7 @@ private:
     PenFolder noPens_{{}};  // hides the pens that are configured on this machine
 };
 
-TEST_F(OpenHaptics, TellsWhatTheDeviceIs) {
+TEST_F(OpenHaptics, DescribesTheDevice) {
     OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(device.open());
     EXPECT_EQ(device.info().name, "Touch (stand-in)");
@@ -88,8 +88,8 @@ TEST_F(OpenHaptics, TouchesAPlaneAndStops) {
         const Servo servo(device);
         // Hand (0.5 N/mm) and wall (0.4 N/mm) act in series over 4 mm. If the machine stalls, the device releases its
         // force, which returns only after the tool has lifted off.
-        const auto isFelt = [] { return std::abs(force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
-        EXPECT_TRUE(soon([&] { return lean() && soon(isFelt, 2s); }));
+        const auto isPressed = [] { return std::abs(force() - 4 / (1 / 0.5 + 1 / 0.4)) < 0.15; };
+        EXPECT_TRUE(soon([&] { return lean() && soon(isPressed, 2s); }));
         standin().setButtons(3);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 3; }));
         EXPECT_EQ(device.faultMessage(), nullptr);
@@ -112,7 +112,7 @@ TEST_F(OpenHaptics, EachFailureToStartHasItsSentence) {
     EXPECT_EQ(openError(), "") << "and after that it starts";
 }
 
-TEST_F(OpenHaptics, ANameThatIsNotSetUpIsToldFromAPenThatDoesNotAnswer) {
+TEST_F(OpenHaptics, ANameThatIsNotSetUpIsDistinguishedFromAPenThatDoesNotAnswer) {
     const PenFolder pens({"Left", "Right"});
     const auto isUnknown = HasSubstr("choose one that is set up (Left, Right)");
     EXPECT_THAT(openError("left"), isUnknown);
@@ -237,12 +237,12 @@ TEST_P(OpenHapticsPoses, ThatNoHandCanHaveGiveNoForceAndASentenceAndThePenComesB
 }
 
 INSTANTIATE_TEST_SUITE_P(All, OpenHapticsPoses,
-                         ::testing::Values(BadPose{HdFault::NanPose, "NoNumber", "is no number"},
-                                           BadPose{HdFault::Jump, "Jump", "place has jumped"},
-                                           BadPose{HdFault::Jitter, "Jitter", "place has jumped"},
-                                           BadPose{HdFault::Drift, "Drift", "place has jumped"},
-                                           BadPose{HdFault::BentAxes, "BentAxes", "a direction that is none"},
-                                           BadPose{HdFault::FlippingTurn, "FlippingTurn", "direction has jumped"}),
+                         ::testing::Values(BadPose{HdFault::NanPose, "NoNumber", "is not a number"},
+                                           BadPose{HdFault::Jump, "Jump", "position has jumped"},
+                                           BadPose{HdFault::Jitter, "Jitter", "position has jumped"},
+                                           BadPose{HdFault::Drift, "Drift", "position has jumped"},
+                                           BadPose{HdFault::BentAxes, "BentAxes", "an orientation that is not valid"},
+                                           BadPose{HdFault::FlippingTurn, "FlippingTurn", "orientation has jumped"}),
                          [](const auto& one) { return one.param.name; });
 
 TEST_F(OpenHaptics, ADriverThatCallsTwentyTimesTooOftenIsLimpAndComesBack) {
@@ -357,12 +357,12 @@ TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
     standin().setFaultyPen(1);
     set(HdFault::LinkFault);
     EXPECT_TRUE(soonSays(left, "does not answer"));
-    bool felt = true;
+    bool keptForce = true;
     for (int i = 0; i < 250; ++i) {  // in 2.5 s a lost pen would be retried twice
         std::this_thread::sleep_for(10ms);
-        felt &= force() > 0;
+        keptForce &= force() > 0;
     }
-    if (felt) {  // otherwise the machine has stalled, and there was no force to interrupt
+    if (keptForce) {  // otherwise the machine has stalled, and there was no force to interrupt
         EXPECT_EQ(standin().schedulerStarts(), before);
     }
     EXPECT_TRUE(lean());

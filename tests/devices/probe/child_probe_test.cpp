@@ -110,7 +110,7 @@ struct Ending {
 
 class LibraryEndings : public ::testing::TestWithParam<Ending> {};
 
-TEST_P(LibraryEndings, OfAConstructorAreToldForWhatTheyAre) {
+TEST_P(LibraryEndings, OfAConstructorAreReportedAsWhatTheyAre) {
     const test::ScopedVariable how("TACTOOTH_TEST_ENDING", std::string(GetParam().how));
     const auto answer = inChildProcess(
         [] { return std::string(dlopen(TACTOOTH_ENDING_HD, RTLD_NOW) != nullptr ? "loaded" : "not loaded"); },

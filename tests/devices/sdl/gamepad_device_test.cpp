@@ -135,13 +135,13 @@ TEST(GamepadDevice, ACuttingBurRunsTheLightMotor) {
     ASSERT_TRUE(device.open());
     SafetyLimiter limiter = limiterWithoutRamp();
     int tick = 0;
-    const auto shake = [&](const DeviceSample&) {
+    const auto vibrate = [&](const DeviceSample&) {
         const Vec3 force(0.06 * std::sin(1.3 * ++tick), 0, 1.5);
         device.write(limiter.limit({force, Vec3::Zero()}, kTick, true, 0));
     };
     EXPECT_TRUE(playUntil(
         device, [&](const DeviceSample&) { return tick > 200 && pad.quickMotor() > 0.3 && pad.slowMotor() > 0.4; },
-        shake));
+        vibrate));
 }
 
 TEST(GamepadDevice, ASilentServoMeansASilentPad) {

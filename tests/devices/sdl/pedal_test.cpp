@@ -49,7 +49,7 @@ TEST(Pedal, AnAxisGoesBetweenItsTwoEnds) {
     EXPECT_EQ(at(0.9), 0) << "and the other way round";
     EXPECT_EQ(at(0.2), 1);
     choice.down = choice.up;
-    EXPECT_EQ(at(0.5), 0) << "an axis without a way";
+    EXPECT_EQ(at(0.5), 0) << "an axis without travel";
 }
 
 TEST(Pedal, IsFoundByNameAndMissedWhenItIsNotThere) {

@@ -58,7 +58,7 @@ TEST_F(SpaceMouse, ItsAxesAreSpeeds) {
     state.axes = {0, 0, 700, 0, 0, 0};
     EXPECT_NEAR(rateCommand(state).speed.y(), 25, 1e-9) << "away, and never faster";
     state.axes = {10, -10, 17, 10, 10, 10};
-    EXPECT_EQ(rateCommand(state).speed, Vec3::Zero()) << "slack";
+    EXPECT_EQ(rateCommand(state).speed, Vec3::Zero()) << "dead zone";
     EXPECT_EQ(rateCommand(state).turn, Vec3::Zero());
     state.axes = {0, 0, 0, 0, 350, 0};
     EXPECT_NEAR(rateCommand(state).turn.z(), 1.2, 1e-9) << "turned about the upright";

@@ -79,7 +79,7 @@ private:
         wanted.wrench.force = Vec3(0, 0, kWallStiffness * wanted.deflection);
         const SafeWrench sent = pipeline_.pass(wanted, elapsed);
         device_.write(sent);
-        device_.judge(pipeline_.fault(), elapsed);
+        device_.recordPoseFault(pipeline_.fault(), elapsed);
         strongest_ = std::max(strongest_.load(), sent.force().norm());
         if (!sent.force().isZero(0)) oldestWithForce_ = std::max(oldestWithForce_.load(), sample.age);
         state_ = pipeline_.state();

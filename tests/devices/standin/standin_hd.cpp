@@ -326,8 +326,8 @@ void hdGetDoublev(std::uint32_t what, double* out) {
                         : fault == HdFault::WarmMotors ? 0.95
                                                        : 0.1;
     if (what == 0x2605) std::fill(out, out + 3, heat);
-    constexpr std::array<double, 6> kRoom = {-80, -55, -30, 80, 65, 40};
-    if (what == 0x2551) std::copy(kRoom.begin(), kRoom.end(), out);
+    constexpr std::array<double, 6> kUsableWorkspace = {-80, -55, -30, 80, 65, 40};
+    if (what == 0x2551) std::copy(kUsableWorkspace.begin(), kUsableWorkspace.end(), out);
 }
 
 void hdSetDoublev(std::uint32_t what, const double* in) {

@@ -45,12 +45,12 @@ public:
     }
     /// If the machine stalls, the device releases its force, which returns only after the tool has lifted off.
     bool lean(const HdStandinControl& pen) {
-        const auto isFelt = [&] { return pen.forceOf(0) > 0.3; };
+        const auto isPressed = [&] { return pen.forceOf(0) > 0.3; };
         for (int i = 0; i < 20; ++i) {
             pen.wantPosition(0, 5, 0);
             (void)runUntil([] { return false; }, 0.2);
             pen.wantPosition(0, -6, 0);
-            if (runUntil(isFelt, 1)) return true;
+            if (runUntil(isPressed, 1)) return true;
         }
         return false;
     }
@@ -101,10 +101,10 @@ void leanAndLose(const std::string& library, const HdStandinControl& pen) {
     PlaneServo servo(device);
     pen.wantPosition(0, 5, 0);
     expect(servo.runUntil([&] { return device.read(0).hand.position.z() > 4; }), "its hand is read");
-    expect(servo.lean(pen), "the plane is felt");
+    expect(servo.lean(pen), "the plane gives a force");
     pen.setButtons(3);
     expect(servo.runUntil([&] { return device.read(0).buttons == 3; }), "both buttons are read");
-    expect(servo.lean(pen), "it is felt again");
+    expect(servo.lean(pen), "it gives a force again");
     pen.setFault(static_cast<int>(HdFault::LinkFault));
     expect(servo.runUntil([&] { return says(device, "check its cable") && pen.forceOf(0) == 0; }), "a loss is said");
     expect(pen.lastForceSinceFault() <= 3, "the force ended within two ticks");

@@ -76,7 +76,9 @@ TEST(FileTransaction, WhereOneNameFailsTheOthersAreTakenBack) {
             if (i == failing) continue;
             const bool wasThere = names[i].starts_with("old");
             EXPECT_EQ(fs::exists(folder / names[i]), wasThere) << names[i];
-            if (wasThere) EXPECT_EQ(contentOf(folder / names[i]), "old");
+            if (wasThere) {
+                EXPECT_EQ(contentOf(folder / names[i]), "old");
+            }
         }
         EXPECT_EQ(entriesIn(folder.path()), failing == 1 || failing == 3 ? 2U : 3U) << "no backup is left";
     }

@@ -102,7 +102,7 @@ TEST_F(SoundPreset, NamesNoFileOutsideItsFolder) {
     EXPECT_EQ(refused("inside.wav"), "accepted");
 }
 
-TEST_F(SoundPreset, TellsWhereARecordingThatCannotBeUsedIsNamed) {
+TEST_F(SoundPreset, NamesTheLineOfARecordingThatCannotBeUsed) {
     test::writeText(folder_ / "sounds/bad.wav", "RIFF");
     EXPECT_THAT(refusal("[water]\n\nfile = \"sounds/none.wav\"\n"), HasSubstr("school.toml, line 3: "));
     EXPECT_THAT(refusal("[water]\n\nfile = \"sounds/none.wav\"\n"), HasSubstr("none.wav: there is no such file"));

@@ -65,7 +65,7 @@ TEST(SoundProfile, NoneCutsNothingAndSoundsLikeWhatComesNext) {
     EXPECT_EQ((*track)[1].state.material.bandCentreHz, soundCharacterOf("caries").bandCentreHz);
 }
 
-TEST(SoundProfile, EachReturnToAMaterialIsALanding) {
+TEST(SoundProfile, EachReturnToAMaterialIsAnImpact) {
     const auto track = read("0,0,0,none\n1,0,0,enamel\n2,0,0,dentin\n3,0,0,none\n4,0,0,enamel\n");
     ASSERT_TRUE(track);
     std::vector<std::uint32_t> counts;

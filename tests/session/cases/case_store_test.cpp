@@ -141,7 +141,7 @@ TEST(CaseStore, GarbageIsNoArchive) {
     EXPECT_EQ(store.error().message().rfind("garbage.ttcase: this is no zip archive", 0), 0u);
 }
 
-TEST(CaseStore, CasesAreToldByName) {
+TEST(CaseStore, CasesAreRecognisedByName) {
     const test::TemporaryFolder folder;
     EXPECT_TRUE(isCase("mouth.ttcase"));
     EXPECT_TRUE(isCase("somewhere/case.toml"));

@@ -38,7 +38,7 @@ TEST(EntryName, OnlyWhatLeadsOutPointsOut) {
     EXPECT_EQ(entryName("a/").fault, EntryFault::NoFile);
 }
 
-TEST(EntryName, ForeignFilesAreToldByTheirNames) {
+TEST(EntryName, ForeignFilesAreRecognisedByTheirNames) {
     for (const char* const name : {"._36.stl", ".DS_Store", "Thumbs.db", "thumbs.DB", "desktop.ini", "Desktop.ini",
                                    "__MACOSX", ".hidden", "Icon\r"}) {
         EXPECT_TRUE(isSystemFile(name)) << name;

@@ -77,7 +77,7 @@ TEST_P(AnyPacker, MakesAnArchiveThatOpens) {
     EXPECT_TRUE(opened) << GetParam().name << ": " << opened.error().message();
 }
 
-TEST(ThirdPartyCase, WhatCannotBeANameIsToldTruly) {
+TEST(ThirdPartyCase, WhatCannotBeANameIsRefusedByItsReason) {
     const auto reason = [](const std::string& name) {
         const auto bytes = archiveWith(name);
         const auto store = CaseStore::openArchive(bytes, "x.ttcase");

@@ -25,21 +25,21 @@ void expectNear(const Pose& a, const Pose& b) {
     EXPECT_LT(a.rotation.angularDistance(b.rotation), 1e-7);
 }
 
-TEST(DeviceMapping, WithoutASeatToolAndHandAreTheSame) {
+TEST(DeviceMapping, WithoutARegistrationToolAndDeviceAreTheSame) {
     DeviceMapping frame;
     const Pose hand = at(0.1, 0.2, 0.3, 0.4);
     EXPECT_EQ(frame.toolFor(hand).position, hand.position);
     EXPECT_EQ(frame.toolFor(hand).rotation.coeffs(), hand.rotation.coeffs());
 }
 
-TEST(DeviceMapping, ASeatedHandTakesTheToolWhereItIs) {
+TEST(DeviceMapping, ARegisteredDeviceTakesTheToolWhereItIs) {
     DeviceMapping frame(quarterTurnRegistration());
     expectNear(frame.toolFor(at(100, 50, -30, 0.7)), at(1, 2, 3));
     expectNear(frame.toolFor(at(101, 50, -30, 0.7)), at(1, 3, 3));
     expectNear(frame.toolFor(at(101, 50, -30, 1.7)), at(1, 3, 3, 1));
 }
 
-TEST(DeviceMapping, ASeatWithAPlaceForTheHandPutsTheToolWhereTheHandIs) {
+TEST(DeviceMapping, ARegistrationWithADevicePositionPutsTheToolThere) {
     DeviceRegistration registration = quarterTurnRegistration();
     registration.hand = Vec3(100, 50, -30);
     DeviceMapping frame(registration);
@@ -54,9 +54,9 @@ TEST(DeviceMapping, ASeatWithAPlaceForTheHandPutsTheToolWhereTheHandIs) {
 TEST(DeviceMapping, AForceOnTheToolComesBackInTheHandsFrame) {
     DeviceMapping frame(quarterTurnRegistration());
     (void)frame.toolFor(at(0, 0, 0));
-    const Wrench hapticSurface = frame.toDevice({Vec3(0, 1, 2), Vec3(0, 3, 0)});
-    EXPECT_LT((hapticSurface.force - Vec3(1, 0, 2)).norm(), kRounding);
-    EXPECT_LT((hapticSurface.torque - Vec3(3, 0, 0)).norm(), kRounding);
+    const Wrench onDevice = frame.toDevice({Vec3(0, 1, 2), Vec3(0, 3, 0)});
+    EXPECT_LT((onDevice.force - Vec3(1, 0, 2)).norm(), kRounding);
+    EXPECT_LT((onDevice.torque - Vec3(3, 0, 0)).norm(), kRounding);
 }
 
 TEST(DeviceMapping, FineWorkMovesTheToolAThirdOfTheWayFromWhereItWas) {

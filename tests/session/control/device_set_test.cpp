@@ -50,7 +50,7 @@ public:
         force = wrench.force();
     }
 
-    void setRoom(const Vec3& size, const Vec3& workspaceCentre) {
+    void setWorkspace(const Vec3& size, const Vec3& workspaceCentre) {
         info_.workspace = size;
         info_.workspaceCentre = workspaceCentre;
     }
@@ -135,9 +135,9 @@ TEST(DeviceSet, EachOfTwoMovesItsOwnInstrument) {
     EXPECT_EQ(rig.hands.mirror().position, Vec3(0, 2, 0));
 }
 
-TEST(DeviceSet, EitherIsTellingWhenItIsAtTheEndOfItsRoomAndNotWhileTheClutchIsHeld) {
+TEST(DeviceSet, ReportsTheWorkspaceLimitOfEitherUnlessTheClutchIsHeld) {
     Rig rig;
-    rig.second.setRoom(Vec3(100, 100, 100), Vec3(30, 40, 50));
+    rig.second.setWorkspace(Vec3(100, 100, 100), Vec3(30, 40, 50));
     const auto isAtWorkspaceLimit = [&rig](double x) {
         rig.second.sample.hand.position.x() = x;
         rig.run(1);
@@ -145,7 +145,7 @@ TEST(DeviceSet, EitherIsTellingWhenItIsAtTheEndOfItsRoomAndNotWhileTheClutchIsHe
     };
     EXPECT_FALSE(isAtWorkspaceLimit(77));
     EXPECT_TRUE(isAtWorkspaceLimit(79));
-    EXPECT_TRUE(isAtWorkspaceLimit(77)) << "it has to come back a little, so that a trembling hand is told once";
+    EXPECT_TRUE(isAtWorkspaceLimit(77)) << "it has to come back a little, so that a trembling hand is reported once";
     EXPECT_FALSE(isAtWorkspaceLimit(70));
     EXPECT_TRUE(isAtWorkspaceLimit(79));
     rig.second.sample.buttons = kClutch;
@@ -156,7 +156,7 @@ TEST(DeviceSet, EitherIsTellingWhenItIsAtTheEndOfItsRoomAndNotWhileTheClutchIsHe
     EXPECT_FALSE(isAtWorkspaceLimit(79));
 }
 
-TEST(DeviceSet, ASeatTurnsTheMirrorAsItTurnsTheTool) {
+TEST(DeviceSet, ARegistrationRotatesTheMirrorAsItRotatesTheTool) {
     const Quat quarter(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
     Rig rig(true, DeviceRegistration{at(0, 0, 5), quarter});
     rig.run(1);
@@ -284,7 +284,7 @@ TEST(DeviceSet, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {
 /// A setting that is switched while the device presses.
 struct Switch {
     const char* name;
-    bool isFelt;  ///< whether it changes the force
+    bool changesForce;
     std::function<void(Rig&)> flip;
 };
 
@@ -301,7 +301,7 @@ TEST_P(SwitchMidPress, ChangesTheForceByNoMoreThanThreeTenthsOfANewtonAMilliseco
         rig.run(7 + 40 * i);
     }
     EXPECT_LE(rig.first.worstStep, kMaxStep + 1e-9);
-    if (GetParam().isFelt) {
+    if (GetParam().changesForce) {
         EXPECT_GT(rig.first.worstStep, 0.01);
     }
     EXPECT_LE(rig.second.worstStep, kMaxStep + 1e-9);
@@ -314,7 +314,7 @@ INSTANTIATE_TEST_SUITE_P(
         Switch{"CutByButton", true, [](Rig& rig) { rig.click(rig.first, kCut); }},
         Switch{"TurbineAndMirror", true, [](Rig& rig) { rig.click(rig.first, kSwap); }},
         Switch{"Clutch", true, [](Rig& rig) { rig.first.sample.buttons ^= kClutch; }},
-        Switch{"Fineness", false, [](Rig& rig) { rig.controls.motionScaling = 4 - rig.controls.motionScaling; }},
+        Switch{"MotionScaling", false, [](Rig& rig) { rig.controls.motionScaling = 4 - rig.controls.motionScaling; }},
         Switch{"ForceOff", true, [](Rig& rig) { rig.enabled = !rig.enabled; }},
         Switch{"ForceScale", true, [](Rig& rig) { rig.simulation.force().setScale(rig.scale = 1.3 - rig.scale); }},
         Switch{"Spring", true,

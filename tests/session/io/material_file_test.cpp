@@ -45,6 +45,43 @@ TEST(MaterialFile, TheProgramsTextGivesTheMaterialsThatAreBuiltIn) {
     EXPECT_EQ((*registry)->definitions(), builtinMaterials().definitions());
 }
 
+/// A key that a block leaves out would show what was there before.
+TEST(MaterialFile, TheProgramsTextGivesEveryKeyOfEachMaterial) {
+    const auto readOver = [](double filled) {
+        std::vector<MaterialDefinition> start = builtinMaterials().definitions();
+        for (MaterialDefinition& one : start) {
+            for (const MaterialNumberKey& key : materialNumberKeys()) key.set(one.numbers, filled);
+            one.numbers.colour.fill(static_cast<float>(filled));
+            one.titleEn = one.titleJa = filled > 0 ? "filled" : "blank";
+        }
+        const auto registry =
+            parseMaterials(defaultMaterialsText(), "data/materials.toml", MaterialRegistry::make(start));
+        EXPECT_TRUE(registry) << registry.error().message();
+        return registry ? (*registry)->definitions() : start;
+    };
+    const std::vector<MaterialDefinition> overBlanks = readOver(0), overOthers = readOver(0.75);
+    ASSERT_EQ(overBlanks.size(), overOthers.size());
+    for (std::size_t i = 0; i < overBlanks.size(); ++i) EXPECT_EQ(overBlanks[i], overOthers[i]) << overBlanks[i].name;
+}
+
+/// Up to the most that a tooth can have; the list of materials grows and moves meanwhile.
+TEST(MaterialFile, AddsAsManyMaterialsAsThereIsRoomFor) {
+    const std::size_t builtin = builtinMaterials().size();
+    for (std::size_t count = 1; builtin + count <= kMaxMaterials; ++count) {
+        std::string text;
+        for (std::size_t i = 0; i < count; ++i) {
+            text += "[filling-" + std::to_string(i) + "]\nstiffness = 0." + std::to_string(100 + i) + "\n";
+        }
+        const MaterialRegistry& all = registryOf(text);
+        ASSERT_EQ(all.size(), builtin + count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto id = all.find("filling-" + std::to_string(i));
+            ASSERT_TRUE(id);
+            EXPECT_DOUBLE_EQ(all[*id].numbers.stiffness, 0.1 + 0.001 * static_cast<double>(i));
+        }
+    }
+}
+
 TEST(MaterialFile, TheDefaultsSoundAsTheSynthesisersOwnCharacters) {
     const MaterialTable table;
     int known = 0;

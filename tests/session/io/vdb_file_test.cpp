@@ -101,7 +101,7 @@ TEST_F(VdbFile, VoxelsLieWhereTheSurfaceIs) {
     std::mt19937 random(7);
     const auto place = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
     int inside = 0;
-    int judged = 0;
+    int checked = 0;
     for (int i = 0; i < 4000; ++i) {
         const openvdb::Coord node(place(-45, 45), place(-45, 45), place(-65, 5));
         const openvdb::Vec3d world = transform.indexToWorld(node);
@@ -116,7 +116,7 @@ TEST_F(VdbFile, VoxelsLieWhereTheSurfaceIs) {
         ASSERT_GE(share, 0);
         ASSERT_LE(share, 1.00001);
         if (nearest < 0.87 * test::kVoxel) continue;
-        ++judged;
+        ++checked;
         const bool isSolid = contains(surface, point);
         inside += isSolid ? 1 : 0;
         ASSERT_NEAR(share, isSolid ? 1 : 0, 1e-5) << point.transpose();
@@ -126,9 +126,9 @@ TEST_F(VdbFile, VoxelsLieWhereTheSurfaceIs) {
             ASSERT_NEAR(read.at("dentin", node), 1, 1e-5) << point.transpose();
         }
     }
-    EXPECT_GT(judged, 3000);
-    EXPECT_GT(inside, judged * 3 / 10);
-    EXPECT_LT(inside, judged * 8 / 10);
+    EXPECT_GT(checked, 3000);
+    EXPECT_GT(inside, checked * 3 / 10);
+    EXPECT_LT(inside, checked * 8 / 10);
 }
 
 TEST_F(VdbFile, AnUncutToothIsWhole) {

@@ -24,7 +24,7 @@ TEST(SessionBur, OfTheCatalogueHasItsNameMaterialAndEdge) {
     EXPECT_TRUE(bur->file.empty());
 }
 
-TEST(SessionBur, IsShownFinerThanItIsFelt) {
+TEST(SessionBur, IsShownFinerThanItIsTouched) {
     const auto bur = makeSessionBur(*findBur("4"));
     ASSERT_TRUE(bur);
     EXPECT_GT(bur->shown->triangles.size(), bur->instrument.shape->mesh().triangles.size());

@@ -72,7 +72,7 @@ TEST(Task, CancellingDropsTheTaskThatWaitsToo) {
     EXPECT_FALSE(second);
 }
 
-TEST(Task, CancellingWhenNothingRunsDoesNotSwallowTheNextResult) {
+TEST(Task, CancellingWhenNothingRunsDoesNotDropTheNextResult) {
     Task<int> task;
     task.cancel();
     task.start([] { return Expected<int>(3); });

@@ -91,7 +91,7 @@ TEST(TickLog, EventsOfTheLossAreReported) {
     record(log, {tickAt(1)});
     ToothLoss loss;
     loss.removed[static_cast<std::size_t>(test::kDentin)] = 1;
-    const std::vector<Tick> ticks{tickAt(2)};
+    std::vector<Tick> ticks{tickAt(2)};
     log.record(ticks, loss);
     ASSERT_EQ(log.events().all().size(), 2U);
     EXPECT_EQ(log.events().all()[1].kind, CutEventKind::DentinReached);

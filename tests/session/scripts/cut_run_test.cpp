@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "session/cut_outcome.h"
-#include "session/io/softened_materials.h"
+#include "session/scripts/softened_materials.h"
 #include "support/materials.h"
 #include "support/shapes.h"
 

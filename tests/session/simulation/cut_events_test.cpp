@@ -32,7 +32,7 @@ ToothLoss gone(double enamel, double dentin, double pulp, std::size_t pieces = 0
     return loss;
 }
 
-TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
+TEST(CutEvents, AreReportedOnceInTheirOrderWithTimeAndPlace) {
     CutEvents events;
     events.update(0.0, tickAt(0.2, 0), gone(0, 0, 0));
     EXPECT_TRUE(events.all().empty());
@@ -50,7 +50,7 @@ TEST(CutEvents, AreToldOnceInTheirOrderWithTimeAndPlace) {
     EXPECT_EQ(cutEventName(events.all()[2].kind), "pulp exposed");
 }
 
-TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
+TEST(CutEvents, WhatWasCutBeforeIsNotReported) {
     CutEvents events;
     events.update(0.0, tickAt(1, 0), gone(1, 1, 1));
     events.update(0.1, tickAt(1, 0), gone(1, 1, 1));
@@ -59,7 +59,7 @@ TEST(CutEvents, WhatWasCutBeforeIsNoNews) {
     EXPECT_EQ(events.all().size(), 2U);
 }
 
-TEST(CutEvents, APieceThatCameLooseIsToldEachTime) {
+TEST(CutEvents, APieceThatCameLooseIsReportedEachTime) {
     CutEvents events;
     events.update(0.0, tickAt(1, 0), gone(1, 0, 0, 2));  // of an earlier session
     events.update(0.1, tickAt(1, 0), gone(2, 0, 0, 3));
@@ -74,7 +74,7 @@ TEST(CutEvents, APieceThatCameLooseIsToldEachTime) {
     EXPECT_EQ(cutEventName(CutEventKind::FragmentReleased), "piece came loose");
 }
 
-TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {
+TEST(CutEvents, WhatIsPutBackAndCutAgainIsNotReportedAgain) {
     CutEvents events;
     events.update(0.0, tickAt(1, 0), gone(5, 1, 0.3));  // an undo comes a moment later
     events.update(0.1, tickAt(1, 0), gone(0, 0, 0));
@@ -86,7 +86,7 @@ TEST(CutEvents, WhatIsPutBackAndCutAgainIsNoNews) {
     EXPECT_EQ(events.all()[2].time, 0.3);
 }
 
-TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
+TEST(CutEvents, ReportEachTouchOfTheSurroundings) {
     CutEvents events;
     Tick tick = tickAt(0, 1);
     const auto update = [&](double time, std::optional<MaterialId> around) {
@@ -100,17 +100,17 @@ TEST(CutEvents, TellEachTouchOfWhatStandsAround) {
     update(0.4, test::kOther);
     update(0.9, {});
     update(1.0, test::kEnamel);
-    std::vector<std::pair<CutEventKind, double>> told;
-    for (const CutEvent& event : events.all()) told.emplace_back(event.kind, event.time);
+    std::vector<std::pair<CutEventKind, double>> found;
+    for (const CutEvent& event : events.all()) found.emplace_back(event.kind, event.time);
     const std::vector<std::pair<CutEventKind, double>> expected = {{CutEventKind::FirstContact, 0.0},
                                                                    {CutEventKind::NeighbourTouched, 0.1},
                                                                    {CutEventKind::GingivaTouched, 0.4},
                                                                    {CutEventKind::NeighbourTouched, 1.0}};
-    EXPECT_EQ(told, expected);
+    EXPECT_EQ(found, expected);
     EXPECT_EQ(cutEventsCsv(std::span(events.all()).subspan(1, 1)), "t,event,x,y,z\n0.1,neighbour touched,0,0,0\n");
 }
 
-TEST(CutEvents, ACutIntoWhatStandsAroundIsToldOnce) {
+TEST(CutEvents, ACutIntoTheSurroundingsIsReportedOnce) {
     CutEvents events;
     events.update(0.0, tickAt(0, 0), {.beside = 0.3});  // of an earlier session
     events.update(0.1, tickAt(0, 0), {.beside = 0.3});

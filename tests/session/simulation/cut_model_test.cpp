@@ -91,7 +91,7 @@ TEST(CutModel, ResetBringsTheWholeToothBack) {
     piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1));
     piece->refreshSurface();
     EXPECT_NE(piece->hash(), whole);
-    piece->reset();
+    piece->reset(0);
     EXPECT_EQ(piece->hash(), whole);
     EXPECT_EQ(total(piece->removed()), 0);
     EXPECT_TRUE(piece->surface()->patches.empty());
@@ -141,7 +141,7 @@ Surroundings neighbour() {
                                                 std::vector<SurfaceTag>{}, 0)};
 }
 
-TEST(CutModel, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
+TEST(CutModel, BodiesAroundItAreTouchedAndBelongToNoOtherSurface) {
     const auto piece = blockOnTheBench();
     EXPECT_EQ(piece->contactSurface(), piece->surface());
     piece->surroundBy(neighbour());
@@ -154,7 +154,7 @@ TEST(CutModel, BodiesAroundItAreFeltAndBelongToNoOtherSurface) {
     EXPECT_GT(tick.wrench.force.z(), 0.2);
 }
 
-TEST(CutModel, ATickTellsWhetherABodyAroundItHoldsTheTool) {
+TEST(CutModel, ATickSaysWhetherABodyAroundItHoldsTheTool) {
     const auto piece = blockOnTheBench();
     piece->surroundBy(neighbour());
     const Instrument bur = test::flatBur();
@@ -203,7 +203,7 @@ TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
     piece.refreshSurface();
     EXPECT_EQ(piece.loss().beside, 0);
     const double own = total(piece.removed());
-    piece.mark();
+    piece.mark(0);
     HapticSimulation simulation(bur.shape, test::kBurRadius, piece.contactSurface(), electric());
     for (int i = 0; i < 400; ++i) simulation.step({at(3, 0, 0.1), 1, true}, kTick);
     Tick tick;
@@ -289,8 +289,8 @@ TEST(CutModel, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {
 TEST(CutModel, AfterAResetTheFirstCutIsThatOfAFreshPieceBitForBit) {
     const CuttingTool bur = test::flatBur().cutting;
     const auto used = blockOnTheBench();
-    used->feed(bur, pressing(1000), {});  // a long way: the next look would begin as far ahead
-    used->reset();
+    used->feed(bur, pressing(1000), {});  // a long feed: the next search would begin as far ahead
+    used->reset(0);
     const auto fresh = blockOnTheBench();
     for (CutModel* piece : {used.get(), fresh.get()}) {
         piece->feed(bur, pressing(2000, 0.5, 0), {});  // no work is left over
@@ -328,13 +328,13 @@ TEST(CutModel, UndoGoesBackMarkByMarkToTheLastBit) {
     std::vector<State> states;
     for (int i = 0; i < 4; ++i) {
         states.push_back({piece->hash(), piece->removed(), visibleMesh(*piece->surface())});
-        piece->mark();
+        piece->mark(0);
         piece->sweep(bur, at(0.3 * i, 0, 0.2), at(0.3 * i, 0.1, -0.3));
         piece->refreshSurface();
         piece->sweep(bur, at(0.3 * i, 0.1, -0.3), at(0.3 * i, 0.4, -0.4));
         if (i < 3) piece->refreshSurface();  // the last cut was not shown yet
     }
-    EXPECT_EQ(piece->marks(), 4U);
+    EXPECT_EQ(piece->history().done.size(), 4U);
     for (auto state = states.rbegin(); state != states.rend(); ++state) {
         ASSERT_TRUE(piece->undo());
         EXPECT_EQ(piece->hash(), state->hash);
@@ -347,7 +347,7 @@ TEST(CutModel, UndoGoesBackMarkByMarkToTheLastBit) {
 TEST(CutModel, AfterUndoTheSameCutRemovesTheSameAgain) {
     const auto piece = blockOnTheBench();
     const auto cut = [&] { return total(piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0.2, 0, -0.4))); };
-    piece->mark();
+    piece->mark(0);
     const double first = cut();
     const std::uint64_t hash = piece->hash();
     EXPECT_EQ(cut(), 0);
@@ -356,26 +356,92 @@ TEST(CutModel, AfterUndoTheSameCutRemovesTheSameAgain) {
     EXPECT_EQ(piece->hash(), hash);
 }
 
-TEST(CutModel, OfManyMarksTheOldestAreForgotten) {
+TEST(CutModel, UndoAndRedoGoBackAndForthAsOftenAsOneLikes) {
     const auto piece = blockOnTheBench();
-    std::vector<std::uint64_t> hashes;
-    for (std::size_t i = 0; i < CutJournal::kMaxCheckpoints + 3; ++i) {
-        hashes.push_back(piece->hash());
-        piece->mark();
-        piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0, 0, -0.02 * static_cast<double>(i + 1)));
+    struct State {
+        std::uint64_t hash;
+        MaterialVolumes removed;
+        TaggedMesh mesh;
+    };
+    const auto state = [&] { return State{piece->hash(), piece->removed(), visibleMesh(*piece->surface())}; };
+    std::vector<State> states = {state()};
+    constexpr int kSteps = 60;
+    for (int i = 1; i <= kSteps; ++i) {
+        if (i % 20 == 0) {
+            ASSERT_TRUE(piece->reset(i));
+        } else {
+            piece->mark(i);
+            piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0.01 * (i % 20), 0, -0.02 * (i % 20)));
+            piece->refreshSurface();
+        }
+        states.push_back(state());
     }
-    EXPECT_EQ(piece->marks(), CutJournal::kMaxCheckpoints);
-    while (piece->undo()) continue;
-    EXPECT_EQ(piece->hash(), hashes[3]);
-    EXPECT_EQ(piece->marks(), 0U);
+    const auto expectState = [&](std::size_t number) {
+        SCOPED_TRACE("step " + std::to_string(number));
+        EXPECT_EQ(piece->hash(), states[number].hash);
+        EXPECT_EQ(piece->removed(), states[number].removed);
+        expectSameSurface(*piece->surface(), states[number].mesh);
+        EXPECT_EQ(piece->history().done.size(), number);
+        EXPECT_EQ(piece->history().undone.size(), kSteps - number);
+    };
+    for (std::size_t i = kSteps; i-- > 0;) ASSERT_TRUE(piece->undo()), expectState(i);
+    EXPECT_FALSE(piece->undo());
+    for (std::size_t i = 1; i <= kSteps; ++i) ASSERT_TRUE(piece->redo()), expectState(i);
+    EXPECT_FALSE(piece->redo());
+    const CutHistory history = piece->history();
+    for (int i = 1; i <= kSteps; ++i) {
+        EXPECT_EQ(history.done[i - 1].kind, i % 20 == 0 ? CutStep::Kind::Reset : CutStep::Kind::Stroke);
+        EXPECT_EQ(history.done[i - 1].time, i);
+    }
+    piece->volume().validate();
 }
 
-TEST(CutModel, ResetForgetsTheMarks) {
+TEST(CutModel, ACutAfterUndoLeavesNothingToRedo) {
     const auto piece = blockOnTheBench();
-    piece->mark();
+    const auto cut = [&](double x) { piece->sweep(test::flatBur().cutting, at(x, 0, 0.2), at(x, 0, -0.3)); };
+    piece->mark(1), cut(0);
+    const std::uint64_t first = piece->hash();
+    piece->mark(2), cut(0.4);
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(piece->history().undone.size(), 1U);
+    piece->mark(3);
+    EXPECT_EQ(piece->history().undone.size(), 1U) << "nothing was cut yet";
+    cut(-0.4);
+    EXPECT_EQ(piece->history().undone.size(), 0U);
+    EXPECT_FALSE(piece->redo());
+    EXPECT_EQ(piece->history().done.back().time, 3);
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(piece->hash(), first);
+}
+
+/// What changes after an undo without a mark is a step of its own: a piece that falls, for example.
+TEST(CutModel, AChangeAfterUndoIsAStepEvenWithoutAMark) {
+    const auto piece = blockOnTheBench();
+    piece->mark(1);
+    const std::uint64_t whole = piece->hash();
     piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0, 0, -0.3));
-    piece->reset();
-    EXPECT_FALSE(piece->undo());
+    ASSERT_TRUE(piece->undo());
+    piece->sweep(test::flatBur().cutting, at(0.4, 0, 0.2), at(0.4, 0, -0.3));
+    EXPECT_EQ(piece->history().done.size(), 1U);
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(piece->hash(), whole);
+}
+
+TEST(CutModel, ResetIsAStepThatCanBeUndone) {
+    const auto piece = blockOnTheBench();
+    EXPECT_FALSE(piece->reset(0)) << "nothing was cut";
+    piece->mark(1);
+    piece->sweep(test::flatBur().cutting, at(0, 0, 0.2), at(0, 0, -0.3));
+    piece->refreshSurface();
+    const std::uint64_t cut = piece->hash();
+    const TaggedMesh mesh = visibleMesh(*piece->surface());
+    ASSERT_TRUE(piece->reset(2));
+    EXPECT_EQ(total(piece->removed()), 0);
+    EXPECT_TRUE(piece->surface()->patches.empty());
+    ASSERT_TRUE(piece->undo());
+    EXPECT_EQ(piece->hash(), cut);
+    expectSameSurface(*piece->surface(), mesh);
+    ASSERT_TRUE(piece->undo());
     EXPECT_EQ(total(piece->removed()), 0);
 }
 
@@ -390,48 +456,48 @@ constexpr double kRidge = 3 * 1.1 * 0.4;  // mm^3
 
 TEST(CutModel, WhatHasComeLooseFallsWhenTheBurIsLifted) {
     const auto piece = blockOnTheBench();
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(0, 0)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(0, 0)));
     test::cutARidgeOff(*piece);
     const double ground = total(piece->removed());
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.00, 1)));
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.09, 0)));  // it may be on its way over a gap
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.00, 1)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.09, 0)));  // it may be on its way over a gap
     EXPECT_EQ(piece->loss().pieces, 0U);
-    EXPECT_TRUE(piece->removeLoosePieces(tickAt(1.11, 0)));
+    EXPECT_TRUE(piece->removeDetachedPieces(tickAt(1.11, 0)));
     EXPECT_EQ(piece->loss().pieces, 1U);
     EXPECT_NEAR(total(piece->loss().detached), kRidge, 0.025 * kRidge);
     EXPECT_NEAR(total(piece->loss().ground()), ground, 1e-9);
     EXPECT_EQ(total(piece->removed()), ground + total(piece->loss().detached));
     EXPECT_FALSE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(1.5, 0)));  // there is nothing more
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(1.5, 0)));  // there is nothing more
 }
 
 TEST(CutModel, TheTimeOfTheLastContactIsThatOfTheSimulationWhichRuns) {
     const auto piece = blockOnTheBench();
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(100, 1)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(100, 1)));
     test::cutARidgeOff(*piece);
-    EXPECT_FALSE(piece->removeLoosePieces(tickAt(0.01, 0)));  // another simulation begins at zero
-    EXPECT_TRUE(piece->removeLoosePieces(tickAt(0.2, 0)));
+    EXPECT_FALSE(piece->removeDetachedPieces(tickAt(0.01, 0)));  // another simulation begins at zero
+    EXPECT_TRUE(piece->removeDetachedPieces(tickAt(0.2, 0)));
 }
 
-TEST(CutModel, ALookThatFindsNothingLooseStillTellsOfTheCutThatItShows) {
+TEST(CutModel, ASearchThatFindsNoDetachedPieceStillShowsTheCut) {
     const auto piece = blockOnTheBench();
     piece->sweep(test::flatBur().cutting, at(0, 0, 0.5), at(0, 0, -1));  // not shown yet
-    EXPECT_TRUE(piece->removeLoosePieces());
+    EXPECT_TRUE(piece->removeDetachedPieces());
     EXPECT_FALSE(piece->surface()->patches.empty());
     EXPECT_EQ(total(piece->loss().detached), 0);
-    EXPECT_FALSE(piece->removeLoosePieces());
+    EXPECT_FALSE(piece->removeDetachedPieces());
 }
 
 TEST(CutModel, UndoPutsTheFallenPieceBack) {
     const auto piece = blockOnTheBench();
-    piece->mark();
+    piece->mark(0);
     test::cutARidgeOff(*piece);
-    ASSERT_TRUE(piece->removeLoosePieces());
+    ASSERT_TRUE(piece->removeDetachedPieces());
     ASSERT_TRUE(piece->undo());
     EXPECT_EQ(piece->loss().pieces, 0U);
     EXPECT_EQ(total(piece->loss().detached), 0);
     EXPECT_TRUE(contains(*piece->surface(), Vec3(0, 1, -0.2)));
-    EXPECT_FALSE(piece->removeLoosePieces());
+    EXPECT_FALSE(piece->removeDetachedPieces());
 }
 
 }  // namespace

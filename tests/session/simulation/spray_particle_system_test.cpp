@@ -23,8 +23,8 @@ SprayInput drilling(double water = 1) {
 
 std::size_t count(const SprayParticleSystem& cloud, SprayParticleKind kind) {
     const auto particles = cloud.particles();
-    return static_cast<std::size_t>(
-        std::count_if(particles.begin(), particles.end(), [&](const SprayParticle& bit) { return bit.kind == kind; }));
+    return static_cast<std::size_t>(std::count_if(
+        particles.begin(), particles.end(), [&](const SprayParticle& particle) { return particle.kind == kind; }));
 }
 
 TEST(SprayParticleSystem, NothingFliesWithoutWaterAndWithoutACut) {
@@ -48,7 +48,7 @@ TEST(SprayParticleSystem, ThrowsAsManyChipsOfEachMaterialAsWereRemoved) {
     const auto particles = cloud.particles();
     const auto of = [&](MaterialId id) {
         return std::count_if(particles.begin(), particles.end(),
-                             [&](const SprayParticle& bit) { return bit.material == id; });
+                             [&](const SprayParticle& particle) { return particle.material == id; });
     };
     EXPECT_EQ(of(static_cast<MaterialId>(0)), 43);
     EXPECT_EQ(of(static_cast<MaterialId>(1)), 10);
@@ -86,11 +86,11 @@ TEST(SprayParticleSystem, ThrownBitsStartAtTheRim) {
     now.ground[0] = 200.5 * SprayParticleSystem::kChipVolume;
     cloud.advance(now, 1e-9);
     ASSERT_EQ(cloud.particles().size(), 200U);
-    for (const SprayParticle& bit : cloud.particles()) {
-        const Vec3 inTool = now.toolInTooth.inverse() * bit.place.cast<double>();
+    for (const SprayParticle& particle : cloud.particles()) {
+        const Vec3 inTool = now.toolInTooth.inverse() * particle.place.cast<double>();
         EXPECT_NEAR(inTool.head<2>().norm(), kRadius, 1e-3);
         // Clockwise, seen from the shaft.
-        const Vec3 velocity = now.toolInTooth.rotation.conjugate() * bit.velocity.cast<double>();
+        const Vec3 velocity = now.toolInTooth.rotation.conjugate() * particle.velocity.cast<double>();
         EXPECT_GT(inTool.cross(Vec3(velocity.x(), velocity.y(), 0)).z() * -1, -0.1 * velocity.norm());
     }
 }
@@ -104,19 +104,19 @@ TEST(SprayParticleSystem, AirBrakesWhatFliesAndNothingFliesIntoTheToothThatItLea
     cloud.advance(now, 1e-9);
     const double speed = 2 * 3.14159265 * kRadius * now.speedRpm / 60;
     std::vector<SprayParticle> before(cloud.particles().begin(), cloud.particles().end());
-    for (const SprayParticle& bit : before) {
-        EXPECT_LE(bit.velocity.norm(), 1.001 * speed);
-        EXPECT_GT(bit.velocity.z(), 0);
+    for (const SprayParticle& particle : before) {
+        EXPECT_LE(particle.velocity.norm(), 1.001 * speed);
+        EXPECT_GT(particle.velocity.z(), 0);
     }
     cloud.advance(now, 0.1);
     ASSERT_EQ(cloud.particles().size(), before.size());
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const SprayParticle& bit = cloud.particles()[i];
+        const SprayParticle& particle = cloud.particles()[i];
         const double reach = before[i].velocity.norm() * before[i].relaxation;
-        EXPECT_NEAR((bit.place - before[i].place).head<2>().norm(),
+        EXPECT_NEAR((particle.place - before[i].place).head<2>().norm(),
                     before[i].velocity.head<2>().norm() * before[i].relaxation, 1e-3 * reach + 1e-4);
-        EXPECT_LT(bit.velocity.norm(), 30);  // what is left is the slow fall
-        EXPECT_LT(bit.velocity.z(), 0);
+        EXPECT_LT(particle.velocity.norm(), 30);  // what is left is the slow fall
+        EXPECT_LT(particle.velocity.z(), 0);
     }
 }
 

@@ -11,9 +11,9 @@
 
 #include "bench_scene.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/byte_stream.h"
 #include "support/materials.h"
 #include "support/test_data.h"
-#include "tooth/file/byte_stream.h"
 
 namespace tactooth {
 namespace {
@@ -89,9 +89,9 @@ TEST(ToothFile, KnowsHowTheToothStandsAndWhatIsAroundIt) {
     EXPECT_EQ(again.layers().size(), 100U);
     EXPECT_EQ(again.toothContext().mesialX, -1);
     EXPECT_EQ(again.ownBox().max(), Vec3(2, 2, 0));
-    const Surface& hapticSurface = *opened->piece->contactSurface();
-    EXPECT_FALSE(hapticSurface.base->isAdjacent(11));
-    EXPECT_TRUE(hapticSurface.base->isAdjacent(12));
+    const Surface& contactSurface = *opened->piece->contactSurface();
+    EXPECT_FALSE(contactSurface.base->isAdjacent(11));
+    EXPECT_TRUE(contactSurface.base->isAdjacent(12));
 }
 
 /// A block of enamel with a restoration over decay, cut by 0.0618 and 0.0829 mm^3 and saved in format version 2.

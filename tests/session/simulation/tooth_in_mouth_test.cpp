@@ -75,7 +75,7 @@ TEST(ToothInMouth, IsCutTogetherWithTheTeethBesideIt) {
     EXPECT_GT(std::count(from, outer.tags().end(), static_cast<SurfaceTag>(test::kDentin)), 300);
 }
 
-TEST(ToothInMouth, TheFrontTeethOfBothSidesAreBesideEachOther) {
+TEST(ToothInMouth, TheAnteriorTeethOfBothSidesAreBesideEachOther) {
     const ToothInMouth incisor =
         *toothInMouth(41, std::nullopt, {.triangles = 1000, .missing = test::allTeethExcept({11, 31, 32, 41, 42, 48})});
     ASSERT_EQ(incisor.beside.size(), 2u);

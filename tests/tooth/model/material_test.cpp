@@ -58,9 +58,14 @@ TEST(MaterialRegistry, ListsForMenusAndByRole) {
     const MaterialRegistry& all = builtinMaterials();
     const std::vector<std::string> menu = {"enamel", "dentin", "pulp", "caries", "restoration", "other"};
     const std::vector<std::string> roles = {"enamel", "dentin", "pulp", "caries", "other", "restoration"};
-    EXPECT_EQ(namesOf(all, all.inMenuOrder()), menu);
-    EXPECT_EQ(namesOf(all, all.byRole()), roles);
-    EXPECT_EQ(all.names(), "enamel, dentin, pulp, caries, restoration, other");
+    // A further material comes in between.
+    const auto amongThese = [&menu](std::vector<std::string> names) {
+        std::erase_if(names, [&](const std::string& name) { return std::ranges::find(menu, name) == menu.end(); });
+        return names;
+    };
+    EXPECT_EQ(amongThese(namesOf(all, all.inMenuOrder())), menu);
+    EXPECT_EQ(amongThese(namesOf(all, all.byRole())), roles);
+    for (const std::string& name : menu) EXPECT_NE(all.names().find(name), std::string::npos) << name;
 }
 
 TEST(MaterialRegistry, ARoleIsThatOfTheFirstMaterialWithIt) {

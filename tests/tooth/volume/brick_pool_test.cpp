@@ -77,7 +77,7 @@ TEST(BrickPool, HasWhatTheBurComesToNext) {
     EXPECT_GT(bricks, 20);
 }
 
-TEST(BrickPool, MakesNoTakenBrickAgainUntilItIsForgotten) {
+TEST(BrickPool, MakesNoTakenBrickAgain) {
     const auto tooth = ball();
     BrickPool pool(tooth, kVoxel);
     const RevolutionEnvelope tool = bur();
@@ -85,15 +85,12 @@ TEST(BrickPool, MakesNoTakenBrickAgainUntilItIsForgotten) {
     const std::vector<BrickKey> all = bricksInReach(*tooth, Lattice(kVoxel), here, 2);
     for (const auto& brick : pool.take(all)) EXPECT_FALSE(brick.has_value());
     EXPECT_EQ(pool.makeAround(tool, onTheWay(30)), 0U);
-    pool.forgetTaken();
-    EXPECT_GT(pool.makeAround(tool, onTheWay(30)), 0U);
 }
 
-TEST(BrickPool, AVolumeThatIsResetFindsItsBricksAgain) {
+TEST(BrickPool, AVolumeThatIsResetIsCutAgainAlike) {
     Supplied again;
     const std::uint64_t first = hashOfCut(again.volume);
     again.volume.reset();
-    fill(*again.pool, onTheWay(0));
     EXPECT_EQ(hashOfCut(again.volume), first);
 }
 

@@ -156,7 +156,7 @@ int runCaseCheck(const CaseCheckOptions& options) {
         for (const std::string& finding : findings(report)) print("    {}\n", finding);
     }
     for (const CaseOverlap& overlap : overlaps(*bodies)) {
-        print("{} and {} share room, {:.3f} mm deep: both cannot be cut truly there\n", overlap.first, overlap.second,
+        print("{} and {} overlap, {:.3f} mm deep: a cut is not exact there\n", overlap.first, overlap.second,
               overlap.deepest);
     }
     for (const std::string& entry : unusedFiles(*store, opened->description)) {

@@ -26,17 +26,18 @@ public:
     CutOutput(bool json, int cores, const StandardTooth& tooth) : isJson_(json) {
         const RunMetadata facts = currentRunMetadata();
         if (isJson_) {
-            json_ = {{"machine", facts.machine},
-                     {"compiler", facts.compiler},
-                     {"commit", facts.commit},
-                     {"command", facts.command},
-                     {"date", facts.date},
-                     {"clock", cores > 1 ? "the cutter's: as it passes; else processor time" : "processor time"},
-                     {"cutter_cores", cores},
-                     {"tooth", tooth.name},
-                     {"source", tooth.source},
-                     {"triangles", tooth.mesh.triangles.size()},
-                     {"cases", Json::array()}};
+            json_ = {
+                {"machine", facts.machine},
+                {"compiler", facts.compiler},
+                {"commit", facts.commit},
+                {"command", facts.command},
+                {"date", facts.date},
+                {"clock", cores > 1 ? "of the carving thread: as it passes; else processor time" : "processor time"},
+                {"cutter_cores", cores},
+                {"tooth", tooth.name},
+                {"source", tooth.source},
+                {"triangles", tooth.mesh.triangles.size()},
+                {"cases", Json::array()}};
             return;
         }
         print("machine:  {}\ncompiler: {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.compiler, facts.commit,
@@ -48,7 +49,7 @@ public:
             "the bur works to the tick that feels what it cut, and from the beginning of that carve, ms; ns for each "
             "voxel\n"
             "of removed volume; ahead: what the thread that makes bricks ahead of the bur takes of a core, %.\n\n",
-            cores > 1 ? fmt::format("Processor time, of the cutter the time that passes on {} cores", cores)
+            cores > 1 ? fmt::format("Processor time, of the carving thread the time that passes on {} cores", cores)
                       : "Processor time of one core for each");
         print(
             "{:<22} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} | {:>6} {:>6} {:>6} {:>6} | {:>5} {:>5} {:>6} {:>5} | {:>6} "

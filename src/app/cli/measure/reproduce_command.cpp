@@ -94,7 +94,7 @@ int runReproduce(const ReproduceOptions& options) {
         sayOf(*experiment, 1e-3 * (wallMillis() - start));
         done.push_back(std::move(*experiment));
     }
-    if (const auto page = writeReproducePage(done, subjectsText(testTeeth), options.out / "index.html"); !page)
+    if (const auto page = writeReproducePage(done, testTeethText(testTeeth), options.out / "index.html"); !page)
         return reportError(page.error());
     if (const auto named = files.commit(); !named) return reportError(named.error());
     print("open {} for all of it\n", displayName(options.out / "index.html"));

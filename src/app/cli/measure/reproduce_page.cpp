@@ -67,7 +67,7 @@ std::string section(const Experiment& experiment) {
 
 }  // namespace
 
-std::string subjectsText(const TestTeeth& testTeeth) {
+std::string testTeethText(const TestTeeth& testTeeth) {
     std::string text =
         "Measured with a round bur of " + std::to_string(testTeeth.bur()->mesh().triangles.size()) + " triangles";
     for (const StandardTooth* tooth : testTeeth.used()) {

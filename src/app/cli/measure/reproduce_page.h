@@ -9,7 +9,7 @@
 namespace tactooth {
 
 /// One sentence that names the measured teeth and the bur.
-[[nodiscard]] std::string subjectsText(const TestTeeth& testTeeth);
+[[nodiscard]] std::string testTeethText(const TestTeeth& testTeeth);
 
 /// Writes one page (HTML) on all experiments. Their pictures and tables are next to it.
 [[nodiscard]] Expected<void> writeReproducePage(std::span<const Experiment> experiments, const std::string& testTeeth,

@@ -10,7 +10,7 @@
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
-#include "assessment/mesh_deviation.h"
+#include "collision/bvh/mesh_deviation.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/io/mesh_file.h"

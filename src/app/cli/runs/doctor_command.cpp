@@ -21,12 +21,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> kVerdicts = {"fine", "optional", "missing"};
+constexpr std::array<const char*, 3> kStateNames = {"fine", "optional", "missing"};
 
 Finding checkDisplayServer() {
     const Expected<void> display = checkDisplay();
-    if (!display) return {"display", Verdict::Missing, asSentence(display.error().message())};
-    return {"display", Verdict::Fine, "A window can be opened."};
+    if (!display) return {"display", FindingState::Missing, asSentence(display.error().message())};
+    return {"display", FindingState::Fine, "A window can be opened."};
 }
 
 Finding checkOpenGlRenderer() {
@@ -37,21 +37,21 @@ Finding checkOpenGlRenderer() {
         },
         kDriverTimeout);
     if (!answer) {
-        return {"OpenGL", Verdict::Missing,
+        return {"OpenGL", FindingState::Missing,
                 "The graphics driver is broken, " + answer.error().message() + ": install it anew."};
     }
-    if (!answer->empty()) return {"OpenGL", Verdict::Missing, asSentence(*answer)};
-    return {"OpenGL", Verdict::Fine, "OpenGL 4.1 works."};
+    if (!answer->empty()) return {"OpenGL", FindingState::Missing, asSentence(*answer)};
+    return {"OpenGL", FindingState::Fine, "OpenGL 4.1 works."};
 }
 
 Finding checkRealTime() {
     const RealTimeRights rights = realTimeRights();
     const std::string missing = missingRights(rights);
     if (missing.empty()) {
-        return {"real time", Verdict::Fine,
+        return {"real time", FindingState::Fine,
                 "Real-time priority, locked memory and keeping the processors from deep sleep are allowed."};
     }
-    return {"real time", Verdict::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
+    return {"real time", FindingState::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
 }
 
 std::vector<Finding> examine() {
@@ -68,12 +68,12 @@ int runDoctor(const DoctorOptions& options) {
     Json json = Json::array();
     bool usable = true;
     for (const Finding& finding : examine()) {
-        const char* const verdict = kVerdicts[static_cast<std::size_t>(finding.verdict)];
-        usable &= finding.verdict != Verdict::Missing;
+        const char* const state = kStateNames[static_cast<std::size_t>(finding.state)];
+        usable &= finding.state != FindingState::Missing;
         if (options.json) {
-            json.push_back({{"area", finding.area}, {"verdict", verdict}, {"text", displayText(finding.text)}});
+            json.push_back({{"area", finding.area}, {"verdict", state}, {"text", displayText(finding.text)}});
         } else {
-            print("{:<12}  {:<8}  {}\n", finding.area, verdict, finding.text);
+            print("{:<12}  {:<8}  {}\n", finding.area, state, finding.text);
         }
     }
     if (options.json) print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));

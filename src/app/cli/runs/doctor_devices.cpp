@@ -34,16 +34,17 @@ std::string faultText(const FaultRecord& fault) {
 Finding checkHandProcess() {
     const std::filesystem::path program = handProgram();
     if (::access(program.c_str(), X_OK) != 0) {
-        return {kArea, Verdict::Optional,
+        return {kArea, FindingState::Optional,
                 "The program that holds the devices is missing (" + displayName(program) +
                     "): install Tactooth anew, or start it with --device-in-process."};
     }
     const std::filesystem::path log = faultLogFile();
     const std::vector<FaultRecord> faults = readFaults(log, kShownFaults);
-    if (faults.empty()) return {kArea, Verdict::Fine, "The program that holds the devices is there; it has no faults."};
+    if (faults.empty())
+        return {kArea, FindingState::Fine, "The program that holds the devices is there; it has no faults."};
     std::string text = "The force of a device was cut; the last faults (" + displayName(log) + "):";
     for (const FaultRecord& fault : faults) text += ' ' + faultText(fault) + (&fault == &faults.back() ? "." : ";");
-    return {kArea, Verdict::Fine, text};
+    return {kArea, FindingState::Fine, text};
 }
 
 /// The name that --device takes is added where several devices of one kind are connected.
@@ -59,7 +60,7 @@ std::vector<Finding> checkDevices() {
     for (const DetectedDevice& device : enumerateDevices()) {
         const bool isReady = device.state == DeviceState::Ready;
         findings.push_back(
-            {"device", isReady ? Verdict::Fine : Verdict::Optional, titleOf(device) + ": " + device.text});
+            {"device", isReady ? FindingState::Fine : FindingState::Optional, titleOf(device) + ": " + device.text});
     }
     return findings;
 }

@@ -6,7 +6,7 @@
 
 namespace tactooth {
 
-enum class Verdict {
+enum class FindingState {
     Fine,
     Optional,  ///< the program works without it
     Missing,   ///< the window does not open, or does not stay open
@@ -15,7 +15,7 @@ enum class Verdict {
 /// The doctor's report on one part of the computer.
 struct Finding {
     const char* area;
-    Verdict verdict;
+    FindingState state;
     std::string text;  ///< sentences; if the part is not fine, they give the remedy
 };
 

@@ -56,17 +56,17 @@ std::string nullDriverText() {
 Finding checkSoundCard() {
     const auto answer = inChildProcess(tryToPlay, kDriverTimeout);
     if (!answer) {
-        return {kCard, Verdict::Missing,
+        return {kCard, FindingState::Missing,
                 "The sound card's driver is broken, " + answer.error().message() +
                     ": choose another card in the system's settings or restart the sound server; until then start "
                     "Tactooth with ALSOFT_DRIVERS=null, without sound."};
     }
     if (*answer == "-") {
-        return {kCard, Verdict::Optional,
+        return {kCard, FindingState::Optional,
                 "No sound card: the window stays silent; plug one in or choose it in the system's settings."};
     }
-    if (isNullSoundDevice(answer->substr(1))) return {kCard, Verdict::Optional, nullDriverText()};
-    return {kCard, Verdict::Fine, "The sound card plays."};
+    if (isNullSoundDevice(answer->substr(1))) return {kCard, FindingState::Optional, nullDriverText()};
+    return {kCard, FindingState::Fine, "The sound card plays."};
 }
 
 }  // namespace
@@ -74,14 +74,15 @@ Finding checkSoundCard() {
 std::vector<Finding> checkSound() {
     const auto answer = inChildProcess(tryToMix, kDriverTimeout);
     if (!answer) {
-        return {{kSystem, Verdict::Missing,
+        return {{kSystem, FindingState::Missing,
                  "The sound library (OpenAL) is broken, " + answer.error().message() +
                      ": install the package libopenal1 anew; until then it takes the window down with it."},
-                {kCard, Verdict::Optional, "It was not tried: mend the sound system first."}};
+                {kCard, FindingState::Optional, "It was not tried: mend the sound system first."}};
     }
     const bool mixes = answer->empty();
-    return {{kSystem, mixes ? Verdict::Fine : Verdict::Optional, mixes ? "OpenAL works." : asSentence(*answer)},
-            checkSoundCard()};
+    return {
+        {kSystem, mixes ? FindingState::Fine : FindingState::Optional, mixes ? "OpenAL works." : asSentence(*answer)},
+        checkSoundCard()};
 }
 
 }  // namespace tactooth

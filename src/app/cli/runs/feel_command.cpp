@@ -19,24 +19,24 @@ namespace tactooth {
 namespace {
 
 /// The surface that the tool touches, and the numbers of its materials.
-struct FeltTooth {
+struct TouchedTooth {
     std::shared_ptr<const Surface> surface;
     MaterialTable materials;
 };
 
 /// Returns the whole case in the frame of one of its teeth, or a surface, which may be open.
-Expected<FeltTooth> toothOf(const FeelOptions& options, const MaterialRegistry& materials,
-                            std::vector<ImportNote>& importNotes) {
+Expected<TouchedTooth> toothOf(const FeelOptions& options, const MaterialRegistry& materials,
+                               std::vector<ImportNote>& importNotes) {
     if (!isCase(options.tooth)) {
         auto surface = loadSurface(options.tooth, &importNotes);
         if (!surface) return Unexpected{surface.error()};
-        return FeltTooth{std::move(*surface), MaterialTable(materials)};
+        return TouchedTooth{std::move(*surface), MaterialTable(materials)};
     }
     const auto opened = openCase(options.tooth, options.workOn, options.materials.empty() ? nullptr : &materials);
     if (!opened) return Unexpected{opened.error()};
     auto surface = std::make_shared<Surface>();
     surface->base = opened->teeth->outer();
-    return FeltTooth{std::move(surface), MaterialTable(opened->teeth->materials())};
+    return TouchedTooth{std::move(surface), MaterialTable(opened->teeth->materials())};
 }
 
 }  // namespace

@@ -19,7 +19,8 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
+#include "session/recording/session_recorder.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -171,36 +172,49 @@ int runRealtime(const RealtimeOptions& options) {
     const CpuLoad busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
     const auto link = LinkTiming::measure(kLinkShare * options.seconds, options.rateHz);
 
-    Simulator simulator(piece, Instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()},
-                        HapticSettings(), hand, {}, options.rateHz);
+    const Instrument instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()};
+    std::unique_ptr<SessionRecorder> recorder;
+    if (!options.record.empty()) {
+        auto created = SessionRecorder::create(options.record, *piece, std::string(molar.name));
+        if (!created) return reportError(created.error());
+        recorder = std::move(*created);
+    }
+    auto simulator = std::make_unique<Simulator>(
+        piece, instrument, HapticSettings(), hand, Simulator::TickListener(), options.rateHz,
+        std::optional<DeviceRegistration>(), nullptr, 1,
+        recorder ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
     SimulatorControls controls;
     for (bool cut = false; std::chrono::steady_clock::now() < end; cut = true) {
         controls.cutting = cut;
-        simulator.setControls(controls);
+        simulator->setControls(controls);
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.5, options.seconds / 4)));
         ticks.clear();
-        simulator.fetchTicks(ticks);
+        simulator->fetchTicks(ticks);
     }
-    const ServoTiming& timing = simulator.timing();
-    std::vector<Line> lines = linesOf(simulator);
+    const ServoTiming& timing = simulator->timing();
+    std::vector<Line> lines = linesOf(*simulator);
     if (link) {
         const std::vector<Line> more = linesOf(**link);
         lines.insert(lines.end(), more.begin(), more.end());
     }
     if (options.json) {
-        Json json = jsonOf(options, simulator, lines, locked);
+        Json json = jsonOf(options, *simulator, lines, locked);
         if (!link) json["link_error"] = link.error().message();
         print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
-        printTable(options, simulator, lines, locked);
+        printTable(options, *simulator, lines, locked);
         if (!link) print("{}\n", link.error().message());
         printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
     constexpr double kMaxMissed = 0.01;  // share of the deadlines: a hand notices more
-    return static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
+    const int exitCode = static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
+    simulator.reset();  // the recording ends with it
+    if (recorder == nullptr) return exitCode;
+    if (const auto closed = recorder->close(piece->hash()); !closed) return reportError(closed.error());
+    return exitCode;
 }
 
 }  // namespace tactooth

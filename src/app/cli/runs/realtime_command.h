@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+
 namespace tactooth {
 
 struct RealtimeOptions {
@@ -9,6 +11,7 @@ struct RealtimeOptions {
     double rateHz = 1000;
     bool load = false;  ///< keep all other cores busy during the run
     bool json = false;
+    std::filesystem::path record;  ///< recorded session to write; empty: none
 };
 
 /// Lets a simulated hand touch and cut the built-in molar in real time. Prints the timing of this machine. Returns an

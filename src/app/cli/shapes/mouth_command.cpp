@@ -45,7 +45,7 @@ Expected<void> openAll(const MouthOptions& options, FileTransaction& files) {
 Expected<void> writeTooth(const BuiltinTooth& tooth, const Pose& pose, const fs::path& folder) {
     const std::array meshes = {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp};
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (auto done = writeStl(rigidlyMoved(*meshes[i], pose), folder / kLayerFiles[i]); !done) return done;
+        if (auto done = writeStl(transformed(*meshes[i], pose), folder / kLayerFiles[i]); !done) return done;
     }
     return {};
 }
@@ -61,7 +61,7 @@ Expected<void> writeMouth(const MouthOptions& options) {
         if (auto done = writeTooth(tooth.tooth, mouth->poseOf(tooth), folder); !done) return done;
         triangles += tooth.tooth.outer.triangles.size();
     }
-    const std::array gums = {mouth->upperGingiva, rigidlyMoved(mouth->lowerGingiva, mouth->lowerJaw)};
+    const std::array gums = {mouth->upperGingiva, transformed(mouth->lowerGingiva, mouth->lowerJaw)};
     for (std::size_t i = 0; i < gums.size(); ++i) {
         if (auto done = writeStl(gums[i], options.out / kGumFiles[i]); !done) return done;
     }

@@ -27,6 +27,8 @@ void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed
 
 // Each function adds the commands of one topic, which its source file defines.
 
+/// Recorded sessions.
+void addSessionCommands(CLI::App& program, CommandAction& chosen);
 /// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// Changes to surfaces.

@@ -19,7 +19,7 @@ inline constexpr MessageText kMouthNeedsTooth{
     "--mouth の後には永久歯の番号（11～18、21～28、31～38、41～48）を書いてください。"};
 inline constexpr MessageText kNoOcclusalSurface{
     "no_occlusal_surface",
-    "%1 is a front tooth and has no occlusal surface; choose mesial, distal, buccal or lingual for --caries.",
+    "%1 is an anterior tooth and has no occlusal surface; choose mesial, distal, buccal or lingual for --caries.",
     "%1 は前歯で、咬合面がありません。--caries には mesial、distal、buccal、lingual のいずれかを選んでください。"};
 inline constexpr MessageText kTooManyTeeth{
     "too_many_teeth", "--teeth names %1 teeth, and a sheet has room for %2; name each once.",
@@ -88,7 +88,7 @@ inline constexpr MessageText kTooManyTriangles{
 
 // Pictures.
 inline constexpr MessageText kPictureSizeUnknown{
-    "picture_size_unknown", "the size %1 is none: write WIDTHxHEIGHT in pixels, each 16 to 16384, as 1920x1080.",
+    "picture_size_unknown", "%1 is not a size: write WIDTHxHEIGHT in pixels, each 16 to 16384, as 1920x1080.",
     "%1 は大きさではありません。WIDTHxHEIGHT の形で、それぞれ 16～16384 ピクセルで書いてください（例："
     "1920x1080）。"};
 inline constexpr MessageText kPictureTooLarge{
@@ -97,16 +97,16 @@ inline constexpr MessageText kPictureTooLarge{
     "%1 ピクセルの画像は大きすぎます。全部で 1680 万ピクセル（4096x4096、5120x3200 など）までです。"};
 inline constexpr MessageText kViewUnknown{
     "view_unknown",
-    "the view %1 is none: choose occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
+    "%1 is not a view: choose occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
     "degrees.",
     "%1 という視点はありません。occlusal、buccal、lingual、mesial、distal、dentist、または度で表した "
     "AZIMUTH,ELEVATION を選んでください。"};
 inline constexpr MessageText kPointUnknown{
-    "point_unknown", "the point %1 is none: write X,Y,Z in mm, each from -1000 to 1000, as 1.5,-2,7.",
+    "point_unknown", "%1 is not a point: write X,Y,Z in mm, each from -1000 to 1000, as 1.5,-2,7.",
     "%1 は点ではありません。X,Y,Z の形で、それぞれ -1000 から 1000 mm で書いてください（例：1.5,-2,7）。"};
 inline constexpr MessageText kClipPlaneUnknown{
     "clip_plane_unknown",
-    "the clip plane %1 is none: choose occlusal, buccal, lingual, mesial or distal, and if need be how far from "
+    "%1 is not a clip plane: choose occlusal, buccal, lingual, mesial or distal, and if need be how far from "
     "the tooth's middle, as buccal=1.5 (mm).",
     "%1 は断面ではありません。occlusal、buccal、lingual、mesial、distal のいずれかを選び、"
     "必要なら歯の中央からの距離を書いてください（例：buccal=1.5、単位 mm）。"};

@@ -48,7 +48,7 @@ public:
     [[nodiscard]] Qt::Key pedalKey() const { return input_.pedalKey(); }
 
 signals:
-    /// The status line should tell again how to work with the device.
+    /// The status line should show again how to work with the device.
     void usualHintDue();
     /// The user has moved or pressed something.
     void userActive();

@@ -50,7 +50,7 @@ void ExerciseController::open(const QString& file) {
 
 void ExerciseController::takeTooth() {
     clearTarget();
-    active_ = model_.tooth()->exercise;
+    active_ = exerciseOf(*model_.tooth());
     showActive();
 }
 

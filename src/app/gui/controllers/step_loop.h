@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// Steps the session some 60 times a second and tells the other parts of the window what has changed. It steps less
+/// Steps the session some 60 times a second and notifies the other parts of the window of changes. It steps less
 /// often while nothing moves, so that an idle window leaves the processor to others.
 class StepLoop final : public QObject {
     Q_OBJECT

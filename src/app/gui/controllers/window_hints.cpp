@@ -92,7 +92,8 @@ QString WindowHints::text(Reason reason) const {
         case Reason::ForceWaits:
             return forceStateText(ForceState::AwaitsFreeSpace);
         case Reason::WorkspaceEnd:
-            return tr("The hand is at the end of the device's room: hold the bur (X), bring the hand back and let go");
+            return tr(
+                "The hand is at the end of the device's workspace: hold the bur (X), bring the hand back and let go");
         case Reason::BurStopped:
             return tr("The bur stands still: hold the pedal (%1), or tick Keep down")
                 .arg(QKeySequence(devices_.pedalKey()).toString(QKeySequence::NativeText));

@@ -11,7 +11,7 @@ namespace tactooth {
 
 class StatusLine;
 
-/// What the window tells the user: the hint in the status line, and messages that do not stop the simulation.
+/// What the window shows the user: the hint in the status line, and messages that do not stop the simulation.
 class WindowMessages final : public QObject {
     Q_OBJECT
 

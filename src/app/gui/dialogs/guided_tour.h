@@ -15,8 +15,8 @@ class DrillBar;
 class DrivePanel;
 class ToothView;
 
-/// The demonstration in the window: it moves the mouse's hand over the tooth, touches, cuts and undoes the cut. In each
-/// step a sentence explains how the user does the same. A click or a key ends it.
+/// The demonstration in the window. It steers the bur as the mouse does: over the tooth, on it, into it, and undoes the
+/// cut. In each step a sentence explains how the user does the same. A click or a key ends it.
 class GuidedTour final : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ private:
         double seconds;
         QString sentence;
         void (GuidedTour::*begin)();
-        bool strokes;  ///< the hand moves to and fro
+        bool strokes;  ///< the bur moves to and fro
     };
     void advance();
     void beginStep();
@@ -45,8 +45,9 @@ private:
     void lift();
     void cut();
     void undo();
-    /// The pixel that the hand points at, `aside` mm to distal of the tooth's middle.
     [[nodiscard]] Viewport picture() const;
+    /// The pixel to point at, `aside` mm distal of the middle of the occlusal surface. The middle of the picture if
+    /// that place is behind the camera.
     [[nodiscard]] Vec2 pixelAt(double aside) const;
 
     SessionModel& model_;

@@ -42,8 +42,8 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
     form->addRow(title);
     form->addRow(state_);
     addChoices(*form);
-    form->addRow(new QLabel(tr("What was assumed, and what was mended:")));
-    importNotes_->setObjectName("remarks");
+    form->addRow(new QLabel(tr("What was assumed and repaired:")));
+    importNotes_->setObjectName("importNotes");
     importNotes_->setMinimumHeight(200);
     form->addRow(importNotes_);
     keep_->setObjectName("keepCase");

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/model/exercise_tooth.h"
 
+#include <any>
+#include <utility>
+
 namespace tactooth {
 
 Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {
@@ -18,8 +21,15 @@ Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& e
     tooth->name = exercise->name;
     tooth->provenance.emplace_back("exercise", exercise->name);
     tooth->bur = std::move(*bur);
-    tooth->exercise = exercise;
+    setExercise(*tooth, exercise);
     return tooth;
 }
+
+std::shared_ptr<const Exercise> exerciseOf(const SessionTooth& tooth) {
+    const auto* exercise = std::any_cast<std::shared_ptr<const Exercise>>(&tooth.purpose);
+    return exercise != nullptr ? *exercise : nullptr;
+}
+
+void setExercise(SessionTooth& tooth, std::shared_ptr<const Exercise> exercise) { tooth.purpose = std::move(exercise); }
 
 }  // namespace tactooth

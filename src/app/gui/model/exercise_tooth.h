@@ -13,4 +13,8 @@ namespace tactooth {
 /// for the user.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise);
 
+/// The exercise that the tooth was made for; null: free practice.
+[[nodiscard]] std::shared_ptr<const Exercise> exerciseOf(const SessionTooth& tooth);
+void setExercise(SessionTooth& tooth, std::shared_ptr<const Exercise> exercise);
+
 }  // namespace tactooth

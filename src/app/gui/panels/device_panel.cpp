@@ -7,8 +7,6 @@
 
 #include "app/gui/text/translation.h"
 #include "devices/open_device.h"
-#include "devices/openhaptics/pen_names.h"
-#include "devices/probe/device_backend.h"
 
 namespace tactooth {
 namespace {
@@ -18,9 +16,12 @@ constexpr int kDeviceLetters = 17;  // that fit into the lists of devices
 constexpr std::array<double, 4> kRates = {kMinRate, 1000, 2000, kMaxRate};  // Hz
 
 /// The title of a device among several of its kind ("pen:Left") in the lists.
+/// Of "pen:NAME" and the like: the kind's title and the name.
 QString titleOf(const QString& name) {
-    const auto prefix = static_cast<qsizetype>(kNamedPen.size());
-    return name.startsWith(kNamedPen.data()) ? DevicePanel::tr("Haptic pen %1").arg(name.mid(prefix)) : name;
+    const qsizetype colon = name.indexOf(':');
+    const DeviceBackend* const kind = colon < 0 ? nullptr : findDeviceBackend(name.left(colon).toStdString());
+    if (kind == nullptr || kind->unitTitle == nullptr) return name;
+    return translated(Message(*kind->unitTitle, name.mid(colon + 1).toStdString()));
 }
 
 }  // namespace
@@ -92,7 +93,7 @@ void DevicePanel::addDevices(QGridLayout& grid) {
     for (const DeviceBackend& kind : deviceBackends()) {
         devices_->addItem(translated(kind.title), QString(kind.name));
         if (&kind != &deviceBackends().front()) seconds_->addItem(translated(kind.title), QString(kind.name));
-        if (std::string_view(kind.name) == "pen") addNamedPens();
+        if (kind.units != nullptr) addUnits(kind);
     }
     for (QComboBox* box : {devices_, seconds_}) {  // the user's names must not widen the panel
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -118,10 +119,9 @@ void DevicePanel::addDevices(QGridLayout& grid) {
 }
 
 /// Adds the pens that the vendor's setup program knows now. The user can still name another one.
-void DevicePanel::addNamedPens() {
-    for (const std::string& pen : configuredPens()) {
-        if (pen == kDefaultPen) continue;
-        const QString name = QString::fromStdString(std::string(kNamedPen) + pen);
+void DevicePanel::addUnits(const DeviceBackend& kind) {
+    for (const std::string& unit : kind.units()) {
+        const QString name = QString::fromStdString(std::string(kind.name) + ':' + unit);
         for (QComboBox* box : {devices_, seconds_}) box->addItem(titleOf(name), name);
     }
 }
@@ -146,8 +146,8 @@ void DevicePanel::addMotionScaling(QGridLayout& grid) {
     motionScaling_ = new NumberRow(
         grid, tr("Fineness"), {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
         tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
-    fit_->setObjectName("fitFineness");
-    fit_->setToolTip(tr("As fine as it can be while the device's room still reaches all of the tooth"));
+    fit_->setObjectName("fitMotionScaling");
+    fit_->setToolTip(tr("As fine as possible while the device still reaches all of the tooth"));
     fitNote_->setObjectName("fitNote");
     fitNote_->setWordWrap(true);
     fitNote_->hide();  // few devices need the note
@@ -161,8 +161,8 @@ void DevicePanel::showFit(const std::optional<WorkspaceFit>& fit) {
     if (!fit_->isChecked()) return;
     const QSignalBlocker quiet(motionScaling_);
     motionScaling_->setValue(fit ? fit->motionScaling : kMinMotionScaling);
-    fitNote_->setText(fit ? tr("The tooth is larger than the device's room: hold the bur (X) to reach all of it.")
-                          : tr("Nothing here has a room that could be fitted: 1 : 1."));
+    fitNote_->setText(fit ? tr("The tooth is larger than the device's workspace: hold the bur (X) to reach all of it.")
+                          : tr("No device here has a known workspace: 1 : 1."));
 }
 
 void DevicePanel::addRate(QGridLayout& grid) {

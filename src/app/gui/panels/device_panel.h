@@ -15,6 +15,7 @@
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
 #include "devices/base/workspace_fit.h"
+#include "devices/probe/device_backend.h"
 #include "geometry/util/message.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
@@ -60,7 +61,7 @@ private:
     static void showChosen(QComboBox& box, const QString& name);
     void showRate(double rate);
     void addDevices(QGridLayout& grid);
-    void addNamedPens();
+    void addUnits(const DeviceBackend& kind);
     void addHold(QGridLayout& grid);
     void addMotionScaling(QGridLayout& grid);
     void addRate(QGridLayout& grid);

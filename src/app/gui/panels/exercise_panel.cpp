@@ -28,14 +28,18 @@ QToolButton* button(const QString& text, const QString& tip, const char* name) {
 }  // namespace
 
 ExercisePanel::ExercisePanel(QWidget* parent)
-    : QWidget(parent), exercises_(new QComboBox), task_(new QLabel), cleared_(new QProgressBar) {
+    : QWidget(parent),
+      exercises_(new QComboBox),
+      task_(new QLabel),
+      cleared_(new QProgressBar),
+      materials_(&builtinMaterials()) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 4, 2);
     row->setSpacing(16);
     row->addWidget(makeChoice(), 1);
     row->addWidget(makeNumbers(), 1);
     show(nullptr);
-    show(0, {}, builtinMaterials(), {});
+    show(0, {}, *materials_, {});
 }
 
 QWidget* ExercisePanel::makeChoice() {
@@ -92,10 +96,9 @@ QWidget* ExercisePanel::makeNumbers() {
                                                inWindowLanguage(metric.tipEn, metric.tipJa)));
     }
     // The main materials of a tooth; each other material gets a row when some of it is removed.
-    const MaterialRegistry& materials = builtinMaterials();
     for (const MaterialRole role :
          {MaterialRole::Enamel, MaterialRole::Dentin, MaterialRole::Decay, MaterialRole::Pulp})
-        static_cast<void>(rowOf(materials.withRole(role), materials));
+        static_cast<void>(rowOf(materials_->withRole(role)));
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(3, 1);
     return numbers;
@@ -112,22 +115,36 @@ QLabel* ExercisePanel::addFact(QGridLayout& grid, int row, const QString& title,
     return value;
 }
 
-ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id, const MaterialRegistry& materials) {
+ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id) {
     RemovedRow& row = removed_[static_cast<std::size_t>(id)];
-    if (row.value == nullptr) {
-        row = {new QLabel, new QLabel};
-        numbers_->setRowStretch(++removedRows_, 0);
-        numbers_->addWidget(row.title, removedRows_, 2);
-        numbers_->addWidget(row.value, removedRows_, 3, Qt::AlignRight);
-        numbers_->setRowStretch(removedRows_ + 1, 1);
-    }
-    const QString title = materialTitle(materials[id]);
-    row.title->setText(title);
-    for (QLabel* label : {row.title, row.value}) {
-        if (label->testAttribute(Qt::WA_WState_ExplicitShowHide)) label->show();  // it was hidden for another tooth
-    }
-    row.value->setAccessibleName(tr("%1 removed").arg(title));
+    if (row.value != nullptr) return row;
+    row = {new QLabel, new QLabel};
+    numbers_->setRowStretch(++removedRows_, 0);
+    numbers_->addWidget(row.title, removedRows_, 2);
+    numbers_->addWidget(row.value, removedRows_, 3, Qt::AlignRight);
+    numbers_->setRowStretch(removedRows_ + 1, 1);
+    setTitle(row, id);
     return row;
+}
+
+void ExercisePanel::setTitle(RemovedRow& row, MaterialId id) {
+    const QString title = materialTitle((*materials_)[id]);
+    row.title->setText(title);
+    row.value->setAccessibleName(tr("%1 removed").arg(title));
+}
+
+/// Another tooth may have other materials.
+void ExercisePanel::setMaterials(const MaterialRegistry& materials) {
+    if (&materials == materials_) return;
+    materials_ = &materials;
+    for (std::size_t i = 0; i < removed_.size(); ++i) {
+        RemovedRow& row = removed_[i];
+        if (row.value == nullptr) continue;
+        const bool isKnown = i < materials.size();
+        row.title->setVisible(isKnown);
+        row.value->setVisible(isKnown);
+        if (isKnown) setTitle(row, static_cast<MaterialId>(i));
+    }
 }
 
 QString ExercisePanel::number(double value, int digits) const { return locale().toString(value, 'f', digits); }
@@ -153,15 +170,11 @@ void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const M
                          const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
     time_->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
-    for (std::size_t i = materials.size(); i < removed_.size(); ++i) {  // of a tooth before
-        if (removed_[i].value == nullptr) continue;
-        removed_[i].title->hide();
-        removed_[i].value->hide();
-    }
+    setMaterials(materials);
     for (const MaterialId id : materials.ids()) {
         const double volume = removed[static_cast<std::size_t>(id)];
         const bool isShown = volume > 0 || removed_[static_cast<std::size_t>(id)].value != nullptr;
-        if (isShown) rowOf(id, materials).value->setText(tr("%1 mm³").arg(number(volume, 2)));
+        if (isShown) rowOf(id).value->setText(tr("%1 mm³").arg(number(volume, 2)));
     }
     cleared_->setEnabled(cavity.has_value());
     cleared_->setValue(cavity ? static_cast<int>(std::floor(kPercent * cavity->clearedFraction())) : 0);

@@ -58,8 +58,11 @@ private:
         QLabel* title = nullptr;
         QLabel* value = nullptr;
     };
-    [[nodiscard]] RemovedRow& rowOf(MaterialId id, const MaterialRegistry& materials);
+    [[nodiscard]] RemovedRow& rowOf(MaterialId id);
+    void setTitle(RemovedRow& row, MaterialId id);
+    void setMaterials(const MaterialRegistry& materials);
 
+    const MaterialRegistry* materials_;  // that the rows show
     QGridLayout* numbers_ = nullptr;
     std::array<RemovedRow, kMaxMaterials> removed_{};  // by MaterialId; those that were needed
     int removedRows_ = 0;

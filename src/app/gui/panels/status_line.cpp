@@ -22,8 +22,8 @@ QString removedText(const MaterialVolumes& removed, const MaterialRegistry& mate
     return StatusLine::tr("Removed: %1 mm³").arg(parts.join(", "));
 }
 
-constexpr int kOverrunSteps = 100;  // of a tenth of a percent: the bar is full when a tenth of all ticks is late
-constexpr double kFeltOverrun = 1;  // percent
+constexpr int kOverrunSteps = 100;        // of a tenth of a percent: the bar is full when a tenth of all ticks is late
+constexpr double kNoticeableOverrun = 1;  // percent
 
 }  // namespace
 
@@ -77,7 +77,7 @@ void StatusLine::showOverrun(std::uint64_t inTime, std::uint64_t missed) {
     overrun_->setValue(std::min(kOverrunSteps, static_cast<int>(std::lround(10 * percent))));
     overrun_->setFormat(text);
     QPalette colours;
-    if (percent > kFeltOverrun) colours.setColor(QPalette::Highlight, QColor(196, 48, 32));
+    if (percent > kNoticeableOverrun) colours.setColor(QPalette::Highlight, QColor(196, 48, 32));
     overrun_->setPalette(colours);
     overrun_->setUpdatesEnabled(true);
 }

@@ -8,7 +8,7 @@
 #include <QStatusBar>
 
 #include "app/gui/panels/elided_label.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 #include "sound/output/sound_output.h"
 
 namespace tactooth {

@@ -9,7 +9,7 @@ namespace tactooth {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // of an interval: a tick on the border begins the next interval
+constexpr double kRounding = 1e-6;  // of an interval: a tick on the boundary begins the next interval
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/gui/panels/histogram_view.h"
-#include "session/simulation/simulator.h"
+#include "session/live/simulator.h"
 
 class QLabel;
 

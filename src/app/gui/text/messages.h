@@ -45,7 +45,7 @@ inline constexpr MessageText kWindowNeedsOpenGl{
     "ウィンドウには OpenGL 4.1 が必要ですが、このディスプレイでは使えません。グラフィックスドライバーか、Mesa "
     "のソフトウェア描画（libgl1-mesa-dri パッケージ）をインストールしてください。"};
 inline constexpr MessageText kDisplayGone{"display_gone",
-                                          "the display is gone; the hand was let go, and the settings are kept.",
+                                          "the display is gone; the device was released, and the settings are kept.",
                                           "ディスプレイとの接続が切れました。手の力は切られ、設定は保存されています。"};
 
 }  // namespace tactooth::msg

@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <utility>
 
+#include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/panels/event_panel.h"
@@ -61,7 +62,7 @@ void MainWindow::connectDrill() {
     });
     connect(panels_.drill->resetAction(), &QAction::triggered, this, [this] { model_.resetTooth(); });
     connect(panels_.drill->undoAction(), &QAction::triggered, this, [this] {
-        if (model_.simulator() != nullptr) model_.simulator()->requestUndo();
+        if (model_.simulator() != nullptr) model_.simulator()->request(Edit::Undo);
     });
     connect(panels_.force, &ForcePanel::changed, this, [this] {
         model_.controls.force = panels_.force->overrides();
@@ -167,7 +168,7 @@ MainWindow::SessionState MainWindow::releaseSession() {
                       model_.bur(),
                       teeth_.source(),
                       {panels_.view->orbitCamera(), panels_.inspection->choice(), exercise_.targetState()}};
-    if (work.tooth) work.tooth->exercise = exercise_.active();
+    if (work.tooth) setExercise(*work.tooth, exercise_.active());
     model_.stop();
     return work;
 }

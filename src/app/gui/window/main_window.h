@@ -65,7 +65,7 @@ public:
     void restoreSession(SessionState work);
 
 signals:
-    /// The user has chosen another language than that of this window; settings() tells which.
+    /// The user has chosen another language than that of this window; settings() has it.
     void languageChosen();
     /// The graphics system cannot draw; a sentence. The window is of no use then.
     void graphicsFailed(const QString& sentence);

@@ -55,7 +55,7 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-Expected<SessionTooth> exerciseOf(const std::filesystem::path& file) {
+Expected<SessionTooth> toothOfExercise(const std::filesystem::path& file) {
     Expected<Exercise> read = readExercise(file);
     if (!read) return Unexpected{read.error()};
     return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
@@ -86,7 +86,7 @@ void closeAll() {
 }
 
 /// Stops the force and closes the devices.
-void letGo(SessionModel& model) {
+void releaseDevices(SessionModel& model) {
     model.stop();
     model.install(DeviceSlot::First, nullptr);
     model.install(DeviceSlot::Second, nullptr);
@@ -96,11 +96,11 @@ WindowOwner* shownWindow = nullptr;  // while the event loop runs
 
 /// When the display goes, the X library calls exit inside Qt. The window can then neither be used nor destroyed. This
 /// still releases the hand. Settings have been written as they changed.
-void letGoWithoutDisplay() {
+void releaseWithoutDisplay() {
     if (shownWindow == nullptr) return;
     constexpr unsigned kTimeout = 5;  // s
     ::alarm(kTimeout);
-    letGo(std::exchange(shownWindow, nullptr)->window().model());
+    releaseDevices(std::exchange(shownWindow, nullptr)->window().model());
     removeAllUnfinished(kTimeout);
     (void)reportError(msg::kDisplayGone);
     ::_exit(kExitBadInput);
@@ -124,7 +124,7 @@ int runWindow(const WindowOptions& options) {
         tooth = std::move(*loaded);
     }
     if (options.exercise) {
-        Expected<SessionTooth> made = exerciseOf(*options.exercise);
+        Expected<SessionTooth> made = toothOfExercise(*options.exercise);
         if (!made) return reportError(made.error());
         tooth = std::move(*made);
     }
@@ -169,11 +169,11 @@ int runWindow(const WindowOptions& options) {
     if (forgotten) window.messages().showError(*forgotten);
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
-    std::atexit(letGoWithoutDisplay);
+    std::atexit(releaseWithoutDisplay);
     shownWindow = &holder;
     QApplication::exec();
     shownWindow = nullptr;
-    letGo(holder.window().model());  // first: the rest of the shutdown may take time
+    releaseDevices(holder.window().model());  // first: the rest of the shutdown may take time
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)reportError(written.error());  // only reported: the session itself went well
     }

@@ -124,7 +124,7 @@ TEST(WindowSettings, AValueThatCannotBeMeantCostsOnlyItself) {
         "[window]\ndark = true\nfolder = 2\nlanguage = \"ja\"\n",
         "window.toml");
     ASSERT_TRUE(settings.has_value());
-    ASSERT_EQ(settings->refused.size(), 4U) << "each is told, and a table once";
+    ASSERT_EQ(settings->refused.size(), 4U) << "each is reported, and a table once";
     EXPECT_EQ(settings->hand.motionScaling, 2);
     EXPECT_EQ(settings->hand.device, "pen");
     EXPECT_EQ(settings->hand.rate, DeviceSettings().rate);

@@ -20,8 +20,8 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLook = 20;        // ms between two checks of the window
-constexpr int kLooksBefore = 5;  // checks of the loaded window in which a second message could come
+constexpr int kCheckInterval = 20;  // ms between two checks of the window
+constexpr int kChecksBefore = 5;    // checks of the loaded window in which a second message could come
 
 std::vector<std::string> messages;
 
@@ -44,13 +44,13 @@ MainWindow* mainWindow() {
 /// Reads the messages and closes the window when all is loaded.
 void visitWindow() {
     auto* const timer = new QTimer(QCoreApplication::instance());
-    QObject::connect(timer, &QTimer::timeout, timer, [looks = 0]() mutable {
+    QObject::connect(timer, &QTimer::timeout, timer, [checks = 0]() mutable {
         takeMessages();
         MainWindow* const window = mainWindow();
         if (window == nullptr || window->isBusy() || window->model().simulator() == nullptr) return;
-        if (++looks >= kLooksBefore) window->close();
+        if (++checks >= kChecksBefore) window->close();
     });
-    timer->start(kLook);
+    timer->start(kCheckInterval);
 }
 Q_COREAPP_STARTUP_FUNCTION(visitWindow)
 

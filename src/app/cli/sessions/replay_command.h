@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace tactooth {
+
+struct ReplayOptions {
+    std::filesystem::path session;
+    std::filesystem::path out;    ///< folder; empty: writes no files
+    std::optional<double> until;  ///< s of the session
+    bool verify = false;          ///< only compares
+    bool json = false;
+};
+
+/// Simulates a recorded session again, as fast as this machine can, and compares it with the recording.
+[[nodiscard]] int runReplay(const ReplayOptions& options);
+
+}  // namespace tactooth

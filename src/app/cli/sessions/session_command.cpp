@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/sessions/session_command.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/util/display_text.h"
+#include "journal/file/journal_repair.h"
+#include "session/recording/session_recording.h"
+
+namespace tactooth {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a walk over all events counts.
+struct EventCounts {
+    double seconds = 0;
+    std::uint64_t ticks = 0, burs = 0, carves = 0, undos = 0, redos = 0, resets = 0;
+
+    void add(const SessionEvent& event) {
+        if (const auto* tick = std::get_if<TickEvent>(&event)) ++ticks, seconds += tick->input.seconds();
+        burs += std::holds_alternative<BeginEvent>(event) ? 1 : 0;
+        const auto* carve = std::get_if<CarveEvent>(&event);
+        carves += carve != nullptr && carve->published ? 1 : 0;
+        const auto* edit = std::get_if<EditEvent>(&event);
+        redos += edit != nullptr && edit->edit == Edit::Redo ? 1 : 0;
+        undos += edit != nullptr && edit->edit == Edit::Undo ? 1 : 0;
+        resets += edit != nullptr && edit->edit == Edit::Reset ? 1 : 0;
+    }
+};
+
+Json infoOf(const SessionRecording& recording, const EventCounts& counts) {
+    const JournalReader& journal = recording.journal();
+    Json json = {{"case", recording.facts().title},
+                 {"date", recording.facts().date},
+                 {"seconds", counts.seconds},
+                 {"ticks", counts.ticks},
+                 {"bytes", journal.bytes()},
+                 {"complete", journal.isComplete()},
+                 {"cut_off_at", nullptr},
+                 {"build", recording.facts().commit},
+                 {"compiler", recording.facts().compiler},
+                 {"machine", recording.facts().machine},
+                 {"events",
+                  {{"burs", counts.burs},
+                   {"cuts", counts.carves},
+                   {"undos", counts.undos},
+                   {"redos", counts.redos},
+                   {"resets", counts.resets}}}};
+    if (journal.cutOffAt()) json["cut_off_at"] = *journal.cutOffAt();
+    return json;
+}
+
+void printInfo(const Json& json) {
+    print("case:      {}\n", displayText(json["case"].get<std::string>()));
+    print("date:      {}\n", displayText(json["date"].get<std::string>()));
+    print("length:    {:.1f} s, {} ticks\n", json["seconds"].get<double>(), json["ticks"].get<std::uint64_t>());
+    print("size:      {} bytes\n", json["bytes"].get<std::uint64_t>());
+    print("build:     {}, {}\n", displayText(json["build"].get<std::string>()),
+          displayText(json["compiler"].get<std::string>()));
+    print("machine:   {}\n", displayText(json["machine"].get<std::string>()));
+    const Json& events = json["events"];
+    print("events:    {} burs, {} updates of the cut, {} undos, {} redos, {} resets\n",
+          events["burs"].get<std::uint64_t>(), events["cuts"].get<std::uint64_t>(),
+          events["undos"].get<std::uint64_t>(), events["redos"].get<std::uint64_t>(),
+          events["resets"].get<std::uint64_t>());
+    if (json["complete"].get<bool>()) {
+        print("complete:  yes\n");
+    } else if (json["cut_off_at"].is_null()) {
+        print("complete:  no: it ends after a whole block, without an end mark\n");
+    } else {
+        print("complete:  no: cut off at byte {}; 'tactooth session repair' keeps what is before\n",
+              json["cut_off_at"].get<std::uint64_t>());
+    }
+}
+
+}  // namespace
+
+int runSessionInfo(const SessionInfoOptions& options) {
+    const Expected<SessionRecording> recording = SessionRecording::open(options.session);
+    if (!recording) return reportError(recording.error());
+    EventCounts counts;
+    const auto read = recording->forEach([&](const SessionEvent& event) { return counts.add(event), true; });
+    if (!read) return reportError(read.error());
+    const Json json = infoOf(*recording, counts);
+    if (options.json) {
+        print("{}\n", json.dump(2));
+    } else {
+        printInfo(json);
+    }
+    return kExitOk;
+}
+
+int runSessionRepair(const SessionRepairOptions& options) {
+    const Expected<JournalRepair> repaired = repairJournal(options.session, options.out);
+    if (!repaired) return reportError(repaired.error());
+    print("{}: {} bytes kept, {} bytes dropped{}\n", displayName(options.out), repaired->keptBytes,
+          repaired->droppedBytes, repaired->hadEnd ? "; there was nothing to repair" : "");
+    return kExitOk;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "journal/file/journal_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/temporary_file.h"
+#include "geometry/files/unfinished_files.h"
+#include "geometry/files/write_refusal.h"
+#include "geometry/util/assert.h"
+#include "journal/file/messages.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DiskFile final : public JournalFile {
+public:
+    DiskFile(fs::path path, TemporaryFile file) : path_(std::move(path)), file_(std::move(file)) {}
+    ~DiskFile() override {
+        removeRandomName();
+        ::close(file_.descriptor);
+    }
+
+    Written write(std::span<const std::byte> bytes) override {
+        const ssize_t count = ::write(file_.descriptor, bytes.data(), bytes.size());
+        if (count < 0) return {0, errno};
+        return {static_cast<std::size_t>(count), 0};
+    }
+
+    int sync() override {
+        if (::fdatasync(file_.descriptor) != 0 && errno != EINVAL) return errno;  // EINVAL: nothing to bring there
+        struct stat status {};
+        if (::fstat(file_.descriptor, &status) != 0) return errno;
+        return isPublished_ && status.st_nlink == 0 ? ENOENT : 0;
+    }
+
+    int publish() override {
+        TACTOOTH_ASSERT(!isPublished_);
+        const auto lock = lockRenames();
+        const int failure = file_.name.empty() ? linkUnnamed(file_.descriptor, path_.c_str())
+                                               : (::link(file_.name.c_str(), path_.c_str()) == 0 ? 0 : errno);
+        if (failure != 0) return failure;
+        isPublished_ = true;
+        if (!file_.name.empty()) forgetRandomName();
+        syncFolder(path_.parent_path());
+        return 0;
+    }
+
+private:
+    void removeRandomName() {
+        if (file_.name.empty()) return;
+        const auto lock = lockRenames();
+        forgetRandomName();
+    }
+    void forgetRandomName() {
+        ::unlink(file_.name.c_str());
+        unregisterUnfinished(file_.name);
+        file_.name.clear();
+    }
+
+    fs::path path_;
+    TemporaryFile file_;  // locked; with a name only where the file system knows no file without one
+    bool isPublished_ = false;
+};
+
+}  // namespace
+
+Expected<std::unique_ptr<JournalFile>> createJournalFile(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::exists(fs::symlink_status(path, ignored))) return unexpected(msg::kJournalExists, displayName(path));
+    if (!path.has_filename()) return cannotWrite(path, ENOENT);
+    struct stat unused {};  // an impossible name is reported now and not at the end
+    if (::stat(path.c_str(), &unused) != 0 && errno != ENOENT) return cannotWrite(path, errno);
+    TemporaryFile file;
+    if (const int failure = openTemporary(path.parent_path(), file); failure != 0) return cannotWrite(path, failure);
+    return std::unique_ptr<JournalFile>(new DiskFile(path, std::move(file)));
+}
+
+bool isBeingRecorded(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool isLocked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(descriptor);
+    return isLocked;
+}
+
+}  // namespace tactooth

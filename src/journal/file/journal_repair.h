@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+
+#include "geometry/util/expected.h"
+
+namespace tactooth {
+
+struct JournalRepair {
+    std::size_t blocks = 0;  ///< that were kept
+    std::uint64_t keptBytes = 0;
+    std::uint64_t droppedBytes = 0;
+    bool hadEnd = false;  ///< there was nothing to repair, but for bytes behind the end
+};
+
+/// Writes the whole blocks of a recording that was cut off, byte for byte, and a Recovered block behind them. A
+/// recording with an end (Closed or Recovered) is copied. `out` is written as a whole or not at all (AtomicFile). Fails
+/// with one sentence as JournalReader::open and AtomicFile do.
+[[nodiscard]] Expected<JournalRepair> repairJournal(const std::filesystem::path& in, const std::filesystem::path& out);
+
+}  // namespace tactooth

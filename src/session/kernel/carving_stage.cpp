@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/kernel/carving_stage.h"
+
+#include <bit>
+#include <utility>
+
+#include "geometry/util/assert.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kPauseBetweenCuts = 0.4;  // s without contact: the bur was lifted, a new cut begins (mark for undo)
+
+}  // namespace
+
+CarvingStage::CarvingStage(std::shared_ptr<CutModel> model, const CuttingTool& tool, MaterialTable materials)
+    : model_(std::move(model)), tool_(tool), materials_(std::move(materials)) {
+    TACTOOTH_ASSERT(model_ != nullptr);
+}
+
+/// Returns `changed`. A turn that changes nothing is in the hash by its place among the others.
+bool CarvingStage::addToHash(bool changed) {
+    const auto add = [this](double value) { hash_.addWord(std::bit_cast<std::uint64_t>(value)); };
+    hash_.addWord(changed ? 1 : 0);
+    if (!changed) return false;
+    for (const double volume : model_->loss().removed) add(volume);
+    add(model_->loss().beside);
+    hash_.addWord(model_->loss().pieces);
+    if (model_->reached()) {
+        for (int axis = 0; axis < 3; ++axis) add(model_->reached()->position[axis]);
+        for (int i = 0; i < 4; ++i) add(model_->reached()->rotation.coeffs()[i]);
+    }
+    return true;
+}
+
+bool CarvingStage::carve(const Tick& tick) {
+    time_ = tick.time;
+    if (tick.cutting) {
+        const bool cuts = tick.contacts > 0 && tick.speedRpm > 0;
+        if (cuts && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark(tick.time);
+        if (cuts) lastCut_ = tick.time;
+        if (model_->feed(tool_, tick, materials_)) return addToHash(true);
+    }
+    return addToHash(model_->removeDetachedPieces(tick));
+}
+
+bool CarvingStage::edit(Edit edit) {
+    lastCut_ = -std::numeric_limits<double>::infinity();  // the next cut is a step of its own
+    switch (edit) {
+        case Edit::Reset:
+            return addToHash(model_->reset(time_));
+        case Edit::Undo:
+            return addToHash(model_->undo());
+        case Edit::Redo:
+            return addToHash(model_->redo());
+    }
+    TACTOOTH_ASSERT(false);
+    return false;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "collision/neighbours/tool_shape.h"
+#include "instruments/bur_catalogue.h"
+#include "session/simulation/cut_model.h"
+
+namespace tactooth {
+
+/// The instrument in the hand.
+struct Instrument {
+    std::shared_ptr<const ToolShape> shape;
+    CuttingTool cutting;
+    BurEdge edge = {};
+};
+
+}  // namespace tactooth

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/kernel/listing_stage.h"
+
+#include <utility>
+
+namespace tactooth {
+
+ListingStage::ListingStage(std::shared_ptr<const ToolShape> tool, const std::shared_ptr<const Surface>& surface)
+    : surfaces_(std::move(tool), surface), newest_(surface) {}
+
+HapticSurface* ListingStage::turn(const Tick& now, std::optional<CarvedSurface> cut) {
+    if (cut) {
+        newest_ = cut->surface;
+        unsent_ = std::move(cut);
+    }
+    if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
+    if (unsent_) return surfaces_.make(unsent_->surface, now.proxy, unsent_->reached.value_or(now.proxy));
+    return now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand);
+}
+
+}  // namespace tactooth

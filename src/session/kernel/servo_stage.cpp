@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/kernel/servo_stage.h"
+
+#include <bit>
+#include <utility>
+
+namespace tactooth {
+
+ServoStage::ServoStage(const Instrument& instrument, std::shared_ptr<const Surface> surface,
+                       const HapticSettings& settings)
+    : simulation_(instrument.shape, instrument.cutting.envelope.maxRadius(), std::move(surface), settings) {
+    simulation_.deferPlacement();
+}
+
+void ServoStage::setForce(const ForceParameters& parameters) {
+    simulation_.force().setOverrides(parameters.overrides);
+    simulation_.force().setScale(parameters.scale);
+    simulation_.force().setMaxStiffness(parameters.maxStiffness);
+}
+
+Tick ServoStage::step(const TickInput& input) {
+    Tick tick = simulation_.step(input.operatorInput(), input.seconds());
+    tick.number = ++ticks_;
+    addToHash(tick);
+    return tick;
+}
+
+/// Words, not bytes: this runs at every tick.
+void ServoStage::addToHash(const Tick& tick) {
+    const auto add = [this](double value) { hash_.addWord(std::bit_cast<std::uint64_t>(value)); };
+    for (int axis = 0; axis < 3; ++axis) {
+        add(tick.proxy.position[axis]);
+        add(tick.wrench.force[axis]);
+        add(tick.wrench.torque[axis]);
+    }
+    for (int i = 0; i < 4; ++i) add(tick.proxy.rotation.coeffs()[i]);
+    add(tick.depth);
+    add(tick.speedRpm);
+    add(tick.cutWork);
+    hash_.addWord(static_cast<std::uint64_t>(tick.contacts) << 1 | (tick.placed ? 1 : 0));
+}
+
+}  // namespace tactooth

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "geometry/util/triple_buffer.h"
+#include "haptics/haptic_simulation.h"
+#include "haptics/servo_loop.h"
+#include "session/control/device_set.h"
+#include "session/kernel/carving_stage.h"
+#include "session/kernel/event_lanes.h"
+#include "session/kernel/listing_stage.h"
+#include "session/kernel/servo_stage.h"
+#include "session/simulation/tooth_file.h"
+
+namespace tactooth {
+
+/// The controls of a running simulation.
+struct SimulatorControls {
+    ForceOverrides force;  ///< empty: the materials' own values
+    double forceScale = 1;
+    double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's pedal counts
+    bool cutting = false;      ///< touch or cut
+    bool forceEnabled = true;  ///< off: the device gets no force, all else goes on
+    bool clutch = false;       ///< the tool stays where it is while the hand moves on
+    double motionScaling = 1;  ///< mm that the hand moves for each mm of the tool: 3 for fine work
+    ButtonMap buttons = {};
+};
+
+/// A running simulation of one tooth, one instrument and the devices of one or two hands. The servo thread moves the
+/// tool and computes the force. The carving thread cuts behind it. The brick-prefetch thread samples bricks of the cut
+/// volume before the carving thread needs them. The neighbour-list thread builds lists before the servo thread needs
+/// them. Any other threads may observe.
+class Simulator {
+public:
+    using TickListener = std::function<void(const Tick&)>;
+
+    /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick and must not
+    /// block. The model may already be cut. `registration` maps the frame of the device to the tooth frame; without it
+    /// both are the same. `second`: a device for the other hand, which holds the mirror at first; open, and outlives
+    /// the simulator. `motionScaling` holds until other controls are set.
+    /// `lanes`: where the threads report their events; null: nowhere.
+    Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
+              HapticDevice& device, TickListener onTick, double rateHz = 1000,
+              std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
+              double motionScaling = 1, std::shared_ptr<EventLanes> lanes = {});
+    ~Simulator();
+    Simulator(const Simulator&) = delete;
+    Simulator& operator=(const Simulator&) = delete;
+
+    /// One thread (the window's); wait-free.
+    void setControls(const SimulatorControls& controls) { controls_.write(controls); }
+
+    /// One thread (the window's): appends the ticks since the last call to `ticks`, oldest first. Ticks older than two
+    /// seconds are lost.
+    void fetchTicks(std::vector<Tick>& ticks);
+
+    /// Any thread.
+    [[nodiscard]] std::shared_ptr<const Surface> surface() const;
+    /// The surface for files: see exportedMesh.
+    [[nodiscard]] TaggedMesh exported() const;
+    [[nodiscard]] MaterialVolumes removed() const { return loss().removed; }
+    [[nodiscard]] ToothLoss loss() const;
+    /// Of the tooth: what the indices of `removed` mean. Any thread.
+    [[nodiscard]] const MaterialRegistry& materials() const { return model_->tooth().materials(); }
+    [[nodiscard]] const ServoTiming& timing() const { return loop_->timing(); }
+    /// One thread (the window's): the motion of the mirror since the start, in the tooth frame.
+    [[nodiscard]] const Pose& mirrorMotion() { return mirrorForObserver_.refresh(), mirrorForObserver_.value(); }
+    /// Time from reading the device to sending the force, us.
+    [[nodiscard]] const LatencyHistogram& deviceToForce() const { return deviceToForce_; }
+    /// The state of the force output.
+    [[nodiscard]] ForceState forceState() const { return forceState_.load(std::memory_order_relaxed); }
+    /// See DeviceSet::isAtWorkspaceLimit.
+    [[nodiscard]] bool isDeviceAtWorkspaceLimit() const {
+        return deviceAtWorkspaceLimit_.load(std::memory_order_relaxed);
+    }
+    [[nodiscard]] bool isRealTime() const { return loop_->isRealTime(); }
+    [[nodiscard]] bool limitsCpuLatency() const { return loop_->limitsCpuLatency(); }
+    /// Number of surfaces that the carving thread has published.
+    [[nodiscard]] std::uint64_t surfaceUpdates() const { return surfaceUpdates_.load(std::memory_order_relaxed); }
+    /// Any thread; the carving thread carries the requests out in their order, one in each turn. Reset restores the
+    /// whole tooth. Undo takes back the last step: a reset, or the cut since the bur last began to cut after a pause.
+    /// Redo does it again, unless something was cut since. No effect if there is nothing to reset, undo or redo.
+    void request(Edit edit);
+    /// The steps that can be undone and redone. Never null. Any thread.
+    [[nodiscard]] std::shared_ptr<const CutHistory> history() const;
+    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most.
+    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
+
+private:
+    template <std::size_t kCapacity>
+    using SurfaceQueue = boost::lockfree::spsc_queue<HapticSurface*, boost::lockfree::capacity<kCapacity>>;
+    static constexpr std::size_t kTickCapacity = 2048;
+
+    /// A surface for the neighbour-list thread.
+    struct Publication {
+        CarvedSurface cut;
+        SurfaceNumber number = 0;
+    };
+
+    void servoTick(double elapsed);
+    void fadeOut();
+    [[nodiscard]] std::uint32_t takeSurfaces();
+    void setForce(const SimulatorControls& controls);
+    void runCarving(const std::stop_token& stop);
+    void runNeighbourLists(const std::stop_token& stop);
+    void runBrickPrefetch(const std::stop_token& stop, BrickPool& pool);
+    [[nodiscard]] bool processModel();
+    [[nodiscard]] std::optional<Edit> takeEdit();
+    void publishSurface();
+    [[nodiscard]] Publication waitForSurface(const std::stop_token& stop, bool idle);
+    [[nodiscard]] std::uint32_t recycleSurfaces();
+    [[nodiscard]] bool send(HapticSurface* hapticSurface);
+
+    std::shared_ptr<CutModel> model_;
+    Instrument instrument_;
+    double rateHz_;
+    HapticDevice& device_;
+    HapticDevice* second_;
+    TickListener onTick_;
+    std::shared_ptr<EventLanes> lanes_;
+
+    // Of the servo thread.
+    ServoStage servo_;
+    DeviceSet devices_;
+    ElapsedTime elapsed_;
+    double nextTickHash_ = 0;  // Tick::time, s
+    ForceParameters force_;    // in use
+
+    // Between threads.
+    TripleBuffer<SimulatorControls> controls_;
+    TripleBuffer<Tick> tickForCarving_;
+    TripleBuffer<Tick> tickForNeighbourLists_;
+    TripleBuffer<std::optional<Pose>>
+        carvingPose_;  // carving -> brick-prefetch thread; nothing while the bur only touches
+    boost::lockfree::spsc_queue<Tick, boost::lockfree::capacity<kTickCapacity>> ticksForObserver_;
+    SurfaceQueue<8> pendingSurfaces_;   // neighbour-list -> servo thread
+    SurfaceQueue<32> retiredSurfaces_;  // back, with the surface before: the servo thread frees none
+    TripleBuffer<Pose> mirrorForObserver_;
+    LatencyHistogram deviceToForce_;
+    std::atomic<ForceState> forceState_{ForceState::Off};
+    std::atomic<bool> deviceAtWorkspaceLimit_{false};
+    std::atomic<bool> fadingOut_{false};  // the force fades out
+    std::atomic<bool> silent_{true};      // it has faded out
+    std::atomic<std::uint64_t> surfaceUpdates_{0};
+
+    CarvingStage carving_;        // of the carving thread
+    double nextCarvingHash_ = 0;  // of the carving thread: Tick::time, s
+    ListingStage listing_;        // of the neighbour-list thread
+
+    /// Held by the carving thread while it cuts, and by observers of the model; never by the servo thread.
+    mutable std::mutex modelMutex_;
+
+    mutable std::mutex requestMutex_;  // of the carving thread and those who ask; never of the servo thread
+    std::deque<Edit> requested_;
+
+    // Of the carving thread, the neighbour-list thread and observers; never of the servo thread.
+    mutable std::mutex publishedMutex_;
+    std::shared_ptr<const Surface> publishedSurface_;
+    ToothLoss publishedLoss_;
+    std::shared_ptr<const CutHistory> publishedHistory_;
+    std::optional<Publication> surfaceToList_;
+    SurfaceNumber published_ = 0;
+    std::condition_variable_any cutAvailable_;
+
+    std::unique_ptr<ServoLoop> loop_;
+    std::jthread carvingThread_;
+    std::jthread brickPrefetchThread_;
+    std::jthread neighbourListThread_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/recording/session_recorder.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <utility>
+
+#include "geometry/util/assert.h"
+#include "journal/format/attachment.h"
+#include "session/recording/event_codec.h"
+#include "session/recording/messages.h"
+#include "session/recording/session_setup.h"
+#include "session/recording/session_text.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kDrainPeriod = 50ms;   // the queues hold four seconds
+constexpr auto kBlockPeriod = 450ms;  // a block is at most half a second
+
+std::vector<std::byte> bytesOf(const std::string& text) {
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+SessionRecorder::SessionRecorder(std::unique_ptr<JournalWriter> writer)
+    : writer_(std::move(writer)),
+      flushed_(std::chrono::steady_clock::now()),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::create(const std::filesystem::path& path,
+                                                                   const CutModel& model, const std::string& title) {
+    Expected<std::unique_ptr<JournalWriter>> writer = JournalWriter::create(path, recordingHeader(model, title));
+    if (!writer) return Unexpected{writer.error()};
+    auto recorder = std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(*writer)));
+    recorder->attach(kToothAttachment, toothFileBytes(model, {}));
+    for (std::size_t i = 0; i < model.surroundings().size(); ++i) {
+        recorder->attach(surroundingAttachment(i), surroundingBytes(*model.surroundings()[i]));
+    }
+    return recorder;
+}
+
+SessionRecorder::~SessionRecorder() {
+    end();
+    thread_ = {};  // joins
+}
+
+void SessionRecorder::attach(std::string_view name, std::span<const std::byte> content) {
+    if (!attached_.insert(std::string(name)).second) return;
+    for (JournalBlock& block : attachmentBlocks(name, content)) (void)writer_->appendWhenRoom(std::move(block));
+}
+
+void SessionRecorder::note(const std::string& json) {
+    (void)writer_->appendWhenRoom({BlockType::Note, firstTick_, 0, bytesOf(json)});
+}
+
+std::shared_ptr<EventLanes> SessionRecorder::begin(const BeginEvent& event) {
+    end();
+    const MeshAttachment bur = attachmentOf(event.instrument.shape->mesh());
+    attach(bur.name, bur.content);
+    const std::lock_guard lock(mutex_);
+    note(setupText(event, bur.name));
+    lanes_ = std::make_shared<EventLanes>();
+    return lanes_;
+}
+
+void SessionRecorder::end() {
+    const std::lock_guard lock(mutex_);
+    if (lanes_ == nullptr) return;
+    drain();
+    flush();
+    lanes_.reset();
+    merger_ = {};
+}
+
+/// Called with the lock.
+void SessionRecorder::drain() {
+    lanes_->drain(merger_);
+    merger_.take(events_);
+    overflowed_ = overflowed_ || lanes_->hasOverflowed();
+}
+
+/// Called with the lock.
+void SessionRecorder::flush() {
+    flushed_ = std::chrono::steady_clock::now();
+    std::span<const SessionEvent> rest = events_;
+    while (!rest.empty()) {
+        const std::span<const SessionEvent> block = rest.first(std::min(rest.size(), kMaxBlockEvents));
+        rest = rest.subspan(block.size());
+        const auto ticks = static_cast<std::uint32_t>(std::ranges::count_if(
+            block, [](const SessionEvent& event) { return std::holds_alternative<TickEvent>(event); }));
+        (void)writer_->append({BlockType::Events, firstTick_, ticks, encodeEvents(block)});
+        firstTick_ += ticks;
+    }
+    events_.clear();
+}
+
+void SessionRecorder::run(const std::stop_token& stop) {
+    pthread_setname_np(pthread_self(), "recorder");  // for debuggers and profilers
+    std::condition_variable_any wake;
+    std::mutex sleeping;
+    while (!stop.stop_requested()) {
+        {
+            const std::lock_guard lock(mutex_);
+            if (lanes_ != nullptr) {
+                drain();
+                if (std::chrono::steady_clock::now() - flushed_ >= kBlockPeriod) flush();
+            }
+        }
+        std::unique_lock lock(sleeping);
+        (void)wake.wait_for(lock, stop, kDrainPeriod, [] { return false; });
+    }
+}
+
+Expected<void> SessionRecorder::close(std::uint64_t toothHash) {
+    end();
+    note(endText(toothHash));
+    const Expected<void> closed = writer_->close(firstTick_);
+    if (!closed) return closed;
+    if (overflowed_) return unexpected(msg::kRecordingOverflowed);
+    return {};
+}
+
+std::optional<Message> SessionRecorder::fault() const {
+    const std::lock_guard lock(mutex_);
+    if (overflowed_) return Message(msg::kRecordingOverflowed);
+    return writer_->fault();
+}
+
+}  // namespace tactooth

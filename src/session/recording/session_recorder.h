@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "journal/file/journal_writer.h"
+#include "session/kernel/event_lanes.h"
+#include "session/kernel/event_merger.h"
+#include "session/kernel/session_event.h"
+
+namespace tactooth {
+
+/// Ending of the files that hold a recorded session.
+inline constexpr std::string_view kSessionFileEnding = ".ttsession";
+
+/// Records a session into a file (docs/session-file.md): first the tooth, then all events, in blocks of half a second.
+/// A thread of its own does the work; the threads of the simulation only leave their events in queues. All functions
+/// are for one thread, but for `fault` and `bytes`.
+class SessionRecorder {
+public:
+    /// `model`: the tooth as it is now. For an exact replay nothing was cut since it was opened. `title`: of the tooth,
+    /// for people. Fails with one sentence if the file cannot be made.
+    [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> create(const std::filesystem::path& path,
+                                                                           const CutModel& model,
+                                                                           const std::string& title);
+    /// As after a crash, if `close` was not called: what has come is written, without a clean end.
+    ~SessionRecorder();
+    SessionRecorder(const SessionRecorder&) = delete;
+    SessionRecorder& operator=(const SessionRecorder&) = delete;
+
+    /// A bur begins to work. The threads of the simulation report to the result until `end`.
+    [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
+    /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
+    void end();
+    /// Ends the recording and waits until it is on the disk. `toothHash`: of the tooth now (CutModel::hash). Fails with
+    /// the sentence of `fault`.
+    [[nodiscard]] Expected<void> close(std::uint64_t toothHash);
+
+    /// One sentence why the recording has stopped; nothing as long as it goes on. Any thread.
+    [[nodiscard]] std::optional<Message> fault() const;
+    /// Size of the file. Any thread.
+    [[nodiscard]] std::uint64_t bytes() const { return writer_->bytes(); }
+
+private:
+    explicit SessionRecorder(std::unique_ptr<JournalWriter> writer);
+    void run(const std::stop_token& stop);
+    void drain();
+    void flush();
+    void note(const std::string& json);
+    void attach(std::string_view name, std::span<const std::byte> content);
+
+    std::unique_ptr<JournalWriter> writer_;
+    std::set<std::string> attached_;  // names
+    mutable std::mutex mutex_;        // of all below
+    std::shared_ptr<EventLanes> lanes_;
+    EventMerger merger_;
+    std::vector<SessionEvent> events_;  // not written yet
+    std::uint64_t firstTick_ = 0;       // of these; the ticks of all burs are counted together
+    std::chrono::steady_clock::time_point flushed_;
+    bool overflowed_ = false;
+    std::jthread thread_;  // last: it uses the members above
+};
+
+}  // namespace tactooth

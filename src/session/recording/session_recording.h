@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "journal/file/attachment_reader.h"
+#include "journal/file/journal_reader.h"
+#include "session/kernel/session_event.h"
+#include "session/recording/session_text.h"
+
+namespace tactooth {
+
+/// A recorded session in a file. It reads the blocks one after the other, and keeps none in memory.
+class SessionRecording {
+public:
+    /// Fails with one sentence if the file cannot be read or is no recording. A file that was cut off opens up to its
+    /// last whole block.
+    [[nodiscard]] static Expected<SessionRecording> open(const std::filesystem::path& path);
+
+    [[nodiscard]] const RecordingFacts& facts() const { return facts_; }
+    [[nodiscard]] const JournalReader& journal() const { return journal_; }
+    /// Ticks of all burs together.
+    [[nodiscard]] std::uint64_t ticks() const;
+
+    /// The tooth before the first event, with all around it. Fails with one sentence if it is damaged.
+    [[nodiscard]] Expected<std::shared_ptr<CutModel>> makeModel() const;
+
+    /// Calls `visit` with each event in turn, until it returns false. Fails with one sentence if a block is damaged.
+    [[nodiscard]] Expected<void> forEach(const std::function<bool(const SessionEvent&)>& visit) const;
+
+    /// CutModel::hash at the end; nothing if the recording was cut off.
+    [[nodiscard]] Expected<std::optional<std::uint64_t>> toothHash() const;
+
+private:
+    SessionRecording(JournalReader journal, RecordingFacts facts);
+    [[nodiscard]] Expected<BeginEvent> beginEvent(const std::string& setup) const;
+
+    JournalReader journal_;
+    RecordingFacts facts_;
+};
+
+}  // namespace tactooth

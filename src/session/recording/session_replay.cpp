@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/recording/session_replay.h"
+
+#include <utility>
+
+namespace tactooth {
+
+SessionReplay::SessionReplay(const SessionRecording& recording, std::shared_ptr<CutModel> model)
+    : recording_(&recording), kernel_(std::make_unique<SessionKernel>(std::move(model))) {}
+
+Expected<SessionReplay> SessionReplay::start(const SessionRecording& recording) {
+    Expected<std::shared_ptr<CutModel>> model = recording.makeModel();
+    if (!model) return Unexpected{model.error()};
+    return SessionReplay(recording, std::move(*model));
+}
+
+Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCallback& onTick) {
+    bool stopped = false;
+    const auto played = recording_->forEach([&](const SessionEvent& event) {
+        const auto* const tick = std::get_if<TickEvent>(&event);
+        const double next = tick != nullptr ? seconds_ + tick->input.seconds() : seconds_;
+        stopped = end && next > *end;
+        if (stopped) return false;
+        seconds_ = next;
+        if (!kernel_->apply(event)) differsAt_ = seconds_;
+        if (differsAt_) return false;
+        if (tick == nullptr) return true;
+        ++ticks_;
+        if (onTick) onTick(seconds_, kernel_->tick());
+        return true;
+    });
+    if (!played || stopped || differsAt_) return played;
+    const Expected<std::optional<std::uint64_t>> recorded = recording_->toothHash();
+    if (!recorded) return Unexpected{recorded.error()};
+    if (*recorded && **recorded != kernel_->toothHash()) differsAt_ = seconds_;
+    return {};
+}
+
+}  // namespace tactooth

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/recording/session_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "geometry/util/byte_stream.h"
+#include "session/io/run_metadata.h"
+#include "session/recording/messages.h"
+#include "session/recording/session_setup.h"
+
+namespace tactooth {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMaxSurroundings = 1000;
+constexpr std::array kRoles = {
+    std::pair(MaterialRole::None, "none"),     std::pair(MaterialRole::Enamel, "enamel"),
+    std::pair(MaterialRole::Dentin, "dentin"), std::pair(MaterialRole::Pulp, "pulp"),
+    std::pair(MaterialRole::Decay, "decay"),   std::pair(MaterialRole::Surroundings, "surroundings")};
+
+std::string roleWord(MaterialRole role) {
+    return std::ranges::find(kRoles, role, [](const auto& word) { return word.first; })->second;
+}
+
+Json jsonOf(const MaterialDefinition& material) {
+    return {{"name", material.name},           {"title_en", material.titleEn}, {"title_ja", material.titleJa},
+            {"role", roleWord(material.role)}, {"nesting", material.nesting},  {"code", material.code}};
+}
+
+std::string textOf(const Json& json, const char* key) {
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// A whole number from 0 to `highest`.
+std::optional<std::uint64_t> numberOf(const Json& json, const char* key, std::uint64_t highest) {
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    if (found == json.end() || !found->is_number_unsigned()) return std::nullopt;
+    const auto value = found->get<std::uint64_t>();
+    return value <= highest ? std::optional(value) : std::nullopt;
+}
+
+std::optional<MaterialDefinition> materialOf(const Json& json) {
+    MaterialDefinition material;
+    material.name = textOf(json, "name");
+    material.titleEn = textOf(json, "title_en");
+    material.titleJa = textOf(json, "title_ja");
+    const auto role = materialRoleNamed(textOf(json, "role"));
+    const auto nesting = numberOf(json, "nesting", kMaxMaterialNesting),
+               code = numberOf(json, "code", kMaxMaterialCode);
+    if (!role || !nesting || !code || !isMaterialName(material.name)) return std::nullopt;
+    material.role = *role;
+    material.nesting = static_cast<int>(*nesting);
+    material.code = static_cast<std::uint8_t>(*code);
+    // The setup of each bur brings the numbers that count for the simulation; the others are as in this program.
+    const MaterialRegistry& builtin = builtinMaterials();
+    const auto same = builtin.find(material.name);
+    material.numbers = builtin[same.value_or(builtin.withRole(MaterialRole::Surroundings))].numbers;
+    return material;
+}
+
+/// Null if the list is none that MaterialRegistry::make accepts.
+const MaterialRegistry* registryOf(const Json& json) {
+    if (!json.is_array() || json.size() > kMaxMaterials) return nullptr;
+    std::vector<MaterialDefinition> all;
+    for (const Json& one : json) {
+        std::optional<MaterialDefinition> material = materialOf(one);
+        if (!material) return nullptr;
+        const auto isSame = [&](const MaterialDefinition& other) {
+            return other.name == material->name || other.code == material->code;
+        };
+        if (std::ranges::any_of(all, isSame)) return nullptr;
+        all.push_back(std::move(*material));
+    }
+    for (const auto& [role, word] : kRoles) {
+        const bool isThere = std::ranges::any_of(all, [&](const auto& one) { return one.role == role; });
+        if (role != MaterialRole::None && !isThere) return nullptr;
+    }
+    return &MaterialRegistry::make(std::move(all));
+}
+
+}  // namespace
+
+std::string surroundingAttachment(std::size_t index) { return fmt::format("surrounding-{}", index); }
+
+std::vector<std::byte> surroundingBytes(const SurfacePart& body) {
+    ByteWriter out;
+    out.put(body.firstAdjacent());
+    out.put(static_cast<std::uint64_t>(body.tags().size()));
+    out.putAll(std::span(body.tags()));
+    out.putAll(std::span<const std::byte>(attachmentOf(body.mesh()).content));
+    return out.take();
+}
+
+std::shared_ptr<const SurfacePart> surroundingOf(std::span<const std::byte> content) {
+    ByteReader in(content);
+    const auto firstAdjacent = in.get<std::uint32_t>();
+    std::vector<SurfaceTag> tags = in.getAll<SurfaceTag>(in.get<std::uint64_t>());
+    if (!in.ok()) return nullptr;
+    std::optional<TriangleMesh> mesh = meshOf(in.getBytes(in.left()));
+    if (!mesh || mesh->empty() || (!tags.empty() && tags.size() != mesh->triangles.size())) return nullptr;
+    if (std::ranges::any_of(tags, [](SurfaceTag tag) { return tag >= kMaxMaterials; })) return nullptr;
+    return std::make_shared<const SurfacePart>(std::move(*mesh), std::move(tags), firstAdjacent);
+}
+
+std::string recordingHeader(const CutModel& model, const std::string& title) {
+    const RunMetadata run = currentRunMetadata();
+    Json materials = Json::array();
+    for (const MaterialDefinition& material : model.tooth().materials().definitions()) {
+        materials.push_back(jsonOf(material));
+    }
+    return Json{{"format", "Tactooth session"},
+                {"title", title},
+                {"build", {{"commit", run.commit}, {"compiler", run.compiler}}},
+                {"machine", run.machine},
+                {"date", run.date},
+                {"grid",
+                 {{"position_mm", TickInput::kPositionStep},
+                  {"rotation", TickInput::kRotationStep},
+                  {"pedal", TickInput::kPedalStep},
+                  {"time_s", TickInput::kTimeStep}}},
+                {"surroundings", model.surroundings().size()},
+                {"materials", materials}}
+        .dump();
+}
+
+Expected<RecordingFacts> parseHeader(const std::string& text, const std::string& file) {
+    const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+    if (!json.is_object()) return unexpected(msg::kRecordingSetupJson, file);
+    RecordingFacts facts;
+    facts.title = textOf(json, "title");
+    facts.commit = textOf(json.value("build", Json::object()), "commit");
+    facts.compiler = textOf(json.value("build", Json::object()), "compiler");
+    facts.machine = textOf(json, "machine");
+    facts.date = textOf(json, "date");
+    const auto surroundings = numberOf(json, "surroundings", kMaxSurroundings);
+    if (!surroundings) return unexpected(msg::kRecordingSetupKey, file, "surroundings");
+    facts.surroundings = *surroundings;
+    facts.materials = registryOf(json.value("materials", Json::array()));
+    if (facts.materials == nullptr) return unexpected(msg::kRecordingSetupKey, file, "materials");
+    return facts;
+}
+
+std::string endText(std::uint64_t toothHash) {
+    return Json{{"end", {{"tooth_hash", fmt::format("{:016x}", toothHash)}}}}.dump();
+}
+
+std::optional<std::uint64_t> parseEnd(const std::string& text) {
+    const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+    if (!json.is_object() || !json.contains("end")) return std::nullopt;
+    const std::string hash = textOf(json["end"], "tooth_hash");
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(hash.data(), hash.data() + hash.size(), value, 16);
+    if (error != std::errc() || end != hash.data() + hash.size() || hash.empty()) return std::nullopt;
+    return value;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/util/expected.h"
+#include "session/simulation/tooth_file.h"
+
+// What a recording says besides events and settings: the header, the bodies around the tooth, and the end.
+
+namespace tactooth {
+
+/// Name of the attachment with the bytes of the tooth's file.
+inline constexpr std::string_view kToothAttachment = "tooth.tactooth";
+/// Name of the attachment with a body around the tooth.
+[[nodiscard]] std::string surroundingAttachment(std::size_t index);
+
+[[nodiscard]] std::vector<std::byte> surroundingBytes(const SurfacePart& body);
+/// Bit for bit the body that it was made of; null for bytes of another form.
+[[nodiscard]] std::shared_ptr<const SurfacePart> surroundingOf(std::span<const std::byte> content);
+
+/// Facts of the header.
+struct RecordingFacts {
+    std::string title;  ///< of the tooth
+    std::string commit, compiler, machine, date;
+    std::size_t surroundings = 0;                 ///< number of bodies around the tooth
+    const MaterialRegistry* materials = nullptr;  ///< of the tooth
+};
+/// The header's JSON text.
+[[nodiscard]] std::string recordingHeader(const CutModel& model, const std::string& title);
+/// Fails with one sentence; `file` stands for the recording in it.
+[[nodiscard]] Expected<RecordingFacts> parseHeader(const std::string& json, const std::string& file);
+
+/// The last note of a recording.
+[[nodiscard]] std::string endText(std::uint64_t toothHash);
+/// Nothing for another text.
+[[nodiscard]] std::optional<std::uint64_t> parseEnd(const std::string& json);
+
+}  // namespace tactooth

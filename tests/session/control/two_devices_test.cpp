@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+// Two devices of two backends, tested up to the connections of the stand-ins.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "devices/haply/haply_device.h"
+#include "devices/openhaptics/openhaptics_device.h"
+#include "devices/standin/plane_servo.h"
+#include "devices/standin/standin_haply.h"
+#include "devices/standin/standin_hd.h"
+#include "haptics/servo_loop.h"
+#include "session/control/device_set.h"
+
+namespace tactooth {
+namespace {
+
+using namespace std::chrono_literals;
+using test::kWall;
+using test::soon;
+using test::StandinHaply;
+
+constexpr double kContactForce = 0.3;  // N
+
+const test::HdStandinControl& standin() {
+    static const auto* const control = static_cast<const test::HdStandinControl*>(
+        dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
+    return *control;
+}
+
+/// The result of a tick on a plane.
+Tick tickOnPlane(const Pose& tool) {
+    Tick tick;
+    tick.placed = tool.position.allFinite();
+    tick.depth = std::max(0.0, kWall - tool.position.z());
+    tick.deflection = tick.depth;
+    tick.contacts = tick.depth > 0 ? 1 : 0;
+    tick.stiffness = tick.depth > 0 ? test::kWallStiffness : 0;
+    if (tick.placed) tick.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.depth);
+    return tick;
+}
+
+/// A servo loop for two devices over the plane.
+class DeviceSetServo {
+public:
+    DeviceSetServo(HapticDevice& first, HapticDevice& second)
+        : hands_(first, &second, {}),
+          loop_(
+              1000, [this](double elapsed) { tick(elapsed); },
+              [&first](double longest) { first.waitForTick(longest); }) {}
+
+private:
+    void tick(double elapsed) {
+        hands_.read(elapsed, {});
+        hands_.write(tickOnPlane(hands_.turbine()), true, elapsed);
+    }
+    DeviceSet hands_;
+    ServoLoop loop_;
+};
+
+class TwoDevices : public ::testing::Test {
+protected:
+    void SetUp() override { standin().reset(); }
+    void TearDown() override { standin().reset(); }
+
+    static void swapByButton() {
+        standin().setButtons(0);
+        std::this_thread::sleep_for(30ms);
+        standin().setButtons(1);
+        std::this_thread::sleep_for(30ms);
+        standin().setButtons(0);
+    }
+    /// Presses all pens down together until one of them renders a force.
+    static bool leanPens(int pen) {
+        return soon([pen] {
+            standin().wantPosition(0, 5, 0);
+            std::this_thread::sleep_for(200ms);
+            standin().wantPosition(0, kWall - 4, 0);
+            std::this_thread::sleep_for(500ms);
+            return standin().forceOf(pen) > kContactForce;
+        });
+    }
+};
+
+/// A pen that holds the turbine, and an Inverse3 that holds the mirror.
+struct PenAndArm {
+    void open() {
+        ASSERT_TRUE(pen.open());
+        ASSERT_TRUE(arm.open());
+        servo.emplace(pen, arm);
+    }
+
+    StandinHaply service;
+    OpenHapticsDevice pen{"", TACTOOTH_STANDIN_HD};
+    HaplyDevice arm{"", service.address()};
+    std::optional<DeviceSetServo> servo;
+};
+
+TEST_F(TwoDevices, TwoPensExchangeTurbineAndMirror) {
+    OpenHapticsDevice right("Right", TACTOOTH_STANDIN_HD);
+    OpenHapticsDevice left("Left", TACTOOTH_STANDIN_HD);
+    ASSERT_TRUE(right.open());
+    ASSERT_TRUE(left.open());
+    const DeviceSetServo servo(right, left);
+    ASSERT_TRUE(leanPens(0));
+    EXPECT_EQ(standin().forceOf(1), 0) << "a mirror touches nothing";
+    swapByButton();
+    EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
+    EXPECT_EQ(standin().forceOf(1), 0) << "it took over a bur that is deep in the plane";
+    ASSERT_TRUE(leanPens(1));
+    EXPECT_EQ(standin().forceOf(0), 0);
+}
+
+TEST_F(TwoDevices, APenAndAnInverse3ExchangeTurbineAndMirror) {
+    PenAndArm both;
+    ASSERT_NO_FATAL_FAILURE(both.open());
+    ASSERT_TRUE(leanPens(0));
+    EXPECT_EQ(both.service.force(), 0);
+    swapByButton();
+    EXPECT_TRUE(soon([] { return standin().forceOf(0) == 0; }));
+    EXPECT_EQ(both.service.force(), 0);
+    EXPECT_TRUE(soon([&] {  // the arm took over deep below the plane: it lifts off and comes down again
+        both.service.wantPosition(0, 0, 0.012);
+        std::this_thread::sleep_for(200ms);
+        both.service.wantPosition(0, 0, 0);
+        std::this_thread::sleep_for(500ms);
+        return both.service.force() > kContactForce;
+    }));
+    EXPECT_EQ(standin().forceOf(0), 0);
+}
+
+TEST_F(TwoDevices, AnInverse3ThatIsLostLeavesThePenAlone) {
+    PenAndArm both;
+    ASSERT_NO_FATAL_FAILURE(both.open());
+    ASSERT_TRUE(leanPens(0));
+    both.service.setFault(test::HaplyFault::Drop);
+    ASSERT_TRUE(soon([&] { return both.arm.faultMessage() != nullptr; }));
+    std::this_thread::sleep_for(1500ms);
+    EXPECT_TRUE(leanPens(0));
+    EXPECT_NE(both.arm.faultMessage(), nullptr);
+    EXPECT_EQ(both.pen.faultMessage(), nullptr);
+}
+
+}  // namespace
+}  // namespace tactooth

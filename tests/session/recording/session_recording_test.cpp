@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/recording/session_recording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <thread>
+
+#include "bench_scene.h"
+#include "devices/simulated/scripted_device.h"
+#include "session/live/simulator.h"
+#include "session/recording/session_recorder.h"
+#include "session/recording/session_replay.h"
+#include "support/shapes.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using test::at;
+using ::testing::HasSubstr;
+
+/// A tooth of two layers among others: a wall that is felt and cannot be cut.
+std::shared_ptr<CutModel> toothAmongOthers() {
+    TriangleMesh outer = test::box(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0));
+    std::vector<LayerMesh> layers;
+    layers.push_back({"enamel", test::kEnamel, outer});
+    layers.push_back({"caries", test::kCaries, test::box(Vec3(-1, -1, -2), Vec3(1, 1, -0.1))});
+    auto tooth = LayeredTooth::make(std::move(outer), std::move(layers));
+    auto model = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), test::kVoxel);
+    TriangleMesh wall = test::box(Vec3(1.6, -1.5, -3), Vec3(3, 1.5, 1));
+    std::vector<SurfaceTag> tags(wall.triangles.size(), static_cast<SurfaceTag>(test::kOther));
+    model->surroundBy({std::make_shared<const SurfacePart>(std::move(wall), std::move(tags), 0)});
+    return model;
+}
+
+std::vector<DeviceKeyframe> strokes(double seconds, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> across(-1.3, 1.8), down(-0.8, 0.4);
+    std::vector<DeviceKeyframe> script = {{0, {at(0, 0, 0.4), 1, 0, true}}};
+    for (double time = 0.1; time < seconds; time += 0.12) {
+        script.push_back({time, {at(across(random), across(random), down(random)), 1, 0, true}});
+    }
+    return script;
+}
+
+struct Recorded {
+    std::vector<double> forces;  ///< along z, of each tick
+    std::uint64_t hash = 0;
+    TaggedMesh tooth;
+};
+
+/// Two burs, one after the other, with an undo.
+Recorded record(const fs::path& file, double secondsEach) {
+    Recorded result;
+    const std::shared_ptr<CutModel> model = toothAmongOthers();
+    auto recorder = SessionRecorder::create(file, *model, "test tooth");
+    EXPECT_TRUE(recorder) << recorder.error().message();
+    for (int bur = 0; bur < 2; ++bur) {
+        HapticSettings settings;
+        settings.freedom = bur == 0 ? Freedom::Translation : Freedom::TranslationAndRotation;
+        const Instrument instrument = test::flatBur(bur == 0 ? 1 : 0.5);
+        ScriptedDevice device(strokes(secondsEach, 40 + static_cast<unsigned>(bur)));
+        const auto lanes = (*recorder)->begin({instrument, settings});
+        {
+            Simulator simulator(
+                model, instrument, settings, device,
+                [&](const Tick& tick) { result.forces.push_back(tick.wrench.force.z()); }, 1000, {}, nullptr, 1, lanes);
+            SimulatorControls controls;
+            controls.cutting = true;
+            simulator.setControls(controls);
+            std::this_thread::sleep_for(std::chrono::duration<double>(secondsEach));
+            if (bur == 0) simulator.request(Edit::Undo);
+        }
+        (*recorder)->end();
+    }
+    result.hash = model->hash();
+    result.tooth = model->exported();
+    const auto closed = (*recorder)->close(result.hash);
+    EXPECT_TRUE(closed) << closed.error().message();
+    return result;
+}
+
+TEST(SessionRecording, ReplaysFromTheFileBitForBit) {
+    const test::TemporaryFolder folder;
+    const Recorded live = record(folder / "s.ttsession", 1.5);
+    const auto recording = SessionRecording::open(folder / "s.ttsession");
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_TRUE(recording->journal().isComplete());
+    EXPECT_EQ(recording->facts().title, "test tooth");
+    EXPECT_EQ(recording->ticks(), live.forces.size());
+    auto replay = SessionReplay::start(*recording);
+    ASSERT_TRUE(replay) << replay.error().message();
+    std::vector<double> forces;
+    const auto played =
+        replay->playUntil({}, [&](double, const Tick& tick) { forces.push_back(tick.wrench.force.z()); });
+    ASSERT_TRUE(played) << played.error().message();
+    EXPECT_FALSE(replay->differsAt()) << *replay->differsAt();
+    EXPECT_EQ(forces, live.forces);
+    EXPECT_EQ(replay->model().hash(), live.hash);
+    EXPECT_EQ(replay->model().exported().mesh.vertices, live.tooth.mesh.vertices);
+    EXPECT_EQ(replay->model().exported().mesh.triangles, live.tooth.mesh.triangles);
+}
+
+TEST(SessionRecording, StopsAtAMoment) {
+    const test::TemporaryFolder folder;
+    (void)record(folder / "s.ttsession", 0.6);
+    const auto recording = SessionRecording::open(folder / "s.ttsession");
+    ASSERT_TRUE(recording) << recording.error().message();
+    auto replay = SessionReplay::start(*recording);
+    ASSERT_TRUE(replay) << replay.error().message();
+    ASSERT_TRUE(replay->playUntil(0.25, {}));
+    EXPECT_LE(replay->seconds(), 0.25);
+    EXPECT_GT(replay->seconds(), 0.1);
+}
+
+/// What a crash leaves: the file, cut off anywhere.
+TEST(SessionRecording, OfAnyLengthOpensAndReplaysWhatIsLeft) {
+    const test::TemporaryFolder folder;
+    (void)record(folder / "s.ttsession", 0.8);
+    const auto whole = fs::file_size(folder / "s.ttsession");
+    std::mt19937 random(7);
+    int played = 0;
+    for (int i = 0; i < 12; ++i) {
+        const fs::path file = folder / "cut.ttsession";
+        fs::copy_file(folder / "s.ttsession", file, fs::copy_options::overwrite_existing);
+        fs::resize_file(file, whole / 2 + random() % (whole / 2));
+        const auto recording = SessionRecording::open(file);
+        if (!recording) continue;
+        EXPECT_FALSE(recording->journal().isComplete());
+        auto replay = SessionReplay::start(*recording);
+        if (!replay) continue;  // the tooth itself is cut off
+        const auto done = replay->playUntil({}, {});
+        ASSERT_TRUE(done) << done.error().message();
+        EXPECT_FALSE(replay->differsAt());
+        EXPECT_EQ(replay->ticks(), recording->ticks());
+        ++played;
+    }
+    EXPECT_GT(played, 3);
+}
+
+TEST(SessionRecording, AFileThatIsNoRecordingHasItsSentence) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "s.ttsession") << "not a recording";
+    const auto recording = SessionRecording::open(folder / "s.ttsession");
+    ASSERT_FALSE(recording);
+    EXPECT_THAT(recording.error().message(), HasSubstr("s.ttsession"));
+}
+
+TEST(SessionRecorder, WithoutAFolderHasItsSentence) {
+    const test::TemporaryFolder folder;
+    const auto recorder = SessionRecorder::create(folder / "missing/s.ttsession", *toothAmongOthers(), "t");
+    ASSERT_FALSE(recorder);
+    EXPECT_THAT(recorder.error().message(), HasSubstr("missing"));
+}
+
+}  // namespace
+}  // namespace tactooth
