@@ -73,7 +73,8 @@ private:
 std::filesystem::path handProgram() {
     std::error_code ignored;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    return self.parent_path() / "tactooth-hand";
+    // Without /proc there is none: never one that lies in the working folder.
+    return (self.is_absolute() ? self.parent_path() : std::filesystem::path("/")) / "tactooth-hand";
 }
 
 std::vector<std::string> HandArguments::words(const std::string& name) const {

@@ -4,6 +4,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <utility>
@@ -152,7 +153,8 @@ bool HandSupervisor::runOnce(const std::stop_token& stop) {
     } else {
         failures_ = monotonicSeconds() - startedAt > kHealthyAfter ? 1 : failures_ + 1;
         if (!fail({msg::kHandIsGone, wordsOf(end)})) return false;
-        const std::string device(link.description.name.data());
+        const auto& name = link.description.name;  // perhaps without a zero at its end: the process may be broken
+        const std::string device(name.begin(), std::ranges::find(name, '\0'));
         (void)appendFault(request_.faultLog, {std::chrono::system_clock::now(), end.cause, device, 0, 0});
     }
     if (failures_ <= kMaxRestarts) return true;
