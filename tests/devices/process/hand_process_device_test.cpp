@@ -90,7 +90,7 @@ TEST_F(HandProcess, TheServosCallsAllocateNothing) {
             device->waitForTick(0.002);
             (void)device->read(0.001);
             device->write({});
-            device->judge(PoseFault::None, 0.001);
+            device->recordPoseFault(PoseFault::None, 0.001);
         }
     };
     run(100);
