@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/open_device.h"
 
+#include <cstdlib>
+#include <optional>
+
 #include "devices/base/messages.h"
 #include "devices/probe/device_backend.h"
+#include "devices/process/hand_process_device.h"
 #include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
 
 constexpr const char* kNoDevice = "none";  // for the second hand
+
+std::optional<DeviceHost> chosenHost;
 
 /// A device name as the user enters it: "gamepad:Wireless".
 struct DeviceName {
@@ -56,7 +62,29 @@ Expected<void> checkDeviceName(const std::string& name, const std::string& optio
     return Unexpected{unknownDevice(name, option, isSecond)};
 }
 
+void setDeviceHost(DeviceHost host) { chosenHost = host; }
+
+DeviceHost deviceHost() {
+    if (chosenHost) return *chosenHost;
+    const char* const inProcess = std::getenv("TACTOOTH_DEVICE_IN_PROCESS");
+    return inProcess != nullptr && std::string_view(inProcess) == "1" ? DeviceHost::ThisProcess
+                                                                      : DeviceHost::HandProcess;
+}
+
 Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded, double rateHz) {
+    if (deviceHost() == DeviceHost::ThisProcess) return openDeviceInProcess(name, leftHanded, rateHz);
+    if (backendOf(DeviceName(name)) == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
+    HandRequest request;
+    request.device = name;
+    request.leftHanded = leftHanded;
+    request.rateHz = rateHz;
+    std::unique_ptr<HapticDevice> device = std::make_unique<HandProcessDevice>(request);
+    if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
+    return device;
+}
+
+Expected<std::unique_ptr<HapticDevice>> openDeviceInProcess(const std::string& name, bool leftHanded, double rateHz,
+                                                            const SampleListener& listener) {
     const DeviceName parts(name);
     const DeviceBackend* const backend = backendOf(parts);
     if (backend == nullptr) return Unexpected{unknownDevice(name, "--device", false)};
@@ -64,6 +92,7 @@ Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool
         if (const auto tried = backend->trial(); !tried) return Unexpected{tried.error()};
     }
     std::unique_ptr<HapticDevice> device = backend->create({parts.own, leftHanded, rateHz});
+    device->setSampleListener(listener);
     if (const auto opened = device->open(); !opened) return Unexpected{opened.error()};
     return device;
 }

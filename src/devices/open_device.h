@@ -27,6 +27,16 @@ inline constexpr std::string_view kReplay = "replay:";
 /// second hand, where "none" is allowed and the mouse is not.
 [[nodiscard]] Expected<void> checkDeviceName(const std::string& name, const std::string& option, bool isSecond = false);
 
+/// Where a device's link runs.
+enum class DeviceHost {
+    HandProcess,  ///< in tactooth-hand, which cuts the force if this program fails
+    ThisProcess,  ///< for debugging
+};
+/// For all devices that are opened from now on; call it while the program has one thread. Without a call it is
+/// HandProcess, unless the variable TACTOOTH_DEVICE_IN_PROCESS is set to 1.
+void setDeviceHost(DeviceHost host);
+[[nodiscard]] DeviceHost deviceHost();
+
 /// Opens the device that the user has named: one of deviceBackends() except the mouse. "pen" is the default pen of
 /// OpenHaptics, "pen:NAME" the one with that name in the vendor's setup program. "gamepad" is the first gamepad,
 /// "gamepad:NAME" the first whose name contains NAME. "inverse3" is the first Haply Inverse3, "inverse3:ID" the one
@@ -34,5 +44,10 @@ inline constexpr std::string_view kReplay = "replay:";
 /// differ between left and right hand. `rateHz`: for devices whose driver sets the servo rate.
 [[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDevice(const std::string& name, bool leftHanded = false,
                                                                  double rateHz = 1000);
+
+/// The same in this process, whatever deviceHost() is. The device calls `listener`.
+[[nodiscard]] Expected<std::unique_ptr<HapticDevice>> openDeviceInProcess(const std::string& name, bool leftHanded,
+                                                                          double rateHz,
+                                                                          const SampleListener& listener = {});
 
 }  // namespace tactooth

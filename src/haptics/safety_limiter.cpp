@@ -79,4 +79,13 @@ SafeWrench SafetyLimiter::limit(const Wrench& wanted, double elapsed, bool enabl
     return SafeWrench(last_);
 }
 
+SafeWrench SafetyLimiter::fade(const SafeWrench& earlier, double left) {
+    TACTOOTH_ASSERT(earlier.force().norm() <= limits_.force * kRounding);
+    TACTOOTH_ASSERT(earlier.torque().norm() <= limits_.torque * kRounding);
+    const double share = left > 0 ? std::min(left, 1.0) : 0;  // false for NaN
+    strength_ = 0;
+    last_ = {shortened(share * earlier.force(), limits_.force), shortened(share * earlier.torque(), limits_.torque)};
+    return SafeWrench(last_);
+}
+
 }  // namespace tactooth

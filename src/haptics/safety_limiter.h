@@ -50,6 +50,10 @@ public:
     /// faster than the slew rate.
     [[nodiscard]] SafeWrench limit(const Wrench& wanted, double elapsed, bool enabled, double speed);
 
+    /// The share `left` (0..1) of an earlier wrench of this limiter, for a force that has to end sooner than the slew
+    /// rate allows. The next force starts from zero, with the ramp. A share that is not a number counts as zero.
+    [[nodiscard]] SafeWrench fade(const SafeWrench& earlier, double left);
+
     /// Number of ticks with an input that was not finite, or that came too late.
     [[nodiscard]] std::uint64_t faults() const { return faults_; }
     [[nodiscard]] const ForceLimits& limits() const { return limits_; }

@@ -24,7 +24,7 @@ TEST(GamepadSession, AGamepadTouchesAndCutsTheToothAndRumbles) {
     model.install(std::move(*bur));
     const auto soon = [&](const std::function<bool()>& condition) { return test::stepUntil(model, condition); };
     test::VirtualPad pad("Test Pad");
-    auto device = openDevice("gamepad");
+    auto device = openDeviceInProcess("gamepad", false, 1000);  // where the virtual pad is
     ASSERT_TRUE(device);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.6);

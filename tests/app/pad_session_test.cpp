@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QThread>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
 
@@ -358,6 +359,7 @@ void PadSessionTest::cleanupTestCase() {
 }  // namespace tactooth
 
 int main(int argc, char** argv) {
+    setenv("TACTOOTH_DEVICE_IN_PROCESS", "1", 1);  // the virtual pad is in this process
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::PadSessionTest test;
     return QTest::qExec(&test, argc, argv);

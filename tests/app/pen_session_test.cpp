@@ -272,6 +272,7 @@ void PenSessionTest::aDeviceThatFailsAtTheStartIsTriedAgainNextTime() {
 
 int main(int argc, char** argv) {
     setenv("TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD, 1);
+    setenv("TACTOOTH_DEVICE_IN_PROCESS", "1", 1);  // the test steers the library that the window has loaded
     const tactooth::test::PenFolder pens({"Default Device", "Left", "Right"});
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::PenSessionTest test;

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test.h"
 #include "support/sanitizer.h"
+#include "support/test_data.h"
+#include "support/text_file.h"
 
 namespace tactooth {
 namespace {
@@ -47,6 +50,29 @@ TEST(Doctor, SpeaksInSentences) {
         EXPECT_TRUE(text.front() >= 'A' && text.front() <= 'Z') << text;
         EXPECT_EQ(text.back(), '.') << text;
     }
+}
+
+TEST(Doctor, ShowsTheLastFaultsOfTheHandProcess) {
+    const TemporaryFolder state;
+    const Environment environment = {{"XDG_STATE_HOME", state.path().string()}};
+    EXPECT_THAT(finding(doctorSays(environment), "hand process").at("text").get<std::string>(),
+                HasSubstr("it has no faults"));
+    std::filesystem::create_directory(state / "tactooth");
+    writeText(state / "tactooth" / "hand-faults.csv",
+              "time,cause,device,force_n,zero_ms\n"
+              "2026-11-26T07:08:22.123Z,beyond_limits,Touch,3.3,2.1\n"
+              "2026-11-27T07:08:22.123Z,no_force,Touch,1.83,2.1\n"
+              "2026-11-27T07:08:23.123Z,something,Touch,1,2.1\n"
+              "2026-11-27T07:08:24.123Z,hand_killed,Haply Inverse3 \x1b[31m,0,0\n"
+              "2026-11-27T07:08:25.123Z,program_ended,Touch,0.2,2.1\n");
+    const Json shown = finding(doctorSays(environment), "hand process");
+    EXPECT_EQ(shown.at("verdict"), "fine");
+    const std::string text = shown.at("text");
+    EXPECT_THAT(text, HasSubstr("2026-11-27 07:08:22 UTC, Touch, 1.8 N: no fresh force for 3 ms; "));
+    EXPECT_THAT(text, HasSubstr(": the device's process was ended by a signal; "));
+    EXPECT_THAT(text, HasSubstr("Touch, 0.2 N: the program ended without closing the device."));
+    EXPECT_EQ(text.find("beyond"), text.npos) << "the last three";
+    EXPECT_EQ(text.find('\x1b'), text.npos);
 }
 
 TEST(Doctor, TheNullDriverIsNoSoundCard) {

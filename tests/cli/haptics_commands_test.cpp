@@ -64,7 +64,8 @@ TEST(HapticsCommands, RealtimeReportsHowTheMachineKeptTime) {
     const ProgramRun run = runTactooth({"realtime", "--seconds", "1", "--json"});
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_GT(json.at("ticks"), 50);
-    for (const char* line : {"period_jitter", "tick", "lateness", "device_to_force"}) {
+    for (const char* line : {"period_jitter", "tick", "lateness", "device_to_force", "link_in_process",
+                             "link_through_hand", "link_added"}) {
         EXPECT_GT(json.at(line).at("p50_us"), 0) << line;
         EXPECT_LE(json.at(line).at("p50_us"), json.at(line).at("max_us")) << line;
         std::uint64_t count = 0;

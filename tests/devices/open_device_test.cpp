@@ -11,7 +11,10 @@
 #include <string>
 
 #include "devices/probe/device_backend.h"
+#include "devices/process/hand_process_device.h"
+#include "standin/pen_folder.h"
 #include "standin/standin_hd.h"
+#include "support/scoped_variable.h"
 #include "virtual_pad.h"
 
 namespace tactooth {
@@ -58,11 +61,25 @@ TEST(OpenDevice, KnowsThatTheSecondHandHasNoMouse) {
 }
 
 TEST(OpenDevice, OpensAGamepadByItsName) {
-    const test::VirtualPad pad("Test Pad");
+    const test::VirtualPad pad("Test Pad");  // there is none in another process
+    const test::ScopedVariable here("TACTOOTH_DEVICE_IN_PROCESS", "1");
     const auto opened = openDevice("gamepad:Test");
     ASSERT_TRUE(opened);
     EXPECT_EQ((*opened)->info().name, "Test Pad");
     EXPECT_FALSE(openDevice("gamepad:Other"));
+}
+
+TEST(OpenDevice, OpensADeviceInAProcessOfItsOwn) {
+    const test::PenFolder noPens({});
+    const test::ScopedVariable library("TACTOOTH_LIBHD", TACTOOTH_STANDIN_HD);
+    for (const bool isInProcess : {false, true}) {
+        const test::ScopedVariable host("TACTOOTH_DEVICE_IN_PROCESS", isInProcess ? "1" : "0");
+        const auto opened = openDevice("pen");
+        ASSERT_TRUE(opened);
+        EXPECT_EQ(dynamic_cast<const HandProcessDevice*>(opened->get()) == nullptr, isInProcess);
+        EXPECT_EQ((*opened)->info().name, "Touch (stand-in)");
+        EXPECT_TRUE((*opened)->drivesServoRate());
+    }
 }
 
 TEST(OpenDevice, SaysWhatIsMissing) {
@@ -86,6 +103,7 @@ TEST(OpenDevice, ALibraryThatCrashesDoesNotTakeTheProgramWithIt) {
 }
 
 TEST(OpenDevice, ALibraryThatCrashesWhenItStartsADeviceDoesNotEither) {
+    const test::ScopedVariable here("TACTOOTH_DEVICE_IN_PROCESS", "1");  // the test steers the library
     const auto library = std::filesystem::temp_directory_path() / "tactooth_crashing_start_hd.so";
     std::filesystem::remove(library);
     std::filesystem::create_symlink(TACTOOTH_STANDIN_HD, library);

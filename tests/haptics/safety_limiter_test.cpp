@@ -191,5 +191,21 @@ TEST(SafetyLimiter, AnInvalidSpeedGivesZero) {
     }
 }
 
+TEST(SafetyLimiter, FadesALastForceToAnyShareAndStartsFromZeroAgain) {
+    SafetyLimiter limiter = warmLimiter();
+    SafeWrench pressed;
+    for (int i = 0; i < 100; ++i) pressed = limiter.limit(push(3), kTick, true, 0);
+    ASSERT_DOUBLE_EQ(pressed.force().z(), 3);
+    EXPECT_DOUBLE_EQ(limiter.fade(pressed, 0.5).force().z(), 1.5);
+    EXPECT_EQ(limiter.strength(), 0);
+    EXPECT_DOUBLE_EQ(limiter.fade(pressed, 2).force().z(), 3) << "never more than it was";
+    for (const double nothing : {0.0, -1.0, kNan}) {
+        EXPECT_EQ(limiter.fade(pressed, nothing).force(), Vec3::Zero()) << nothing;
+    }
+    const double next = limiter.limit(push(3), kTick, true, 0).force().z();
+    EXPECT_LE(next, 3 * kTick / limits().rampTime + 1e-12) << "the ramp starts anew";
+    EXPECT_EQ(limiter.faults(), 0U);
+}
+
 }  // namespace
 }  // namespace tactooth

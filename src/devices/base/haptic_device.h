@@ -50,6 +50,16 @@ struct DeviceSample {
     bool isFresh = true;          ///< false: the same sample as at the last read
 };
 
+/// Is told of each new sample, by a thread of the device. It must not block.
+struct SampleListener {
+    void (*call)(void* context) = nullptr;  ///< nullptr: nobody listens
+    void* context = nullptr;
+
+    void operator()() const {
+        if (call != nullptr) call(context);
+    }
+};
+
 /// One device for one hand. A user with two hands uses two objects, each paired with an instrument.
 ///
 /// Any single thread may call open and close. Only the servo thread calls read and write, in this order, once a tick:
@@ -74,6 +84,9 @@ public:
     /// `longest` s.
     [[nodiscard]] virtual bool drivesServoRate() const { return false; }
     virtual void waitForTick(double /*longest*/) {}
+    /// For a caller that waits for other events than samples, too. Set it before open(). A device without a thread of
+    /// its own, which is read at the pace of its caller, tells nobody.
+    void setSampleListener(const SampleListener& listener) { sampleListener_ = listener; }
 
     /// While suspended, a device whose sticks and buttons also have another function treats them as released. Any
     /// thread.
@@ -89,8 +102,12 @@ public:
     /// Accepts only a wrench that has passed the safety limiter. Force in the device's frame.
     virtual void write(const SafeWrench& wrench) = 0;
 
+protected:
+    [[nodiscard]] const SampleListener& sampleListener() const { return sampleListener_; }
+
 private:
     PoseMonitor poseMonitor_;
+    SampleListener sampleListener_;
 };
 
 }  // namespace tactooth

@@ -8,10 +8,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
-#include <map>
 #include <mutex>
 
 #include "devices/base/device_presets.h"
+#include "devices/base/kept_message.h"
 #include "devices/base/messages.h"
 #include "devices/base/monotonic_clock.h"
 #include "devices/base/timed_wait.h"
@@ -38,14 +38,6 @@ const Message kSlow(msg::kHaplySlow);
 const Message kTooManyAnswers(msg::kHaplyTooManyAnswers);
 const Message kLost(msg::kHaplyLost);
 const Message kNoAnswer(msg::kHaplyNoAnswer);
-
-/// Stores the message as long as the program runs; there are few different ones.
-const Message& kept(const Message& message) {
-    static std::mutex mutex;
-    static std::map<std::string, Message> messages;
-    const std::lock_guard lock(mutex);
-    return messages.try_emplace(message.in(Language::English), message).first->second;
-}
 
 }  // namespace
 
@@ -140,7 +132,7 @@ void HaplyDevice::run(const std::stop_token& stop) {
         if (link) {
             connection_ = std::move(*link);
         } else {
-            setFault(kept(link.error()));
+            setFault(keptMessage(link.error()));
         }
     }
 }
@@ -249,13 +241,15 @@ void HaplyDevice::parseAnswer() {
         none.usable = false;
         none.time = monotonicSeconds();
         reading_.write(none);
-        return setFault(kept(reading.error()));
+        sampleListener()();
+        return setFault(keptMessage(reading.error()));
     }
     reading->time = monotonicSeconds();
     if (reading->hasTurn) turn_ = reading->hand.rotation;
     reading->hand.rotation = turn_;  // a grip in sleep mode keeps its last rotation
     reading->usable &= isConnectionValid();
     reading_.write(*reading);
+    sampleListener()();
     if (reading->faultMessage != nullptr) return setFault(*reading->faultMessage);
     clearOldFault();
 }

@@ -138,13 +138,14 @@ void HdDriver::describe(HdPen& pen, DeviceInfo& info) {
     }
 }
 
-Expected<HdPen*> HdDriver::start(const std::string& name, DeviceInfo& info) {
+Expected<HdPen*> HdDriver::start(const std::string& name, DeviceInfo& info, const SampleListener& listener) {
     const std::lock_guard lock(mutex_);
     const auto pen = std::ranges::find(pens_, false, &HdPen::active);
     if (pen == pens_.end()) return unexpected(msg::kPensInUse);
     pause();
     const Expected<HdHandle> handle = startDevice(name);
     if (handle) {
+        pen->listener = listener;
         pen->name = name;
         pen->handle = *handle;
         pen->ticks = pen->forceAge = pen->faultTicks = 0;
@@ -226,6 +227,7 @@ void HdDriver::exchange(HdPen& pen) {
     reading.time = monotonicSeconds();
     pen.reading.write(reading);
     sem_post(&pen.ready);
+    pen.listener();
 }
 
 /// A fault need not affect the motors: the library keeps the last force until it gets another one.

@@ -40,6 +40,7 @@ struct HdPen {
     std::atomic<bool> forceActive{false};  // its last force was not zero
 
     // Used by the callback, or by the maintenance thread while no callback is scheduled.
+    SampleListener listener;
     std::string name;
     HdHandle handle = 0;
     bool active = false;
@@ -64,8 +65,8 @@ public:
     HdDriver(const HdDriver&) = delete;
     HdDriver& operator=(const HdDriver&) = delete;
 
-    /// Starts the pen `name` (empty: the default one) and fills in its capabilities.
-    [[nodiscard]] Expected<HdPen*> start(const std::string& name, DeviceInfo& info);
+    /// Starts the pen `name` (empty: the default one) and fills in its capabilities. The callback calls `listener`.
+    [[nodiscard]] Expected<HdPen*> start(const std::string& name, DeviceInfo& info, const SampleListener& listener);
     void stop(HdPen& pen);
 
 private:

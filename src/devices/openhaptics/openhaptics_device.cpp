@@ -54,7 +54,7 @@ Expected<void> OpenHapticsDevice::open() {
     close();
     auto driver = HdDriver::shared(library_, rateHz_);
     if (!driver) return Unexpected{driver.error()};
-    const Expected<HdPen*> pen = (*driver)->start(name_, info_);
+    const Expected<HdPen*> pen = (*driver)->start(name_, info_, sampleListener());
     if (!pen) return Unexpected{pen.error()};
     driver_ = std::move(*driver);
     pen_ = *pen;

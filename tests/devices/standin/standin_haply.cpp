@@ -109,7 +109,18 @@ void StandinHaply::serve(int socket, const std::stop_token& stop) {
     }
     const std::lock_guard lock(mutex_);
     --connections_;
+    const bool hadForce = hands_[0].force != std::array<double, 3>{};
     for (Hand& hand : hands_) hand.force = {};  // a device without commands renders no force
+    noteZero(hadForce);
+}
+
+/// `hadForce`: before the force of the present moment.
+void StandinHaply::noteZero(bool hadForce) {
+    if (hands_[0].force != std::array<double, 3>{}) {
+        zeroAt_ = 0;
+    } else if (hadForce) {
+        zeroAt_ = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
 }
 
 bool StandinHaply::isLate() const {
@@ -124,7 +135,9 @@ void StandinHaply::take(const std::string& message) {
     for (const auto& device : json.at("inverse3")) {
         Hand& hand = hands_[device.at("device_id") == kFirst ? 0 : 1];
         const auto& values = device.at("commands").at("set_cursor_force").at("values");
+        const bool hadForce = hand.force != std::array<double, 3>{};
         hand.force = {values.at("x"), values.at("y"), values.at("z")};
+        if (&hand == hands_.data()) noteZero(hadForce);
         for (std::size_t i = 0; i < 3; ++i) {
             const double push = hand.force[i] + kSpring * (wanted_[i] - hand.position[i]) - kDamper * hand.speed[i];
             hand.speed[i] += kTick / kMass * push;
@@ -251,6 +264,11 @@ void StandinHaply::setForeign(bool foreign) {
 double StandinHaply::force() const {
     const std::lock_guard lock(mutex_);
     return std::hypot(hands_[0].force[0], hands_[0].force[1], hands_[0].force[2]);
+}
+
+double StandinHaply::zeroAt() const {
+    const std::lock_guard lock(mutex_);
+    return zeroAt_;
 }
 
 double StandinHaply::lastTold() const {

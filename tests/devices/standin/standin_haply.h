@@ -65,6 +65,8 @@ public:
 
     /// Magnitude of the last force that the first device received, N; zero without a connection.
     [[nodiscard]] double force() const;
+    /// When that force became zero, s of the monotonic clock; 0 while there is one.
+    [[nodiscard]] double zeroAt() const;
     /// The same, even if the connection is closed.
     [[nodiscard]] double lastTold() const;
     /// Number of messages to the first device since the fault was set.
@@ -83,6 +85,7 @@ private:
     void accept(const std::stop_token& stop);
     void serve(int socket, const std::stop_token& stop);
     void take(const std::string& message);
+    void noteZero(bool hadForce);
     [[nodiscard]] std::string state(bool isFirst);
     [[nodiscard]] std::string placeOf(const Hand& hand) const;
     [[nodiscard]] std::string turnOfGrip() const;
@@ -104,6 +107,7 @@ private:
     bool foreign_ = false;
     long messages_ = 0, sinceFault_ = 0, lastForce_ = 0;
     double lastTold_ = 0;
+    double zeroAt_ = 0;
     int connections_ = 0;
     std::vector<std::jthread> servers_;
     std::jthread acceptor_;

@@ -4,6 +4,8 @@
 // test switches on.
 #include "standin_hd.h"
 
+#include "pen_record.h"
+
 #include <pthread.h>
 #include <sched.h>
 
@@ -62,8 +64,50 @@ std::jthread scheduler;
 
 double lengthOf(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
+/// What a test in another process shares with this library; nullptr: no test does.
+tactooth::test::PenRecord* recordOfTest() {
+#ifdef _WIN32
+    return nullptr;
+#else
+    static auto* const kRecord = tactooth::test::mapPenRecord(std::getenv("TACTOOTH_STANDIN_RECORD"));
+    return kRecord;
+#endif
+}
+
+/// Takes the hand's target from the record.
+void followRecord() {
+    const auto* const record = recordOfTest();
+    if (record == nullptr) return;
+    for (std::size_t i = 0; i < 3; ++i) wanted[i] = record->wanted[i].load();
+}
+
+/// Notes a force that goes to the motors.
+void noteForce(double force) {
+    auto* const record = recordOfTest();
+    if (record == nullptr) return;
+    const double now = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    if (force > 0) {
+        record->zeroAt = 0;
+    } else if (record->force > 0) {
+        record->zeroAt = now;
+    }
+    record->force = force;
+}
+
+/// Notes which process holds the pen, and that it lives.
+void noteTick() {
+    auto* const record = recordOfTest();
+    if (record == nullptr) return;
+#ifndef _WIN32
+    record->process = getpid();
+#endif
+    ++record->ticks;
+}
+
 void moveHands() {
     const std::lock_guard lock(guard);
+    followRecord();
+    noteTick();
     for (Pen& pen : pens) {
         for (std::size_t i = 0; i < 3; ++i) {
             const double push = pen.force[i] + kSpring * (wanted[i] - pen.position[i]) - kDamper * pen.speed[i];
@@ -261,6 +305,7 @@ void switchForce(std::uint32_t what, bool on) {
     if (what != 0x4000) return;
     pen.makesForce = on;
     if (!on) pen.force = {};
+    if (!on && current == 0) noteForce(0);
 }
 
 void hdEnable(std::uint32_t what) { switchForce(what, true); }
@@ -289,6 +334,7 @@ void hdSetDoublev(std::uint32_t what, const double* in) {
     const std::lock_guard lock(guard);
     if (what != 0x2700 || current >= kMaxPens || !pens[current].makesForce) return;
     std::copy(in, in + 3, pens[current].force.begin());
+    if (current == 0) noteForce(lengthOf(pens[0].force));
 }
 
 const char* hdGetString(std::uint32_t what) { return what == 0x2501 ? "Touch (stand-in)" : ""; }

@@ -179,7 +179,8 @@ void addRealtime(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<RealtimeOptions>();
     CLI::App* command = addCommand(program, chosen, "realtime",
                                    "Measures how well this machine keeps time while a simulated hand touches and cuts "
-                                   "the built-in molar. Exit code 1 if it misses more than 1 % of the deadlines.",
+                                   "the built-in molar, and what tactooth-hand adds to a force's time. Exit code 1 "
+                                   "if it misses more than 1 % of the deadlines.",
                                    options, runRealtime);
     command->add_option("--seconds", options->seconds, "Length of the run, s (default: 20)")
         ->transform(numberFrom(1.0, 3600.0))
@@ -198,10 +199,11 @@ void addDevices(CLI::App& program, CommandAction& chosen) {
                runDevices)
         ->add_flag("--json", devices->json, "Writes one JSON array instead of lines");
     const auto doctor = std::make_shared<DoctorOptions>();
-    addCommand(program, chosen, "doctor",
-               "Checks display, OpenGL, sound, real-time rights and devices, and says what to do about problems. Exit "
-               "code 1 if the window cannot open.",
-               doctor, runDoctor)
+    addCommand(
+        program, chosen, "doctor",
+        "Checks display, OpenGL, sound, real-time rights, the hand process with its last faults, and devices, and "
+        "says what to do about problems. Exit code 1 if the window cannot open.",
+        doctor, runDoctor)
         ->add_flag("--json", doctor->json, "Writes one JSON array instead of lines");
 }
 

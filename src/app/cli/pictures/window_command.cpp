@@ -59,6 +59,12 @@ void addHands(CLI::App& program, WindowArguments& arguments) {
             "window remembers it")
         ->type_name("NAME")
         ->group(kGroup);
+    program
+        .add_flag(
+            "--device-in-process", arguments.deviceInProcess,
+            "For debugging: holds devices in this process. Usually tactooth-hand holds them, which cuts the force "
+            "if this process fails")
+        ->group(kGroup);
 }
 
 void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
@@ -128,6 +134,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
 
 int runWindowCommand(const WindowArguments& arguments) {
     if (const auto known = checkDevices(arguments); !known) return reportError(known.error());
+    if (arguments.deviceInProcess) setDeviceHost(DeviceHost::ThisProcess);
     WindowOptions options;
     if (!arguments.tooth.empty()) {
         const std::filesystem::path file = arguments.tooth;

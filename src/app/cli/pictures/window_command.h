@@ -23,6 +23,7 @@ struct WindowArguments {
     std::string bur;
     std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;
+    bool deviceInProcess = false;
     std::optional<int> mouth;  ///< tooth number
     bool noCache = false;
 };

@@ -5,12 +5,12 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/runs/doctor_devices.h"
 #include "app/cli/runs/doctor_finding.h"
 #include "app/cli/runs/doctor_sound.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/display_check.h"
 #include "app/common/exit_code.h"
-#include "devices/device_enumeration.h"
 #include "devices/probe/child_probe.h"
 #include "geometry/util/display_text.h"
 #include "haptics/real_time.h"
@@ -54,21 +54,11 @@ Finding checkRealTime() {
     return {"real time", FindingState::Optional, "Not allowed: " + missing + ". " + realTimeHint(rights)};
 }
 
-/// The name that --device takes is added where several devices of one kind are connected.
-std::string titleOf(const DetectedDevice& device) {
-    const bool isOneOfSeveral = device.name.find(':') != std::string::npos;
-    return isOneOfSeveral ? device.name + ", " + device.backend : device.backend;
-}
-
 std::vector<Finding> examine() {
     std::vector<Finding> findings = {checkDisplayServer(), checkOpenGlRenderer()};
     for (Finding& finding : checkSound()) findings.push_back(std::move(finding));
     findings.push_back(checkRealTime());
-    for (const DetectedDevice& device : enumerateDevices()) {
-        const bool isReady = device.state == DeviceState::Ready;
-        findings.push_back(
-            {"device", isReady ? FindingState::Fine : FindingState::Optional, titleOf(device) + ": " + device.text});
-    }
+    for (Finding& finding : checkDevices()) findings.push_back(std::move(finding));
     return findings;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/cli/runs/realtime_link.h"
 #include "app/cli/terminal/output.h"
 #include "app/cli/terminal/timing_bars.h"
 #include "app/common/exit_code.h"
@@ -31,6 +32,7 @@ constexpr double kVoxel = 0.05;       // mm
 constexpr double kStroke = 1.0;       // mm to each side
 constexpr double kStrokeTime = 0.25;  // s
 constexpr double kSink = 1.5;         // mm by which the hand aims below the surface: about 1 N
+constexpr double kLinkShare = 0.25;   // of the time of the run, for each of the two links
 
 /// Comes down on the middle of the tooth, strokes to and fro, and lifts now and then.
 std::vector<DeviceKeyframe> strokes(const Box3& box, double seconds) {
@@ -63,12 +65,14 @@ private:
     std::vector<std::jthread> threads_;
 };
 
+/// One row of the table. The first four are those of the run, the others those of a device's link.
 struct Line {
     const char* key;
     const char* title;
     const char* head;  ///< the title as the head of a column
     const LatencyHistogram* histogram;
 };
+constexpr std::size_t kRunLines = 4;
 
 void printTable(const RealtimeOptions& options, const LiveRunner& runner, std::span<const Line> lines,
                 bool memoryLocked) {
@@ -80,13 +84,14 @@ void printTable(const RealtimeOptions& options, const LiveRunner& runner, std::s
           runner.feed().isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
           runner.feed().limitsCpuLatency() ? "kept from deep sleep" : "may sleep deeply");
     print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
-    std::vector<TimingBars> bars;
+    std::vector<TimingBars> bars, linkBars;
     for (const auto& [key, title, head, histogram] : lines) {
-        bars.push_back({head, histogram->counts()});
+        (bars.size() < kRunLines ? bars : linkBars).push_back({head, histogram->counts()});
         print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
               histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
     }
     print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
+    if (!linkBars.empty()) print("\n{}", timingBars(linkBars));
     const ServoTiming& timing = runner.feed().timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
     const auto missed = static_cast<double>(timing.missed.load());
@@ -128,6 +133,20 @@ Json jsonOf(const RealtimeOptions& options, const LiveRunner& runner, std::span<
     return json;
 }
 
+std::vector<Line> linesOf(const LiveRunner& runner) {
+    const ServoTiming& timing = runner.feed().timing();
+    return {{"period_jitter", "period: shorter or longer by", "period off by", &timing.jitter},
+            {"tick", "tick: time of its work", "work of a tick", &timing.tick},
+            {"lateness", "waking up: late by", "woken late by", &timing.lateness},
+            {"device_to_force", "from the reading to its force", "reading to force", &runner.feed().deviceToForce()}};
+}
+
+std::vector<Line> linesOf(const LinkTiming& link) {
+    return {{"link_in_process", "a driver's sample to its force", "sample to force", &link.inProcess()},
+            {"link_through_hand", "the same, through tactooth-hand", "through t.-hand", &link.throughHand()},
+            {"link_added", "what tactooth-hand adds", "tactooth-hand adds", &link.added()}};
+}
+
 /// Prints advice if the loop was late.
 void printAdvice(const ServoTiming& timing, double rateHz) {
     const std::string advice = overloadAdvice(timing, rateHz);
@@ -151,6 +170,7 @@ int runRealtime(const RealtimeOptions& options) {
                          strokes(boundingBox(molar.outer), options.seconds + 1));
     const bool locked = lockMemory();
     const CpuLoad busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
+    const auto link = LinkTiming::measure(kLinkShare * options.seconds, options.rateHz);
 
     const Instrument instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()};
     std::unique_ptr<SessionRecorder> recorder;
@@ -174,15 +194,18 @@ int runRealtime(const RealtimeOptions& options) {
         runner->feed().fetchTicks(ticks);
     }
     const ServoTiming& timing = runner->feed().timing();
-    const std::array<Line, 4> lines = {
-        {{"period_jitter", "period: shorter or longer by", "period off by", &timing.jitter},
-         {"tick", "tick: time of its work", "work of a tick", &timing.tick},
-         {"lateness", "waking up: late by", "woken late by", &timing.lateness},
-         {"device_to_force", "from the reading to its force", "reading to force", &runner->feed().deviceToForce()}}};
+    std::vector<Line> lines = linesOf(*runner);
+    if (link) {
+        const std::vector<Line> more = linesOf(**link);
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
     if (options.json) {
-        print("{}\n", jsonOf(options, *runner, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
+        Json json = jsonOf(options, *runner, lines, locked);
+        if (!link) json["link_error"] = link.error().message();
+        print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
         printTable(options, *runner, lines, locked);
+        if (!link) print("{}\n", link.error().message());
         printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
