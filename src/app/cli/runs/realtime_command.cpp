@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "app/cli/runs/run_recording.h"
 #include "app/cli/terminal/output.h"
 #include "app/cli/terminal/timing_bars.h"
 #include "app/common/exit_code.h"
@@ -19,7 +20,6 @@
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
 #include "session/live/simulator.h"
-#include "session/recording/session_recorder.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -139,6 +139,8 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 }  // namespace
 
 int runRealtime(const RealtimeOptions& options) {
+    RunRecording recording;
+    if (const auto opened = recording.open(options.record); !opened) return reportError(opened.error());
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar);
     auto tooth = layeredTooth(molar);
     if (!tooth) return reportError(tooth.error());
@@ -153,20 +155,17 @@ int runRealtime(const RealtimeOptions& options) {
     const CpuLoad busy(options.load ? std::max(1U, std::thread::hardware_concurrency()) - 1 : 0);
 
     const Instrument instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()};
-    std::unique_ptr<SessionRecorder> recorder;
-    if (!options.record.empty()) {
-        auto created = SessionRecorder::create(options.record, *piece, std::string(molar.name));
-        if (!created) return reportError(created.error());
-        recorder = std::move(*created);
-    }
+    if (const auto begun = recording.begin(*piece, std::string(molar.name)); !begun) return reportError(begun.error());
+    SessionRecorder* const recorder = recording.recorder();
     auto simulator = std::make_unique<Simulator>(
         piece, instrument, HapticSettings(), hand, Simulator::TickListener(), options.rateHz,
         std::optional<DeviceRegistration>(), nullptr, 1,
-        recorder ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
+        recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
     SimulatorControls controls;
-    for (bool cut = false; std::chrono::steady_clock::now() < end; cut = true) {
+    const auto isOver = [&] { return recording.stop().stop_requested() || std::chrono::steady_clock::now() >= end; };
+    for (bool cut = false; !isOver(); cut = true) {
         controls.cutting = cut;
         simulator->setControls(controls);
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.5, options.seconds / 4)));
@@ -189,8 +188,7 @@ int runRealtime(const RealtimeOptions& options) {
     constexpr double kMaxMissed = 0.01;  // share of the deadlines: a hand notices more
     const int exitCode = static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
     simulator.reset();  // the recording ends with it
-    if (recorder == nullptr) return exitCode;
-    if (const auto closed = recorder->close(piece->hash()); !closed) return reportError(closed.error());
+    if (const auto closed = recording.close(piece->hash()); !closed) return reportError(closed.error());
     return exitCode;
 }
 
