@@ -176,6 +176,7 @@ class File:
         chunk["places"].setdefault(channel, []).append((logged, place))
 
     def read_message_index(self, at, reader, length):
+        check(self.chunks, "a message index before the first chunk")
         chunk = self.chunks[-1]
         channel, places = reader.number("H"), reader.pairs("QQ")
         check(places == chunk["places"].get(channel), "a message index is wrong")
