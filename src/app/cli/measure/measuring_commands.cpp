@@ -191,6 +191,10 @@ void addRealtime(CLI::App& program, CommandAction& chosen) {
                      "File (*.ttsession) to record the session to; see 'replay'; an older recording of that name is "
                      "replaced")
         ->type_name("FILE");
+    command
+        ->add_option("--stream", options->stream,
+                     "Sends the newest tick up to 1000 times a second to udp://HOST:PORT (docs/live-stream.md)")
+        ->type_name("URL");
     addJson(*command, options->json);
 }
 

@@ -19,6 +19,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
+#include "session/live/live_stream.h"
 #include "session/live/simulator.h"
 #include "session/simulation/tooth_source.h"
 
@@ -141,6 +142,14 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 int runRealtime(const RealtimeOptions& options) {
     RunRecording recording;
     if (const auto opened = recording.open(options.record); !opened) return reportError(opened.error());
+    std::unique_ptr<LiveStream> stream;
+    if (!options.stream.empty()) {
+        auto opened = LiveStream::open(options.stream);
+        if (!opened) return reportError(opened.error());
+        stream = std::move(*opened);
+    }
+    Simulator::TickListener onTick;
+    if (stream != nullptr) onTick = [&stream](const Tick& tick) { stream->write(tick); };
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar);
     auto tooth = layeredTooth(molar);
     if (!tooth) return reportError(tooth.error());
@@ -158,9 +167,8 @@ int runRealtime(const RealtimeOptions& options) {
     if (const auto begun = recording.begin(*piece, std::string(molar.name)); !begun) return reportError(begun.error());
     SessionRecorder* const recorder = recording.recorder();
     auto simulator = std::make_unique<Simulator>(
-        piece, instrument, HapticSettings(), hand, Simulator::TickListener(), options.rateHz,
-        std::optional<DeviceRegistration>(), nullptr, 1,
-        recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
+        piece, instrument, HapticSettings(), hand, onTick, options.rateHz, std::optional<DeviceRegistration>(), nullptr,
+        1, recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
     SimulatorControls controls;
