@@ -171,7 +171,7 @@ std::string_view slotMotionName(SlotMotion motion) {
 
 std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& tooth, const BurSpec& bur, double depth,
                                    double voxel, bool probe) {
-    CutModel piece(tooth, voxel);
+    const auto piece = std::make_shared<CutModel>(tooth, voxel);
     TriangleMesh mesh = makeBur(bur).surface;
     const CuttingTool tool{*RevolutionEnvelope::make(mesh), bur.sharpness};
     const double radius = tool.envelope.maxRadius();
@@ -179,17 +179,16 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     HapticSettings settings;
     settings.materials = softenedMaterials(kSoftened);
     settings.spindle = constantSpeed(kRimSpeed);
-    HapticSimulation cutting(shape, radius, piece.contactSurface(), settings);
+    StepwiseSession cutting(piece, cutSetup({shape, tool}, settings));
     Pose end;
     const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
     // Built-in shapes and a path of our own give finite ticks.
     [[maybe_unused]] const auto isCut =
-        cutWithRemovalLaw(path, tool, settings.materials, cutting, piece,
-                          [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+        cutWithRemovalLaw(path, cutting, [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
     TACTOOTH_ASSERT(isCut);
 
     if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());
-    StillTool still(piece, shape, radius);
+    StillTool still(*piece, shape, radius);
     std::vector<SlotTiming> timings;
     for (const SlotMotion motion : kSlotMotions) timings.push_back(timeMotion(still, end, motion));
     return timings;

@@ -74,19 +74,19 @@ std::vector<TimedPose> pathOf(const HeldBack& one, double tick) {
 CutOutcome cutOut(const HeldBack& one, double tick) {
     const TriangleMesh bur =
         one.isBall ? test::sphere(Vec3(0, 0, kRadius), kRadius, 48, 24) : test::cylinder(Vec3::Zero(), kRadius, 4, 64);
-    CutModel piece(std::make_shared<const LayeredTooth>(
-                       std::move(*LayeredTooth::make(test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)), {}, one.material))),
-                   kVoxel);
+    const auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*LayeredTooth::make(
+                                                      test::box(Vec3(-2, -2, -2), Vec3(2, 2, 0)), {}, one.material))),
+                                                  kVoxel);
     const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
     HapticSettings settings;
     settings.spindle = constantSpeed(kSpeed);
-    HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
+    StepwiseSession session(piece, cutSetup({std::make_shared<const ToolShape>(bur), tool}, settings));
     double behind = 0;
-    EXPECT_TRUE(
-        cutWithRemovalLaw(pathOf(one, tick), tool, settings.materials, simulation, piece,
-                          [&](double, const Tick& now, const ToothLoss&) { behind = std::max(behind, now.depth); }));
+    EXPECT_TRUE(cutWithRemovalLaw(pathOf(one, tick), session, [&](double, const Tick& now, const ToothLoss&) {
+        behind = std::max(behind, now.depth);
+    }));
     EXPECT_GT(behind, 0.01) << "the hand is ahead of its bur";
-    return CutOutcome(piece);
+    return CutOutcome(*piece);
 }
 
 class LimitedFeed : public testing::TestWithParam<HeldBack> {};

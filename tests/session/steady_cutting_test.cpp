@@ -52,19 +52,18 @@ struct CutForces {
 CutForces mill() {
     const TriangleMesh bur = test::sphere(Vec3(0, 0, kRadius), kRadius, 48, 24);
     const CuttingTool tool{*RevolutionEnvelope::make(bur), 1};
-    CutModel piece(halfDecayedBlock(), kVoxel);
+    const auto piece = std::make_shared<CutModel>(halfDecayedBlock(), kVoxel);
     HapticSettings settings;
     settings.spindle = constantSpeed(kSpeed);
-    HapticSimulation simulation(std::make_shared<const ToolShape>(bur), kRadius, piece.surface(), settings);
+    StepwiseSession session(piece, cutSetup({std::make_shared<const ToolShape>(bur), tool}, settings));
     const double rimTravel = kSpeed / 60 * 2 * std::numbers::pi * kRadius * 1e-3 * kTick;  // m a tick
     CutForces forces;
     double work = 0;
-    EXPECT_TRUE(cutWithRemovalLaw(millingPath(), tool, settings.materials, simulation, piece,
-                                  [&](double, const Tick& tick, const ToothLoss&) {
-                                      forces.normal.push_back((tick.cutWork - work) / rimTravel);
-                                      forces.force.push_back(tick.wrench.force);
-                                      work = tick.cutWork;
-                                  }));
+    EXPECT_TRUE(cutWithRemovalLaw(millingPath(), session, [&](double, const Tick& tick, const ToothLoss&) {
+        forces.normal.push_back((tick.cutWork - work) / rimTravel);
+        forces.force.push_back(tick.wrench.force);
+        work = tick.cutWork;
+    }));
     return forces;
 }
 

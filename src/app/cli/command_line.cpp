@@ -64,6 +64,16 @@ void addWorkOn(CLI::App& command, std::string& name) {
         ->type_name("NAME");
 }
 
+/// The option that feel, cut and demo share.
+void addRecord(CLI::App& command, std::filesystem::path& file, const std::string& more = {}) {
+    command
+        .add_option("--record", file,
+                    "File (*.ttsession) to record the run to, so that 'replay' reaches the same numbers; an older "
+                    "recording of that name is replaced" +
+                        more)
+        ->type_name("FILE");
+}
+
 void addContact(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
@@ -105,6 +115,7 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->required()
         ->type_name("FILE");
     addMaterials(*command, options->materials);
+    addRecord(*command, options->record);
     command
         ->add_option(
             "--mode", options->mode,
@@ -188,6 +199,7 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->add_option("--save", options->save,
                      "File (*.tactooth) to save the tooth to, with its layers and cuts; --tooth opens it to continue")
         ->type_name("FILE");
+    addRecord(*command, options->record);
     command->add_option("--forces", options->forces, "CSV file to write, one row for each tick, as by 'feel'")
         ->type_name("FILE");
     command
@@ -246,12 +258,13 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
     CLI::App* command =
         addCommand(program, chosen, "demo",
                    "Plays a session that touches and cuts a tooth, and writes pictures, sound, plot, table, the cut "
-                   "tooth and a summary to a folder. Needs no display, device or sound card.",
+                   "tooth, a recording and a summary to a folder. Needs no display, device or sound card.",
                    options, runDemo);
     command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");
     command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
         ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
+    addRecord(*command, options->record, " (the folder has session.ttsession in any case)");
     addMaterials(*command, options->materials);
     command
         ->add_option("--tooth,--case", options->tooth,

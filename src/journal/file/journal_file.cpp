@@ -7,7 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "geometry/files/file_bytes.h"
@@ -16,6 +20,7 @@
 #include "geometry/files/write_refusal.h"
 #include "geometry/util/assert.h"
 #include "journal/file/messages.h"
+#include "journal/format/file_header.h"
 
 namespace tactooth {
 namespace {
@@ -24,7 +29,8 @@ namespace fs = std::filesystem;
 
 class DiskFile final : public JournalFile {
 public:
-    DiskFile(fs::path path, TemporaryFile file) : path_(std::move(path)), file_(std::move(file)) {}
+    DiskFile(fs::path path, TemporaryFile file, bool replaces)
+        : path_(std::move(path)), file_(std::move(file)), replaces_(replaces) {}
     ~DiskFile() override {
         removeRandomName();
         ::close(file_.descriptor);
@@ -46,9 +52,7 @@ public:
     int publish() override {
         TACTOOTH_ASSERT(!isPublished_);
         const auto lock = lockRenames();
-        const int failure = file_.name.empty() ? linkUnnamed(file_.descriptor, path_.c_str())
-                                               : (::link(file_.name.c_str(), path_.c_str()) == 0 ? 0 : errno);
-        if (failure != 0) return failure;
+        if (const int failure = replaces_ ? takeName() : linkName(); failure != 0) return failure;
         isPublished_ = true;
         if (!file_.name.empty()) forgetRandomName();
         syncFolder(path_.parent_path());
@@ -56,6 +60,23 @@ public:
     }
 
 private:
+    /// The name must be free.
+    [[nodiscard]] int linkName() const {
+        if (file_.name.empty()) return linkUnnamed(file_.descriptor, path_.c_str());
+        return ::link(file_.name.c_str(), path_.c_str()) == 0 ? 0 : errno;
+    }
+    /// Replaces what has the name.
+    [[nodiscard]] int takeName() {
+        fs::path from = file_.name;
+        if (from.empty()) {
+            from = randomNameIn(path_.parent_path());
+            if (const int failure = linkUnnamed(file_.descriptor, from.c_str()); failure != 0) return failure;
+        }
+        const int failure = ::rename(from.c_str(), path_.c_str()) == 0 ? 0 : errno;
+        if (failure != 0 && file_.name.empty()) ::unlink(from.c_str());
+        return failure;
+    }
+
     void removeRandomName() {
         if (file_.name.empty()) return;
         const auto lock = lockRenames();
@@ -69,20 +90,46 @@ private:
 
     fs::path path_;
     TemporaryFile file_;  // locked; with a name only where the file system knows no file without one
+    bool replaces_;
     bool isPublished_ = false;
 };
 
+/// Whether a file is empty or begins as a recording does. False for all that is no regular file, or cannot be read.
+bool isRecordingOrEmpty(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    struct stat status {};
+    const bool isFile = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+    std::array<std::uint8_t, kJournalMagic.size()> head{};
+    const bool isOurs = ::read(descriptor, head.data(), head.size()) == std::ssize(head) && head == kJournalMagic;
+    ::close(descriptor);
+    return isFile && (isOurs || status.st_size == 0);
+}
+
+/// Whether the name is free, or may be made free.
+Expected<void> checkName(const fs::path& path, ExistingFile existing) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(path, ignored))) return {};
+    if (existing == ExistingFile::Kept) return unexpected(msg::kJournalExists, displayName(path));
+    if (!isRecordingOrEmpty(path)) return unexpected(msg::kJournalNotReplaced, displayName(path));
+    if (isBeingRecorded(path)) return unexpected(msg::kJournalInUse, displayName(path));
+    return {};
+}
+
 }  // namespace
 
-Expected<std::unique_ptr<JournalFile>> createJournalFile(const fs::path& path) {
+Expected<std::unique_ptr<JournalFile>> createJournalFile(const fs::path& named, ExistingFile existing) {
+    if (auto free = checkName(named, existing); !free) return Unexpected{free.error()};
     std::error_code ignored;
-    if (fs::exists(fs::symlink_status(path, ignored))) return unexpected(msg::kJournalExists, displayName(path));
+    const bool isLink = fs::is_symlink(fs::symlink_status(named, ignored));
+    const fs::path path = isLink ? fs::canonical(named, ignored) : named;  // the link stays one
     if (!path.has_filename()) return cannotWrite(path, ENOENT);
     struct stat unused {};  // an impossible name is reported now and not at the end
     if (::stat(path.c_str(), &unused) != 0 && errno != ENOENT) return cannotWrite(path, errno);
     TemporaryFile file;
     if (const int failure = openTemporary(path.parent_path(), file); failure != 0) return cannotWrite(path, failure);
-    return std::unique_ptr<JournalFile>(new DiskFile(path, std::move(file)));
+    return std::unique_ptr<JournalFile>(
+        new DiskFile(path, std::move(file), existing == ExistingFile::ReplacedIfOurOwn));
 }
 
 bool isBeingRecorded(const fs::path& path) {

@@ -33,10 +33,18 @@ public:
     [[nodiscard]] virtual int publish() = 0;
 };
 
+/// What happens to a file that has the name of a new recording.
+enum class ExistingFile {
+    Kept,             ///< it stays, and there is no recording
+    ReplacedIfOurOwn  ///< a recording or an empty file is replaced; all else stays, and there is no recording
+};
+
 /// A new file on the disk. It has no name before `publish` (geometry/files/temporary_file.h), so nobody finds a
 /// recording without a head. While it is open it is locked. Fails with one sentence if the folder is missing or not
-/// writable, or if something has the name already: a recording replaces nothing.
-[[nodiscard]] Expected<std::unique_ptr<JournalFile>> createJournalFile(const std::filesystem::path& path);
+/// writable, or if something has the name already that is not to be replaced. A recording that is still written stays
+/// in any case. An old file keeps its name until `publish`.
+[[nodiscard]] Expected<std::unique_ptr<JournalFile>> createJournalFile(const std::filesystem::path& path,
+                                                                       ExistingFile existing = ExistingFile::Kept);
 
 /// Whether a running program writes this recording. False also if there is no such file.
 [[nodiscard]] bool isBeingRecorded(const std::filesystem::path& path);

@@ -6,30 +6,15 @@
 #include <memory>
 #include <optional>
 
-#include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/assert.h"
+#include "journal/file/atomic_journal_file.h"
 #include "journal/file/journal_appender.h"
 #include "journal/file/messages.h"
 #include "journal/format/container_blocks.h"
 
 namespace tactooth {
 namespace {
-
-/// An AtomicFile as a recording is written to. Its `commit` does the rest, and reports an error.
-class AtomicJournalFile final : public JournalFile {
-public:
-    explicit AtomicJournalFile(AtomicFile& file) : file_(&file) {}
-    Written write(std::span<const std::byte> bytes) override {
-        file_->write(bytes);
-        return {bytes.size(), 0};
-    }
-    int sync() override { return 0; }
-    int publish() override { return 0; }
-
-private:
-    AtomicFile* file_;
-};
 
 /// What belongs to the whole recording, whenever it was written.
 bool isTimeless(BlockType type) { return type == BlockType::Attachment || !isKnown(type); }

@@ -11,6 +11,14 @@ namespace tactooth::msg {
 inline constexpr MessageText kJournalExists{
     "journal_exists", "%1: there is a file of this name, and a recording replaces none; choose another name.",
     "%1：この名前のファイルがすでにあります。記録は既存のファイルを置き換えません。別の名前を選んでください。"};
+inline constexpr MessageText kJournalNotReplaced{
+    "journal_not_replaced",
+    "%1: there is something of this name that is no recording, and a recording does not replace it; choose another "
+    "name.",
+    "%1：この名前のものがすでにあり、記録ではないため置き換えません。別の名前を選んでください。"};
+inline constexpr MessageText kJournalInUse{
+    "journal_in_use", "%1: another program is recording into this file; choose another name.",
+    "%1：別のプログラムがこのファイルに記録しています。別の名前を選んでください。"};
 inline constexpr MessageText kJournalStopped{
     "journal_stopped", "%1: recording stopped (%2); the session goes on, and what was recorded before is kept.",
     "%1：記録が止まりました（%2）。セッションは続いており、それまでの記録は残っています。"};

@@ -59,4 +59,11 @@ bool CarvingStage::edit(Edit edit) {
     return false;
 }
 
+bool CarvingStage::finish(bool dropsPieces) {
+    if (dropsPieces) return addToHash(model_->removeDetachedPieces());
+    const std::uint64_t before = model_->surface()->revision;
+    model_->refreshSurface();
+    return addToHash(model_->surface()->revision != before);
+}
+
 }  // namespace tactooth

@@ -23,6 +23,9 @@ public:
     bool carve(const Tick& tick);
     /// Returns true if the surface has changed.
     bool edit(Edit edit);
+    /// The end of a run that is not live: loose pieces fall, if `dropsPieces`, and the surface is up to date. Returns
+    /// true if it has changed.
+    bool finish(bool dropsPieces);
 
     [[nodiscard]] const CutModel& model() const { return *model_; }
     /// Hash of all turns so far: what each has removed, and where the cut ended. It costs next to nothing, unlike that

@@ -15,6 +15,10 @@ struct Instrument {
     std::shared_ptr<const ToolShape> shape;
     CuttingTool cutting;
     BurEdge edge = {};
+    bool cuts = true;  ///< false: a tool that only touches
 };
+
+/// A tool that only touches: it may have any shape. Not null.
+[[nodiscard]] Instrument touchingTool(std::shared_ptr<const ToolShape> shape);
 
 }  // namespace tactooth

@@ -6,8 +6,9 @@
 
 namespace tactooth {
 
-ListingStage::ListingStage(std::shared_ptr<const ToolShape> tool, const std::shared_ptr<const Surface>& surface)
-    : surfaces_(std::move(tool), surface), newest_(surface) {}
+ListingStage::ListingStage(std::shared_ptr<const ToolShape> tool, const std::shared_ptr<const Surface>& surface,
+                           Placement placement)
+    : surfaces_(std::move(tool), surface), newest_(surface), placement_(placement) {}
 
 HapticSurface* ListingStage::turn(const Tick& now, std::optional<CarvedSurface> cut) {
     if (cut) {
@@ -16,7 +17,8 @@ HapticSurface* ListingStage::turn(const Tick& now, std::optional<CarvedSurface> 
     }
     if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
     if (unsent_) return surfaces_.make(unsent_->surface, now.proxy, unsent_->reached.value_or(now.proxy));
-    return now.placed ? surfaces_.rebuild() : surfaces_.place(newest_, now.hand);
+    const bool waits = !now.placed && placement_ == Placement::Deferred;
+    return waits ? surfaces_.place(newest_, now.hand) : surfaces_.rebuild();
 }
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 
 #include "haptics/haptic_simulation.h"
 #include "haptics/haptic_surface.h"
+#include "session/kernel/session_event.h"
 
 namespace tactooth {
 
@@ -21,8 +22,9 @@ struct CarvedSurface {
 /// equal lists, bit for bit.
 class ListingStage {
 public:
-    /// Neither pointer is null.
-    ListingStage(std::shared_ptr<const ToolShape> tool, const std::shared_ptr<const Surface>& surface);
+    /// Neither pointer is null. It finds start poses only where their placement is deferred.
+    ListingStage(std::shared_ptr<const ToolShape> tool, const std::shared_ptr<const Surface>& surface,
+                 Placement placement = Placement::Deferred);
 
     /// One turn. `now`: the newest tick. `cut`: the newest surface, if there is a new one. Returns a surface to send to
     /// the servo thread, or null if it needs none. This object owns the result. Call `sent` or `recycle` with it.
@@ -39,6 +41,7 @@ private:
     HapticSurfaceBuilder surfaces_;
     std::shared_ptr<const Surface> newest_;
     std::optional<CarvedSurface> unsent_;
+    Placement placement_;
 };
 
 }  // namespace tactooth

@@ -8,9 +8,9 @@
 namespace tactooth {
 
 ServoStage::ServoStage(const Instrument& instrument, std::shared_ptr<const Surface> surface,
-                       const HapticSettings& settings)
+                       const HapticSettings& settings, Placement placement)
     : simulation_(instrument.shape, instrument.cutting.envelope.maxRadius(), std::move(surface), settings) {
-    simulation_.deferPlacement();
+    if (placement == Placement::Deferred) simulation_.deferPlacement();
 }
 
 void ServoStage::setForce(const ForceParameters& parameters) {
@@ -19,16 +19,16 @@ void ServoStage::setForce(const ForceParameters& parameters) {
     simulation_.force().setMaxStiffness(parameters.maxStiffness);
 }
 
-Tick ServoStage::step(const TickInput& input) {
-    Tick tick = simulation_.step(input.operatorInput(), input.seconds());
+Tick ServoStage::step(const OperatorInput& input, double elapsed) {
+    Tick tick = simulation_.step(input, elapsed);
     tick.number = ++ticks_;
-    addToHash(tick);
+    addToHash(hash_, tick);
     return tick;
 }
 
 /// Words, not bytes: this runs at every tick.
-void ServoStage::addToHash(const Tick& tick) {
-    const auto add = [this](double value) { hash_.addWord(std::bit_cast<std::uint64_t>(value)); };
+void addToHash(Fnv1a& hash, const Tick& tick) {
+    const auto add = [&hash](double value) { hash.addWord(std::bit_cast<std::uint64_t>(value)); };
     for (int axis = 0; axis < 3; ++axis) {
         add(tick.proxy.position[axis]);
         add(tick.wrench.force[axis]);
@@ -38,7 +38,7 @@ void ServoStage::addToHash(const Tick& tick) {
     add(tick.depth);
     add(tick.speedRpm);
     add(tick.cutWork);
-    hash_.addWord(static_cast<std::uint64_t>(tick.contacts) << 1 | (tick.placed ? 1 : 0));
+    hash.addWord(static_cast<std::uint64_t>(tick.contacts) << 1 | (tick.placed ? 1 : 0));
 }
 
 }  // namespace tactooth

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "haptics/haptic_simulation.h"
@@ -22,10 +23,17 @@ using TickNumber = std::uint32_t;
 /// Number of a surface that carving has published since the last BeginEvent, from 1; 0: none.
 using SurfaceNumber = std::uint32_t;
 
+/// How a tool that begins inside the tooth gets its first pose.
+enum class Placement : std::uint8_t {
+    Deferred,  ///< the neighbour-list thread finds it, because that takes longer than a tick may last
+    AtOnce     ///< the tick finds it itself, in a run that is not live
+};
+
 /// A bur begins to work on the tooth, with these settings. The tooth keeps its cuts.
 struct BeginEvent {
     Instrument instrument;
     HapticSettings settings;
+    Placement placement = Placement::Deferred;
 };
 
 /// The force parameters of all later ticks.
@@ -69,7 +77,30 @@ struct ListEvent {
     bool sent = false;           ///< whether its surface was sent to the servo thread
 };
 
-using SessionEvent =
-    std::variant<BeginEvent, ForceEvent, TickEvent, CarveEvent, EditEvent, ListEvent, TickHashEvent, CarvingHashEvent>;
+/// One tick of a run that is not live: a script or a table gives its input. It is not on the grid of TickInput, so that
+/// a run has the same numbers whether it is recorded or not.
+struct ExactTickEvent {
+    OperatorInput input;
+    double elapsed = 0;       ///< since the last tick, s; not negative
+    double time = 0;          ///< as the run counts it, s
+    bool swept = false;       ///< the bur removes all that it sweeps (SweepStage); nothing resists
+    std::uint32_t taken = 0;  ///< as TickEvent::taken
+};
+
+/// The end of a run that is not live.
+struct FinishEvent {
+    bool dropsPieces = false;  ///< whether loose pieces fall now
+    bool published = false;    ///< whether the surface has changed
+};
+
+using SessionEvent = std::variant<BeginEvent, ForceEvent, TickEvent, CarveEvent, EditEvent, ListEvent, TickHashEvent,
+                                  CarvingHashEvent, ExactTickEvent, FinishEvent>;
+
+/// The time that a tick has taken, s; nothing for an event that is no tick.
+[[nodiscard]] inline std::optional<double> secondsOf(const SessionEvent& event) {
+    if (const auto* const tick = std::get_if<TickEvent>(&event)) return tick->input.seconds();
+    if (const auto* const tick = std::get_if<ExactTickEvent>(&event)) return tick->elapsed;
+    return std::nullopt;
+}
 
 }  // namespace tactooth

@@ -3,6 +3,7 @@
 #include "session/kernel/session_kernel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/util/assert.h"
@@ -32,9 +33,11 @@ bool SessionKernel::on(const BeginEvent& event) {
     carvedAt_ = listedAt_ = 0;
     received_ = 0;
     newest_ = {};
-    servo_.emplace(event.instrument, model_->contactSurface(), event.settings);
+    begin_ = event;
+    sweep_.reset();
+    servo_.emplace(event.instrument, model_->contactSurface(), event.settings, event.placement);
     carving_.emplace(model_, event.instrument.cutting, event.settings.materials);
-    listing_.emplace(servo_->tool(), servo_->surface());
+    listing_.emplace(servo_->tool(), servo_->surface(), event.placement);
     return true;
 }
 
@@ -43,13 +46,19 @@ bool SessionKernel::on(const ForceEvent& event) {
     return true;
 }
 
-bool SessionKernel::on(const TickEvent& event) {
-    if (event.taken > pending_.size() || event.input.elapsed < 0) return false;
-    for (std::uint32_t i = 0; i < event.taken; ++i) {
+/// The servo thread takes so many surfaces; false if fewer were sent.
+bool SessionKernel::take(std::uint32_t count) {
+    if (count > pending_.size()) return false;
+    for (std::uint32_t i = 0; i < count; ++i) {
         servo_->take(*pending_.front());
         retired_.push_back(pending_.front());
         pending_.pop_front();
     }
+    return true;
+}
+
+bool SessionKernel::on(const TickEvent& event) {
+    if (event.input.elapsed < 0 || !take(event.taken)) return false;
     newest_ = servo_->step(event.input);
     ticks_.push_back(newest_);
     return true;
@@ -77,16 +86,44 @@ bool SessionKernel::publish(bool changed, bool recorded) {
 
 bool SessionKernel::on(const CarveEvent& event) {
     const Tick* const tick = tickAt(event.tick);
-    if (tick == nullptr || event.tick < carvedAt_) return false;
+    if (tick == nullptr || event.tick < carvedAt_ || !canCut()) return false;
     carvedAt_ = event.tick;
     const bool changed = carving_->carve(*tick);
     forgetOldTicks();
     return publish(changed, event.published);
 }
 
-bool SessionKernel::on(const EditEvent& event) { return publish(carving_->edit(event.edit), event.published); }
+bool SessionKernel::on(const EditEvent& event) {
+    return canCut() && publish(carving_->edit(event.edit), event.published);
+}
 
-bool SessionKernel::on(const TickHashEvent& event) { return event.hash == servo_->hash(); }
+bool SessionKernel::canCut() const { return begin_->instrument.cuts && !model_->tooth().isTouchOnly(); }
+
+/// Between two such ticks all turns see the newest one.
+bool SessionKernel::on(const ExactTickEvent& event) {
+    const OperatorInput& input = event.input;
+    if (!(event.elapsed >= 0) || !std::isfinite(event.elapsed) || !std::isfinite(event.time)) return false;
+    if (!take(event.taken)) return false;
+    if (event.swept) {
+        if (!canCut() || !isRigid(input.deviceInTooth)) return false;
+        const BeginEvent& begin = *begin_;
+        if (!sweep_) {
+            sweep_.emplace(model_, begin.instrument.cutting, begin.settings.spindle.freeSpeedRpm,
+                           begin.settings.materials);
+        }
+        newest_ = sweep_->step(input.deviceInTooth, event.time, event.elapsed, input.pedal > 0);
+    } else {
+        newest_ = servo_->step(input, event.elapsed);
+    }
+    ticks_.assign(1, newest_);
+    return true;
+}
+
+bool SessionKernel::on(const FinishEvent& event) {
+    return canCut() && publish(carving_->finish(event.dropsPieces), event.published);
+}
+
+bool SessionKernel::on(const TickHashEvent& event) { return event.hash == tickHash(); }
 
 bool SessionKernel::on(const CarvingHashEvent& event) { return event.hash == carving_->hash(); }
 

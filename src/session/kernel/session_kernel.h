@@ -11,6 +11,7 @@
 #include "session/kernel/listing_stage.h"
 #include "session/kernel/servo_stage.h"
 #include "session/kernel/session_event.h"
+#include "session/kernel/sweep_stage.h"
 
 namespace tactooth {
 
@@ -32,7 +33,7 @@ public:
     [[nodiscard]] const Tick& tick() const { return newest_; }
     [[nodiscard]] const CutModel& model() const { return *model_; }
     /// Of all ticks since the last BeginEvent; 0 before it.
-    [[nodiscard]] std::uint64_t tickHash() const { return servo_ ? servo_->hash() : 0; }
+    [[nodiscard]] std::uint64_t tickHash() const { return sweep_ ? sweep_->hash() : servo_ ? servo_->hash() : 0; }
     /// CutVolume::hash.
     [[nodiscard]] std::uint64_t toothHash() const { return model_->hash(); }
 
@@ -45,6 +46,10 @@ private:
     [[nodiscard]] bool on(const ListEvent& event);
     [[nodiscard]] bool on(const TickHashEvent& event);
     [[nodiscard]] bool on(const CarvingHashEvent& event);
+    [[nodiscard]] bool on(const ExactTickEvent& event);
+    [[nodiscard]] bool on(const FinishEvent& event);
+    [[nodiscard]] bool take(std::uint32_t count);
+    [[nodiscard]] bool canCut() const;
     [[nodiscard]] bool publish(bool changed, bool recorded);
     [[nodiscard]] const Tick* tickAt(TickNumber number) const;
     void forgetOldTicks();
@@ -53,6 +58,8 @@ private:
     std::optional<ServoStage> servo_;
     std::optional<CarvingStage> carving_;
     std::optional<ListingStage> listing_;
+    std::optional<SweepStage> sweep_;  // made by the first swept tick
+    std::optional<BeginEvent> begin_;
 
     Tick newest_;
     std::deque<Tick> ticks_;               // that carving or listing may still look at, oldest first

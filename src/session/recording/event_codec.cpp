@@ -130,6 +130,53 @@ struct Layout<ForceEvent> {
     }
 };
 
+/// The numbers are the bits of doubles, so they do not change alike.
+template <>
+struct Layout<ExactTickEvent> {
+    static constexpr std::array kColumns = {Differences::None, Differences::None, Differences::None, Differences::None,
+                                            Differences::None, Differences::None, Differences::None, Differences::None,
+                                            Differences::None, Differences::None, Differences::None, Differences::None};
+    static constexpr std::size_t kNumbers = 10;  // doubles, then two whole numbers
+    static Row row(const ExactTickEvent& event) {
+        const Vec3& position = event.input.deviceInTooth.position;
+        const auto& rotation = event.input.deviceInTooth.rotation.coeffs();
+        Row row;
+        for (const double mm : position) row.push_back(bitsOf(mm));
+        for (const double part : rotation) row.push_back(bitsOf(part));
+        for (const double other : {event.input.pedal, event.elapsed, event.time}) row.push_back(bitsOf(other));
+        row.push_back((event.input.cutting ? 1 : 0) + (event.swept ? 2 : 0));
+        row.push_back(event.taken);
+        return row;
+    }
+    static std::optional<ExactTickEvent> event(const Row& row) {
+        for (std::size_t i = 0; i < kNumbers; ++i) {
+            if (!std::isfinite(numberOf(row[i]))) return std::nullopt;
+        }
+        ExactTickEvent event;
+        Pose& pose = event.input.deviceInTooth;
+        for (int axis = 0; axis < 3; ++axis) pose.position[axis] = numberOf(row[static_cast<std::size_t>(axis)]);
+        for (int i = 0; i < 4; ++i) pose.rotation.coeffs()[i] = numberOf(row[static_cast<std::size_t>(3 + i)]);
+        event.input.pedal = numberOf(row[7]);
+        event.elapsed = numberOf(row[8]);
+        event.time = numberOf(row[9]);
+        if (event.elapsed < 0 || row[10] < 0 || row[10] > 3 || !std::in_range<std::uint32_t>(row[11])) return {};
+        event.input.cutting = (row[10] & 1) != 0;
+        event.swept = (row[10] & 2) != 0;
+        event.taken = static_cast<std::uint32_t>(row[11]);
+        return event;
+    }
+};
+
+template <>
+struct Layout<FinishEvent> {
+    static constexpr std::array kColumns = {Differences::None, Differences::None};
+    static Row row(const FinishEvent& event) { return {event.dropsPieces ? 1 : 0, event.published ? 1 : 0}; }
+    static std::optional<FinishEvent> event(const Row& row) {
+        if (row[0] < 0 || row[0] > 1 || row[1] < 0 || row[1] > 1) return std::nullopt;
+        return FinishEvent{row[0] == 1, row[1] == 1};
+    }
+};
+
 template <class Event>
 struct HashLayout {
     static constexpr std::array kColumns = {Differences::None};
@@ -146,7 +193,8 @@ template <class... Events>
 struct Kinds {
     static constexpr std::size_t kCount = sizeof...(Events);
 };
-using FileKinds = Kinds<TickEvent, CarveEvent, ListEvent, EditEvent, ForceEvent, TickHashEvent, CarvingHashEvent>;
+using FileKinds = Kinds<TickEvent, CarveEvent, ListEvent, EditEvent, ForceEvent, TickHashEvent, CarvingHashEvent,
+                        ExactTickEvent, FinishEvent>;
 
 template <class Wanted, class First, class... Rest>
 constexpr std::int64_t numberOfKind(Kinds<First, Rest...> /*kinds*/) {

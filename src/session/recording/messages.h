@@ -20,6 +20,10 @@ inline constexpr MessageText kRecordingBurMissing{
     "recording_bur_missing",
     "%1: the surface of the bur (%2) is missing in this recording or damaged; use another copy of the file.",
     "%1：この記録にはバーの表面（%2）がないか、壊れています。ファイルの別のコピーを使ってください。"};
+inline constexpr MessageText kRecordingSurfaceDamaged{
+    "recording_surface_damaged",
+    "%1: the surface that was touched is damaged in this recording; use another copy of the file.",
+    "%1：この記録では、触れた表面のデータが壊れています。ファイルの別のコピーを使ってください。"};
 inline constexpr MessageText kRecordingBodyDamaged{
     "recording_body_damaged",
     "%1: body %2 around the tooth is damaged in this recording; use another copy of the file.",

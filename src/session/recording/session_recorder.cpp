@@ -22,6 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kDrainPeriod = 50ms;   // the queues hold four seconds
 constexpr auto kBlockPeriod = 450ms;  // a block is at most half a second
+constexpr double kBlockSeconds = 0.45;
 
 std::vector<std::byte> bytesOf(const std::string& text) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
@@ -40,11 +41,30 @@ Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::create(const std::fi
     Expected<std::unique_ptr<JournalWriter>> writer = JournalWriter::create(path, recordingHeader(model, title));
     if (!writer) return Unexpected{writer.error()};
     auto recorder = std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(*writer)));
-    recorder->attach(kToothAttachment, toothFileBytes(model, {}));
-    for (std::size_t i = 0; i < model.surroundings().size(); ++i) {
-        recorder->attach(surroundingAttachment(i), surroundingBytes(*model.surroundings()[i]));
-    }
+    recorder->attachTooth(model);
     return recorder;
+}
+
+Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::start(std::unique_ptr<JournalFile> file,
+                                                                  const std::string& name, const CutModel& model,
+                                                                  const std::string& title) {
+    Expected<std::unique_ptr<JournalWriter>> writer =
+        JournalWriter::start(std::move(file), name, recordingHeader(model, title), JournalWriter::Options());
+    if (!writer) return Unexpected{writer.error()};
+    auto recorder = std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(*writer)));
+    recorder->attachTooth(model);
+    return recorder;
+}
+
+void SessionRecorder::attachTooth(const CutModel& model) {
+    if (model.tooth().isTouchOnly()) {
+        attach(kTouchedAttachment, touchedBytes(model.tooth()));
+    } else {
+        attach(kToothAttachment, toothFileBytes(model, {}));
+    }
+    for (std::size_t i = 0; i < model.surroundings().size(); ++i) {
+        attach(surroundingAttachment(i), surroundingBytes(*model.surroundings()[i]));
+    }
 }
 
 SessionRecorder::~SessionRecorder() {
@@ -61,21 +81,35 @@ void SessionRecorder::note(const std::string& json) {
     (void)writer_->appendWhenRoom({BlockType::Note, firstTick_, 0, bytesOf(json)});
 }
 
-std::shared_ptr<EventLanes> SessionRecorder::begin(const BeginEvent& event) {
+void SessionRecorder::open(const BeginEvent& event) {
     end();
     const MeshAttachment bur = attachmentOf(event.instrument.shape->mesh());
     attach(bur.name, bur.content);
     const std::lock_guard lock(mutex_);
     note(setupText(event, bur.name));
+}
+
+std::shared_ptr<EventLanes> SessionRecorder::begin(const BeginEvent& event) {
+    open(event);
+    const std::lock_guard lock(mutex_);
     lanes_ = std::make_shared<EventLanes>();
     return lanes_;
 }
 
+void SessionRecorder::append(const SessionEvent& event) {
+    if (const auto* const begin = std::get_if<BeginEvent>(&event)) return open(*begin);
+    const std::lock_guard lock(mutex_);
+    TACTOOTH_ASSERT(lanes_ == nullptr);
+    events_.push_back(event);
+    unwritten_ += secondsOf(event).value_or(0);
+    if (unwritten_ >= kBlockSeconds || events_.size() >= kMaxBlockEvents) flush(/*waits=*/true);
+}
+
 void SessionRecorder::end() {
     const std::lock_guard lock(mutex_);
-    if (lanes_ == nullptr) return;
+    if (lanes_ == nullptr) return flush(/*waits=*/true);
     drain();
-    flush();
+    flush(/*waits=*/false);
     lanes_.reset();
     merger_ = {};
 }
@@ -88,15 +122,17 @@ void SessionRecorder::drain() {
 }
 
 /// Called with the lock.
-void SessionRecorder::flush() {
+void SessionRecorder::flush(bool waits) {
     flushed_ = std::chrono::steady_clock::now();
+    unwritten_ = 0;
     std::span<const SessionEvent> rest = events_;
     while (!rest.empty()) {
         const std::span<const SessionEvent> block = rest.first(std::min(rest.size(), kMaxBlockEvents));
         rest = rest.subspan(block.size());
-        const auto ticks = static_cast<std::uint32_t>(std::ranges::count_if(
-            block, [](const SessionEvent& event) { return std::holds_alternative<TickEvent>(event); }));
-        (void)writer_->append({BlockType::Events, firstTick_, ticks, encodeEvents(block)});
+        const auto ticks = static_cast<std::uint32_t>(
+            std::ranges::count_if(block, [](const SessionEvent& event) { return secondsOf(event).has_value(); }));
+        JournalBlock events{BlockType::Events, firstTick_, ticks, encodeEvents(block)};
+        (void)(waits ? writer_->appendWhenRoom(std::move(events)) : writer_->append(std::move(events)));
         firstTick_ += ticks;
     }
     events_.clear();
@@ -111,7 +147,7 @@ void SessionRecorder::run(const std::stop_token& stop) {
             const std::lock_guard lock(mutex_);
             if (lanes_ != nullptr) {
                 drain();
-                if (std::chrono::steady_clock::now() - flushed_ >= kBlockPeriod) flush();
+                if (std::chrono::steady_clock::now() - flushed_ >= kBlockPeriod) flush(/*waits=*/false);
             }
         }
         std::unique_lock lock(sleeping);

@@ -33,6 +33,11 @@ public:
     [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> create(const std::filesystem::path& path,
                                                                            const CutModel& model,
                                                                            const std::string& title);
+    /// The same in a file that the caller has opened (createJournalFile); `name` stands for it in messages.
+    [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> start(std::unique_ptr<JournalFile> file,
+                                                                          const std::string& name,
+                                                                          const CutModel& model,
+                                                                          const std::string& title);
     /// As after a crash, if `close` was not called: what has come is written, without a clean end.
     ~SessionRecorder();
     SessionRecorder(const SessionRecorder&) = delete;
@@ -40,6 +45,8 @@ public:
 
     /// A bur begins to work. The threads of the simulation report to the result until `end`.
     [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
+    /// For a session that is not live, in place of `begin`: takes the next event. Waits while the disk is slow.
+    void append(const SessionEvent& event);
     /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
     void end();
     /// Ends the recording and waits until it is on the disk. `toothHash`: of the tooth now (CutModel::hash). Fails with
@@ -55,9 +62,11 @@ private:
     explicit SessionRecorder(std::unique_ptr<JournalWriter> writer);
     void run(const std::stop_token& stop);
     void drain();
-    void flush();
+    void open(const BeginEvent& event);
+    void flush(bool waits);
     void note(const std::string& json);
     void attach(std::string_view name, std::span<const std::byte> content);
+    void attachTooth(const CutModel& model);
 
     std::unique_ptr<JournalWriter> writer_;
     std::set<std::string> attached_;  // names
@@ -66,6 +75,7 @@ private:
     EventMerger merger_;
     std::vector<SessionEvent> events_;  // not written yet
     std::uint64_t firstTick_ = 0;       // of these; the ticks of all burs are counted together
+    double unwritten_ = 0;              // s of a session that is not live
     std::chrono::steady_clock::time_point flushed_;
     bool overflowed_ = false;
     std::jthread thread_;  // last: it uses the members above

@@ -37,7 +37,18 @@ std::uint64_t SessionRecording::ticks() const {
     return range ? range->end - range->begin : 0;
 }
 
+/// A surface that is only touched has no file of a tooth.
+Expected<std::shared_ptr<CutModel>> SessionRecording::makeTouched() const {
+    const Expected<std::vector<std::byte>> bytes = readAttachment(journal_, kTouchedAttachment);
+    if (!bytes) return Unexpected{bytes.error()};
+    std::optional<LayeredTooth> tooth = touchedOf(*bytes, *facts_.materials);
+    if (!tooth) return unexpected(msg::kRecordingSurfaceDamaged, journal_.name());
+    constexpr double kVoxel = 0.05;  // mm: of a volume that is never cut
+    return std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+}
+
 Expected<std::shared_ptr<CutModel>> SessionRecording::makeModel() const {
+    if (facts_.touchesOnly) return makeTouched();
     const Expected<std::vector<std::byte>> bytes = readAttachment(journal_, kToothAttachment);
     if (!bytes) return Unexpected{bytes.error()};
     Expected<OpenedTooth> tooth = parseTooth(*bytes, journal_.name(), *facts_.materials);

@@ -38,6 +38,7 @@ public:
 
 private:
     SessionRecording(JournalReader journal, RecordingFacts facts);
+    [[nodiscard]] Expected<std::shared_ptr<CutModel>> makeTouched() const;
     [[nodiscard]] Expected<BeginEvent> beginEvent(const std::string& setup) const;
 
     JournalReader journal_;

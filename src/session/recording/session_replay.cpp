@@ -15,17 +15,28 @@ Expected<SessionReplay> SessionReplay::start(const SessionRecording& recording) 
     return SessionReplay(recording, std::move(*model));
 }
 
-Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCallback& onTick) {
+/// The time after an event. A run that is not live counts its own time, which a sum of rounded numbers would miss.
+double SessionReplay::timeOf(const SessionEvent& event) {
+    if (std::holds_alternative<BeginEvent>(event)) runStart_.reset();
+    const auto* const exact = std::get_if<ExactTickEvent>(&event);
+    if (exact == nullptr) return seconds_ + secondsOf(event).value_or(0);
+    if (!runStart_) runStart_ = exact->time - seconds_;
+    return exact->time - *runStart_;
+}
+
+Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCallback& onTick,
+                                        const EventCallback& onEvent) {
     bool stopped = false;
     const auto played = recording_->forEach([&](const SessionEvent& event) {
-        const auto* const tick = std::get_if<TickEvent>(&event);
-        const double next = tick != nullptr ? seconds_ + tick->input.seconds() : seconds_;
+        const std::optional<double> elapsed = secondsOf(event);
+        const double next = timeOf(event);
         stopped = end && next > *end;
         if (stopped) return false;
         seconds_ = next;
         if (!kernel_->apply(event)) differsAt_ = seconds_;
         if (differsAt_) return false;
-        if (tick == nullptr) return true;
+        if (onEvent) onEvent(seconds_, event);
+        if (!elapsed) return true;
         ++ticks_;
         if (onTick) onTick(seconds_, kernel_->tick());
         return true;

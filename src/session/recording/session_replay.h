@@ -20,9 +20,14 @@ public:
 
     /// Called after each tick, with the time since the session began, s.
     using TickCallback = std::function<void(double time, const Tick& tick)>;
+    /// Called after each event of the recording, with the time since the session began, s.
+    using EventCallback = std::function<void(double time, const SessionEvent& event)>;
     /// Plays from the start until `end` (s since the session began), or to the end of the recording. Stops where the
     /// replay differs from the recording. Call it once. Fails with one sentence if the recording is damaged.
-    [[nodiscard]] Expected<void> playUntil(std::optional<double> end, const TickCallback& onTick);
+    [[nodiscard]] Expected<void> playUntil(std::optional<double> end, const TickCallback& onTick,
+                                           const EventCallback& onEvent = {});
+    /// The newest tick (SessionKernel::tick).
+    [[nodiscard]] const Tick& tick() const { return kernel_->tick(); }
 
     /// s since the session began
     [[nodiscard]] double seconds() const { return seconds_; }
@@ -34,9 +39,12 @@ public:
 private:
     SessionReplay(const SessionRecording& recording, std::shared_ptr<CutModel> model);
 
+    [[nodiscard]] double timeOf(const SessionEvent& event);
+
     const SessionRecording* recording_;
     std::unique_ptr<SessionKernel> kernel_;
     double seconds_ = 0;
+    std::optional<double> runStart_;  // s, as a run that is not live counts; when its bur began
     std::uint64_t ticks_ = 0;
     std::optional<double> differsAt_;
 };

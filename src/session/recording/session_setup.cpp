@@ -28,6 +28,14 @@ constexpr std::array kFreedoms = {std::pair(Freedom::Translation, "translation")
                                   std::pair(Freedom::TranslationAndRotation, "translation_and_rotation")};
 constexpr std::array kCurves = {std::pair(PedalCurve::Air, "air"), std::pair(PedalCurve::Electric, "electric")};
 
+constexpr std::array kPlacements = {std::pair(Placement::Deferred, "deferred"),
+                                    std::pair(Placement::AtOnce, "at_once")};
+
+// Largest values in place of a material's own: what the command `feel` accepts.
+constexpr double kMaxGivenStiffness = 1000;  // N/mm
+constexpr double kMaxGivenDamping = 100;     // N*s/mm
+constexpr double kMaxGivenFriction = 10;
+
 template <class Words, class Value>
 const char* wordFor(const Words& words, Value value) {
     return std::ranges::find(words, value, [](const auto& word) { return word.first; })->second;
@@ -87,13 +95,18 @@ public:
         const std::string mesh = text(bur, "surface");
         const double sharpness = number(bur, "sharpness", 0, 1e3);
         const BurEdge edge{static_cast<int>(number(bur, "flutes", 0, kMaxFlutes)), number(bur, "grit_um", 0, 1e4)};
+        const bool cuts = !isFalse(bur, "cuts");
         if (fault_) return Unexpected{*fault_};
         std::optional<TriangleMesh> surface = findMesh(mesh);
         if (!surface) return unexpected(msg::kRecordingBurMissing, file_, mesh);
+        if (!cuts) {
+            auto shape = std::make_shared<const ToolShape>(std::move(*surface));
+            return BeginEvent{touchingTool(std::move(shape)), std::move(settings), placement_};
+        }
         Expected<CuttingTool> cutting = makeCuttingTool(*surface, sharpness);
         if (!cutting) return unexpected(msg::kRecordingBurRefused, file_, cutting.error());
         auto shape = std::make_shared<const ToolShape>(std::move(*surface));
-        return BeginEvent{{std::move(shape), std::move(*cutting), edge}, std::move(settings)};
+        return BeginEvent{{std::move(shape), std::move(*cutting), edge}, std::move(settings), placement_};
     }
 
 private:
@@ -109,6 +122,11 @@ private:
         if (found != json.end() && found->is_string()) return found->get<std::string>();
         fail(key);
         return {};
+    }
+    /// A missing key is not false.
+    static bool isFalse(const Json& json, const char* key) {
+        const auto found = json.find(key);
+        return found != json.end() && found->is_boolean() && !found->get<bool>();
     }
     double number(const Json& json, const char* key, double lowest, double highest) {
         const auto found = json.find(key);
@@ -133,15 +151,17 @@ private:
         const Json& json = part(json_, "settings");
         settings.mode = word(json, "contact", kModes);
         settings.freedom = word(json, "freedom", kFreedoms);
-        settings.tickBudget = static_cast<Work>(number(json, "tick_budget", 1, 1e12));
+        if (json.contains("placement")) placement_ = word(json, "placement", kPlacements);
+        const bool isLimited = json.contains("tick_budget") && !json["tick_budget"].is_null();
+        settings.tickBudget = isLimited ? static_cast<Work>(number(json, "tick_budget", 1, 1e12)) : kUnlimitedWork;
         const Json& spindle = part(json, "spindle");
         settings.spindle.name = text(spindle, "name");
         settings.spindle.pedalCurve = word(spindle, "pedal_curve", kCurves);
         for (const auto& [key, place] : kSpindleNumbers) settings.spindle.*place = number(spindle, key, 0, 1e9);
         const Json& force = part(json, "force");
-        settings.force.stiffness = given(force, "stiffness", kMaxMaterialStiffness);
-        settings.force.damping = given(force, "damping", kMaxMaterialDamping);
-        settings.force.friction = given(force, "friction", kMaxMaterialFriction);
+        settings.force.stiffness = given(force, "stiffness", kMaxGivenStiffness);
+        settings.force.damping = given(force, "damping", kMaxGivenDamping);
+        settings.force.friction = given(force, "friction", kMaxGivenFriction);
         const Json& materials = part(json, "materials");
         for (const MaterialId id : settings.materials.registry().ids()) {
             const Json& material = part(materials, settings.materials.registry().nameOf(id).c_str());
@@ -157,6 +177,7 @@ private:
 
     const Json& json_;
     std::string file_;
+    Placement placement_ = Placement::Deferred;
     std::optional<Error> fault_;
 };
 
@@ -203,15 +224,18 @@ std::string setupText(const BeginEvent& event, const std::string& bur) {
     if (settings.force.stiffness) force["stiffness"] = *settings.force.stiffness;
     if (settings.force.damping) force["damping"] = *settings.force.damping;
     if (settings.force.friction) force["friction"] = *settings.force.friction;
+    const Json budget = settings.tickBudget == kUnlimitedWork ? Json(nullptr) : Json(settings.tickBudget);
     const Json json = {{"bur",
                         {{"surface", bur},
+                         {"cuts", event.instrument.cuts},
                          {"sharpness", event.instrument.cutting.sharpness},
                          {"flutes", event.instrument.edge.flutes},
                          {"grit_um", event.instrument.edge.gritMicrometres}}},
                        {"settings",
                         {{"contact", wordFor(kModes, settings.mode)},
                          {"freedom", wordFor(kFreedoms, settings.freedom)},
-                         {"tick_budget", settings.tickBudget},
+                         {"tick_budget", budget},
+                         {"placement", wordFor(kPlacements, event.placement)},
                          {"spindle", jsonOf(settings.spindle)},
                          {"force", force},
                          {"materials", jsonOf(settings.materials)}}}};

@@ -110,6 +110,23 @@ std::shared_ptr<const SurfacePart> surroundingOf(std::span<const std::byte> cont
     return std::make_shared<const SurfacePart>(std::move(*mesh), std::move(tags), firstAdjacent);
 }
 
+std::vector<std::byte> touchedBytes(const LayeredTooth& tooth) {
+    ByteWriter out;
+    out.put(std::uint32_t{tooth.isClosed() ? 1U : 0U});
+    out.putAll(std::span<const std::byte>(surroundingBytes(*tooth.outer())));
+    return out.take();
+}
+
+std::optional<LayeredTooth> touchedOf(std::span<const std::byte> content, const MaterialRegistry& materials) {
+    ByteReader in(content);
+    const auto closed = in.get<std::uint32_t>();
+    if (!in.ok() || closed > 1) return std::nullopt;
+    std::shared_ptr<const SurfacePart> surface = surroundingOf(in.getBytes(in.left()));
+    if (surface == nullptr) return std::nullopt;
+    if (std::ranges::any_of(surface->tags(), [&](SurfaceTag tag) { return tag >= materials.size(); })) return {};
+    return LayeredTooth::touchOnly(std::move(surface), closed == 1, materials);
+}
+
 std::string recordingHeader(const CutModel& model, const std::string& title) {
     const RunMetadata run = currentRunMetadata();
     Json materials = Json::array();
@@ -126,6 +143,7 @@ std::string recordingHeader(const CutModel& model, const std::string& title) {
                   {"rotation", TickInput::kRotationStep},
                   {"pedal", TickInput::kPedalStep},
                   {"time_s", TickInput::kTimeStep}}},
+                {"touches_only", model.tooth().isTouchOnly()},
                 {"surroundings", model.surroundings().size()},
                 {"materials", materials}}
         .dump();
@@ -140,6 +158,8 @@ Expected<RecordingFacts> parseHeader(const std::string& text, const std::string&
     facts.compiler = textOf(json.value("build", Json::object()), "compiler");
     facts.machine = textOf(json, "machine");
     facts.date = textOf(json, "date");
+    const auto touchesOnly = json.find("touches_only");
+    facts.touchesOnly = touchesOnly != json.end() && touchesOnly->is_boolean() && touchesOnly->get<bool>();
     const auto surroundings = numberOf(json, "surroundings", kMaxSurroundings);
     if (!surroundings) return unexpected(msg::kRecordingSetupKey, file, "surroundings");
     facts.surroundings = *surroundings;

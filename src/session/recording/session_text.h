@@ -20,6 +20,13 @@ namespace tactooth {
 
 /// Name of the attachment with the bytes of the tooth's file.
 inline constexpr std::string_view kToothAttachment = "tooth.tactooth";
+/// Name of the attachment with the surface of a session that only touches (LayeredTooth::touchOnly).
+inline constexpr std::string_view kTouchedAttachment = "touched-surface";
+[[nodiscard]] std::vector<std::byte> touchedBytes(const LayeredTooth& tooth);
+/// Nothing for bytes of another form. `materials`: what the tags mean.
+[[nodiscard]] std::optional<LayeredTooth> touchedOf(std::span<const std::byte> content,
+                                                    const MaterialRegistry& materials);
+
 /// Name of the attachment with a body around the tooth.
 [[nodiscard]] std::string surroundingAttachment(std::size_t index);
 
@@ -31,6 +38,7 @@ inline constexpr std::string_view kToothAttachment = "tooth.tactooth";
 struct RecordingFacts {
     std::string title;  ///< of the tooth
     std::string commit, compiler, machine, date;
+    bool touchesOnly = false;                     ///< the surface is attached, and no tooth that can be cut
     std::size_t surroundings = 0;                 ///< number of bodies around the tooth
     const MaterialRegistry* materials = nullptr;  ///< of the tooth
 };

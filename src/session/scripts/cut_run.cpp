@@ -3,7 +3,7 @@
 #include "session/scripts/cut_run.h"
 
 #include <algorithm>
-#include <numbers>
+#include <utility>
 
 #include "session/io/finite_tick.h"
 #include "session/scripts/touch_run.h"
@@ -12,15 +12,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kSurfaceDelay = 0.005;  // s that the haptic surface may lag behind the cut
-
-Tick rigidTick(const TimedPose& row, const Vec3& step, double dt) {
-    Tick tick;
-    tick.time = row.time;
-    tick.hand = tick.proxy = row.toolInTooth;
-    tick.placed = tick.cutting = true;
-    tick.speed = dt > 0 ? step.norm() / dt : 0;
-    return tick;
-}
 
 }  // namespace
 
@@ -35,27 +26,32 @@ SpindlePreset constantSpeed(double speedRpm) {
     return preset;
 }
 
-Expected<void> cutKinematically(std::span<const TimedPose> path, const CuttingTool& tool, double speedRpm,
-                                const MaterialTable& materials, CutModel& piece, const CutCallback& visit) {
-    const double rimSpeed = speedRpm / 60 * 2 * std::numbers::pi * tool.envelope.maxRadius() * 1e-3;  // m/s
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const TimedPose& before = path[i == 0 ? 0 : i - 1];
-        const double dt = path[i].time - before.time;
-        const Vec3 step = path[i].toolInTooth.position - before.toolInTooth.position;
-        Tick tick = rigidTick(path[i], step, dt);
-        if (speedRpm > 0) {
-            const MaterialVolumes volumes =
-                timed(tick.micros, [&] { return piece.sweep(tool, before.toolInTooth, path[i].toolInTooth); });
-            const double travel = rimSpeed * dt;
-            if (travel > 0 && step.norm() > 0) {
-                tick.normal = -step.normalized();
-                tick.wrench.force = workFor(volumes, materials, tool.sharpness) / travel * tick.normal;
-            }
-        }
-        if (auto finite = checkFinite(path[i].time, tick); !finite) return finite;
-        visit(path[i].time, tick, piece.loss());
+BeginEvent cutSetup(Instrument instrument, HapticSettings settings) {
+    settings.tickBudget = kUnlimitedWork;
+    return {std::move(instrument), std::move(settings), Placement::AtOnce};
+}
+
+BeginEvent rigidCutSetup(Instrument instrument, const MaterialTable& materials, double speedRpm) {
+    HapticSettings settings;
+    settings.materials = materials;
+    settings.spindle = constantSpeed(speedRpm);
+    settings.spindle.freeSpeedRpm = speedRpm;
+    return {std::move(instrument), std::move(settings), Placement::AtOnce};
+}
+
+Expected<void> cutKinematically(std::span<const TimedPose> path, bool spins, StepwiseSession& session,
+                                const CutCallback& visit, const std::stop_token& stop) {
+    double last = path.empty() ? 0 : path.front().time;
+    for (const TimedPose& row : path) {
+        if (stop.stop_requested()) break;
+        double micros = 0;
+        Tick tick = timed(micros, [&] { return session.sweep(row.toolInTooth, row.time - last, row.time, spins); });
+        tick.micros = micros;
+        last = row.time;
+        if (auto finite = checkFinite(row.time, tick); !finite) return finite;
+        visit(row.time, tick, session.model().loss());
     }
-    piece.refreshSurface();
+    session.finish(/*dropsPieces=*/false);
     return {};
 }
 
@@ -70,26 +66,24 @@ void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, Ha
     surfaces.recycle(hapticSurface);
 }
 
-Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, const CuttingTool& tool,
-                                 const MaterialTable& materials, HapticSimulation& simulation, CutModel& piece,
-                                 const CutCallback& visit) {
-    simulation.setTickBudget(kUnlimitedWork);  // no real time here, and a bur that lags would cut more
-    HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
+Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, StepwiseSession& session, const CutCallback& visit,
+                                 const std::stop_token& stop) {
     double last = path.empty() ? 0 : path.front().time;
     double lastCut = last;
     for (const TimedPose& row : path) {
+        if (stop.stop_requested()) break;
         double micros = 0;
-        Tick tick = timed(micros, [&] { return simulation.step({row.toolInTooth, 1, true}, row.time - last); });
+        Tick tick = timed(micros, [&] { return session.step({row.toolInTooth, 1, true}, row.time - last, row.time); });
         tick.micros = micros;
         last = row.time;
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;
         if (isTurnToCut) lastCut = row.time;
-        const bool isCut = isTurnToCut && (piece.feed(tool, tick, materials) || piece.removeDetachedPieces(tick));
-        updateHapticSurface(piece, tick, isCut, surfaces, simulation);
-        visit(row.time, tick, piece.loss());
+        if (isTurnToCut) (void)session.carve();
+        session.list();
+        visit(row.time, tick, session.model().loss());
     }
-    piece.removeDetachedPieces();
+    session.finish(/*dropsPieces=*/true);
     return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "haptics/force_pipeline.h"
 #include "session/audio/tick_sound.h"
 #include "session/scripts/cut_run.h"
 #include "session/scripts/scripted_operator.h"
@@ -36,46 +37,48 @@ SprayInput sprayOf(const Tick& tick, const CutModel& piece) {
 
 }  // namespace
 
-Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrument& instrument,
+Demonstration playDemonstration(const std::shared_ptr<CutModel>& piece, const Box3& box, const Instrument& instrument,
                                 const HapticSettings& settings, const Quat& grip, double seconds,
-                                const std::function<void(double)>& progress) {
+                                const std::function<void(double)>& progress, const StepwiseSession::EventSink& sink,
+                                const std::stop_token& stop) {
     const Vec3 middle = box.center();
     const double reach = 0.12 * box.sizes().x();
     constexpr double kHeadroom = 6.0;  // mm above the highest cusp, so that the cavity is visible under the waiting bur
     ScriptedOperator hand(Vec3(middle.x() - reach, middle.y(), box.max().z() + kHeadroom), grip,
                           script(middle, reach, seconds));
-    HapticSimulation simulation(instrument.shape, instrument.cutting.envelope.maxRadius(), piece.contactSurface(),
-                                settings);
-    HapticSurfaceBuilder surfaces(simulation.tool(), piece.contactSurface());
+    StepwiseSession session(piece, {instrument, settings, Placement::AtOnce}, sink);
     ForcePipeline pipeline(hand.info().limits);
     SprayParticleSystem spray(instrument.cutting.envelope.maxRadius());
     const TickSound tickSound(settings.spindle, settings.materials, instrument.edge);
 
-    CutEvents events(piece.tooth().materials());
+    CutEvents events(piece->tooth().materials());
     Demonstration result;
     const auto count = static_cast<std::size_t>(seconds / kTick);
     result.ticks.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
+    double time = 0;  // s, as in the ticks
+    for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) {
         const DeviceSample sample = hand.read(kTick);
         if (hand.phaseIndex() < kTouchPhases) result.touchTick = i;
         const auto start = std::chrono::steady_clock::now();
-        Tick tick = simulation.step({sample.hand, sample.pedal, hand.phase().cutting}, kTick);
+        Tick tick = session.step({sample.hand, sample.pedal, hand.phase().cutting}, kTick, time);
+        time += kTick;
         hand.write(pipeline.pass(forceCommandFrom(tick), kTick));
         tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
-        events.update(tick.time, tick, piece.loss());
+        events.update(tick.time, tick, piece->loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
-        const bool isCut = isTurnToCut && tick.cutting && piece.feed(instrument.cutting, tick, settings.materials);
-        const bool isChanged = isCut || (isTurnToCut && piece.removeDetachedPieces(tick));
-        updateHapticSurface(piece, tick, isChanged, surfaces, simulation);
+        const bool isChanged = isTurnToCut && session.carve();
+        const bool isCut = isChanged && tick.contacts > 0;  // else pieces have fallen
+        session.list();
         if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;
-        spray.advance(sprayOf(tick, piece), kTicksPerCut * kTick);
+        spray.advance(sprayOf(tick, *piece), kTicksPerCut * kTick);
         if (isCut && tick.pedal > 0)
-            result.work = {i, piece.surface(), {spray.particles().begin(), spray.particles().end()}};
+            result.work = {i, piece->surface(), {spray.particles().begin(), spray.particles().end()}};
         result.sound.push_back({tick.time, tickSound.at(tick), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));
     }
+    session.finish(/*dropsPieces=*/false);
     result.events = events.all();
     progress(1);
     return result;

@@ -4,9 +4,10 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
-#include "session/live/live_runner.h"
+#include "session/kernel/stepwise_session.h"
 #include "session/simulation/cut_events.h"
 #include "session/simulation/spray_particle_system.h"
 #include "sound/output/offline_render.h"
@@ -31,9 +32,13 @@ struct Demonstration {
 
 /// Plays a session without clock, device or display. A scripted hand touches the tooth from above (+z), strokes it,
 /// lifts, starts the turbine and cuts to and fro. `grip` is the orientation of the tool. Equal inputs give equal
-/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1.
-[[nodiscard]] Demonstration playDemonstration(CutModel& piece, const Box3& box, const Instrument& instrument,
-                                              const HapticSettings& settings, const Quat& grip, double seconds,
-                                              const std::function<void(double)>& progress);
+/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1. `sink` hears of the
+/// events of the session; it may be empty. Ends early when `stop` asks for it.
+[[nodiscard]] Demonstration playDemonstration(const std::shared_ptr<CutModel>& piece, const Box3& box,
+                                              const Instrument& instrument, const HapticSettings& settings,
+                                              const Quat& grip, double seconds,
+                                              const std::function<void(double)>& progress,
+                                              const StepwiseSession::EventSink& sink = {},
+                                              const std::stop_token& stop = {});
 
 }  // namespace tactooth

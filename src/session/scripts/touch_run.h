@@ -4,10 +4,10 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <span>
+#include <stop_token>
 
-#include "haptics/haptic_simulation.h"
+#include "session/kernel/stepwise_session.h"
 #include "session/scripts/trajectory.h"
 
 namespace tactooth {
@@ -22,8 +22,10 @@ auto timed(double& micros, Work&& work) {
 }
 
 /// One haptic run along a trajectory with its time steps, in touch mode with a spindle at rest. Calls `visit(time,
-/// tick)` for each row. Fails with one sentence at the first tick that is not finite (see checkFinite).
-[[nodiscard]] Expected<void> runTouchPath(std::span<const TimedPose> trajectory, HapticSimulation& simulation,
-                                          const std::function<void(double, const Tick&)>& visit);
+/// tick)` for each row. Fails with one sentence at the first tick that is not finite (see checkFinite). Ends early when
+/// `stop` asks for it.
+[[nodiscard]] Expected<void> runTouchPath(std::span<const TimedPose> trajectory, StepwiseSession& session,
+                                          const std::function<void(double, const Tick&)>& visit,
+                                          const std::stop_token& stop = {});
 
 }  // namespace tactooth

@@ -110,6 +110,19 @@ Expected<LayeredTooth> LayeredTooth::make(TriangleMesh outer, std::vector<LayerM
     return tooth;
 }
 
+LayeredTooth LayeredTooth::touchOnly(std::shared_ptr<const SurfacePart> surface, bool closed,
+                                     const MaterialRegistry& materials) {
+    TACTOOTH_ASSERT(surface != nullptr && !surface->mesh().empty());
+    TACTOOTH_ASSERT(std::ranges::all_of(surface->tags(), [&](SurfaceTag tag) { return tag < materials.size(); }));
+    LayeredTooth tooth;
+    tooth.materials_ = &materials;
+    tooth.toothContext_.firstAdjacent = surface->firstAdjacent();
+    tooth.outer_ = std::move(surface);
+    tooth.touchOnly_ = true;
+    tooth.closed_ = closed;
+    return tooth;
+}
+
 std::shared_ptr<const SurfacePart> LayeredTooth::ownOuter() const {
     TACTOOTH_ASSERT(outer_ != nullptr);
     if (toothContext_.firstAdjacent >= outer_->mesh().triangles.size()) return outer_;

@@ -43,6 +43,15 @@ public:
                                                      const ToothContext& toothContext = {},
                                                      const MaterialRegistry& materials = builtinMaterials());
 
+    /// A surface that is only touched, and never cut: it may be open. `closed`: whether it has an inside. `surface` is
+    /// not null; its tags are materials of `materials`.
+    [[nodiscard]] static LayeredTooth touchOnly(std::shared_ptr<const SurfacePart> surface, bool closed,
+                                                const MaterialRegistry& materials = builtinMaterials());
+    /// Whether it comes from `touchOnly`.
+    [[nodiscard]] bool isTouchOnly() const { return touchOnly_; }
+    /// Whether the outer surface has an inside. False only for an open surface that is only touched.
+    [[nodiscard]] bool isClosed() const { return closed_; }
+
     /// What its MaterialIds mean.
     [[nodiscard]] const MaterialRegistry& materials() const { return *materials_; }
 
@@ -78,6 +87,8 @@ private:
     MaterialId body_{};
     ToothContext toothContext_;
     bool bodiesOverlap_ = false;
+    bool touchOnly_ = false;
+    bool closed_ = true;
 };
 
 }  // namespace tactooth

@@ -81,13 +81,14 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 
 IncrementalSurface::IncrementalSurface(const CutVolume& volume)
     : base_(volume.tooth()->outer()),
+      closed_(volume.tooth()->isClosed()),
       lattice_(volume.lattice()),
       marginSegments_(base_->mesh().triangles.size()),
       maskedBvh_(base_->tree()) {
     snapshot_ = std::make_shared<const Surface>(uncut(0));
 }
 
-Surface IncrementalSurface::uncut(std::uint64_t revision) const { return {base_, nullptr, {}, revision}; }
+Surface IncrementalSurface::uncut(std::uint64_t revision) const { return {base_, nullptr, {}, revision, closed_}; }
 
 void IncrementalSurface::reset() {
     cells_.clear();

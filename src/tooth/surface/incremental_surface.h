@@ -84,6 +84,7 @@ private:
     void validateMask() const;
 
     std::shared_ptr<const SurfacePart> base_;
+    bool closed_;  // Surface::closed
     Lattice lattice_;
     std::unordered_map<BrickKey, Cell, BrickKeyHash> cells_;
     std::vector<BrickKey> patchKeys_;                          ///< of the bricks that have a patch, in ascending order

@@ -15,7 +15,7 @@ namespace {
 SessionEvent randomEvent(std::mt19937& random) {
     const auto number = [&] { return static_cast<std::uint32_t>(random()); };
     const auto yes = [&] { return random() % 2 == 0; };
-    switch (random() % 7) {
+    switch (random() % 9) {
         case 0:
         case 1: {
             TickEvent event;
@@ -33,6 +33,19 @@ SessionEvent randomEvent(std::mt19937& random) {
             return ListEvent{number(), number() % 5, number() % 3, yes()};
         case 4:
             return EditEvent{std::array{Edit::Reset, Edit::Undo, Edit::Redo}[number() % 3], yes()};
+        case 7: {
+            ExactTickEvent event;
+            std::uniform_real_distribution<double> any(-20, 20), time(0, 100);
+            for (int axis = 0; axis < 3; ++axis) event.input.deviceInTooth.position[axis] = any(random);
+            for (int i = 0; i < 4; ++i) event.input.deviceInTooth.rotation.coeffs()[i] = any(random);
+            event.input.pedal = 0.1 * (number() % 10);
+            event.input.cutting = yes(), event.swept = yes();
+            event.elapsed = time(random), event.time = time(random);
+            event.taken = number() % 3;
+            return event;
+        }
+        case 8:
+            return FinishEvent{yes(), yes()};
         case 5: {
             ForceEvent event;
             if (yes()) event.parameters.overrides.stiffness = 0.1 * (number() % 50);
@@ -75,6 +88,19 @@ bool isSame(const SessionEvent& a, const SessionEvent& b) {
         const auto& other = std::get<ListEvent>(b);
         return list->tick == other.tick && list->surface == other.surface && list->recycled == other.recycled &&
                list->sent == other.sent;
+    }
+    if (const auto* tick = std::get_if<ExactTickEvent>(&a)) {
+        const auto& other = std::get<ExactTickEvent>(b);
+        const Pose& pose = tick->input.deviceInTooth;
+        const Pose& otherPose = other.input.deviceInTooth;
+        return pose.position == otherPose.position && pose.rotation.coeffs() == otherPose.rotation.coeffs() &&
+               tick->input.pedal == other.input.pedal && tick->input.cutting == other.input.cutting &&
+               tick->elapsed == other.elapsed && tick->time == other.time && tick->swept == other.swept &&
+               tick->taken == other.taken;
+    }
+    if (const auto* end = std::get_if<FinishEvent>(&a)) {
+        const auto& other = std::get<FinishEvent>(b);
+        return end->dropsPieces == other.dropsPieces && end->published == other.published;
     }
     if (const auto* hash = std::get_if<TickHashEvent>(&a)) return hash->hash == std::get<TickHashEvent>(b).hash;
     return std::get<CarvingHashEvent>(a).hash == std::get<CarvingHashEvent>(b).hash;
@@ -129,6 +155,23 @@ TEST(EventCodec, SurvivesAnyBytes) {
         EXPECT_TRUE(!read || read->size() <= kMaxBlockEvents);
     }
     EXPECT_GT(refused, kTries / 10);
+}
+
+TEST(EventCodec, RefusesExactTicksThatAreNotFinite) {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        for (int i = 0; i < 5; ++i) {
+            ExactTickEvent event;
+            if (i == 0) event.input.deviceInTooth.position.y() = bad;
+            if (i == 1) event.input.deviceInTooth.rotation.z() = bad;
+            if (i == 2) event.input.pedal = bad;
+            if (i == 3) event.elapsed = bad;
+            if (i == 4) event.time = bad;
+            EXPECT_FALSE(decodeEvents(encodeEvents(std::vector<SessionEvent>{event}))) << i;
+        }
+    }
+    ExactTickEvent backwards;
+    backwards.elapsed = -1;
+    EXPECT_FALSE(decodeEvents(encodeEvents(std::vector<SessionEvent>{backwards})));
 }
 
 TEST(EventCodec, RefusesForcesThatNoHandMayFeel) {

@@ -61,25 +61,26 @@ std::vector<TimedPose> pathOf(const Slot& slot, double tick) {
     return path;
 }
 
+Instrument burOf(const Slot& slot) {
+    return {std::make_shared<const ToolShape>(slot.bur), {*RevolutionEnvelope::make(slot.bur), 1}};
+}
+
 CutOutcome sweptRigidly(const Slot& slot, double tick) {
-    CutModel piece(block(), slot.voxel);
-    const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};
-    EXPECT_TRUE(
-        cutKinematically(pathOf(slot, tick), tool, kSpeed, {}, piece, [](double, const Tick&, const ToothLoss&) {}));
-    return CutOutcome(piece);
+    const auto piece = std::make_shared<CutModel>(block(), slot.voxel);
+    StepwiseSession session(piece, rigidCutSetup(burOf(slot), {}, kSpeed));
+    EXPECT_TRUE(cutKinematically(pathOf(slot, tick), true, session, [](double, const Tick&, const ToothLoss&) {}));
+    return CutOutcome(*piece);
 }
 
 /// With a bur that does not lag behind the device.
 CutOutcome cutOutByLaw(const Slot& slot, double tick) {
-    CutModel piece(block(), slot.voxel);
-    const CuttingTool tool{*RevolutionEnvelope::make(slot.bur), 1};
+    const auto piece = std::make_shared<CutModel>(block(), slot.voxel);
     HapticSettings settings;
     settings.materials = softenedMaterials(1000);
     settings.spindle = constantSpeed(kSpeed);
-    HapticSimulation simulation(std::make_shared<const ToolShape>(slot.bur), kRadius, piece.surface(), settings);
-    EXPECT_TRUE(cutWithRemovalLaw(pathOf(slot, tick), tool, settings.materials, simulation, piece,
-                                  [](double, const Tick&, const ToothLoss&) {}));
-    return CutOutcome(piece);
+    StepwiseSession session(piece, cutSetup(burOf(slot), settings));
+    EXPECT_TRUE(cutWithRemovalLaw(pathOf(slot, tick), session, [](double, const Tick&, const ToothLoss&) {}));
+    return CutOutcome(*piece);
 }
 
 TEST(CutRun, APathSweptInStepsOfFourKilohertzLeavesWhatOneLeaves) {

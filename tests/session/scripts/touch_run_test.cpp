@@ -15,21 +15,24 @@
 namespace tactooth {
 namespace {
 
-HapticSimulation simulationOnABlock() {
-    auto surface = std::make_shared<Surface>();
-    surface->base = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -5), Vec3(5, 5, 0)));
-    return {std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 16, 8)), 0.5, surface, {}};
+StepwiseSession sessionOnABlock() {
+    auto block = std::make_shared<const SurfacePart>(test::box(Vec3(-5, -5, -5), Vec3(5, 5, 0)));
+    auto tooth = std::make_shared<const LayeredTooth>(LayeredTooth::touchOnly(std::move(block), true));
+    return {std::make_shared<CutModel>(std::move(tooth), 0.05),
+            {touchingTool(std::make_shared<const ToolShape>(test::sphere(Vec3(0, 0, 0.5), 0.5, 16, 8))),
+             {},
+             Placement::AtOnce}};
 }
 
 TEST(TouchRun, TakesOneTickARowAtTheRowsOwnTimes) {
-    HapticSimulation simulation = simulationOnABlock();
+    StepwiseSession session = sessionOnABlock();
     std::vector<TimedPose> trajectory;
     for (const double time : {3.0, 3.001, 3.001, 3.01}) {
         trajectory.push_back({time, {Vec3(0, 0, 4 - time), Quat::Identity()}});
     }
     std::vector<double> times;
     std::vector<Tick> ticks;
-    ASSERT_TRUE(runTouchPath(trajectory, simulation, [&](double time, const Tick& tick) {
+    ASSERT_TRUE(runTouchPath(trajectory, session, [&](double time, const Tick& tick) {
         times.push_back(time);
         ticks.push_back(tick);
     }));
@@ -44,11 +47,11 @@ TEST(TouchRun, TakesOneTickARowAtTheRowsOwnTimes) {
 }
 
 TEST(TouchRun, PressingIntoTheBlockPushesBack) {
-    HapticSimulation simulation = simulationOnABlock();
+    StepwiseSession session = sessionOnABlock();
     std::vector<TimedPose> trajectory;
     for (int i = 0; i < 100; ++i) trajectory.push_back({0.001 * i, {Vec3(0, 0, 0.1 - 0.004 * i), Quat::Identity()}});
     double strongest = 0;
-    ASSERT_TRUE(runTouchPath(trajectory, simulation, [&](double, const Tick& tick) {
+    ASSERT_TRUE(runTouchPath(trajectory, session, [&](double, const Tick& tick) {
         strongest = std::max(strongest, tick.wrench.force.z());
     }));
     const Material enamel = MaterialTable{}[test::kEnamel];
@@ -56,8 +59,8 @@ TEST(TouchRun, PressingIntoTheBlockPushesBack) {
 }
 
 TEST(TouchRun, AnEmptyTrajectoryIsNoTick) {
-    HapticSimulation simulation = simulationOnABlock();
-    EXPECT_TRUE(runTouchPath({}, simulation, [](double, const Tick&) { FAIL(); }));
+    StepwiseSession session = sessionOnABlock();
+    EXPECT_TRUE(runTouchPath({}, session, [](double, const Tick&) { FAIL(); }));
 }
 
 TEST(TouchRun, WhatIsNotFiniteInATickIsNamedWithItsTime) {

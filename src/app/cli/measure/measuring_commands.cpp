@@ -187,8 +187,15 @@ void addRealtime(CLI::App& program, CommandAction& chosen) {
         ->type_name("S");
     addRate(*command, options->rateHz);
     command->add_flag("--load", options->load, "Keeps all other cores busy meanwhile");
-    command->add_option("--record", options->record, "File (*.ttsession) to record the session to; see 'replay'")
+    command
+        ->add_option("--record", options->record,
+                     "File (*.ttsession) to record the session to; see 'replay'; an older recording of that name is "
+                     "replaced")
         ->type_name("FILE");
+    command
+        ->add_option("--stream", options->stream,
+                     "Sends the newest tick up to 1000 times a second to udp://HOST:PORT (docs/live-stream.md)")
+        ->type_name("URL");
     addJson(*command, options->json);
 }
 

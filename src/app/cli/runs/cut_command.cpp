@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "app/cli/runs/run_recording.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
@@ -128,6 +129,8 @@ public:
         return set_.commit();
     }
 
+    [[nodiscard]] const FileTransaction& all() const { return set_; }
+
     void printLayers() const {
         for (const std::string& line : layerLines_) print("{}\n", line);
     }
@@ -197,6 +200,8 @@ int runCut(const CutOptions& options) {
     if (!source) return reportError(source.error());
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return reportError(opened.error());
+    RunRecording recording;
+    if (const auto opened = recording.open(options.record, &files.all()); !opened) return reportError(opened.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return reportError(path.error());
     const auto tooth = loadModelOrCase(*source, options.workOn, options.voxel, kUsualVoxel);
@@ -216,22 +221,30 @@ int runCut(const CutOptions& options) {
     }
     if (const auto begun = files.begin(options, piece.tooth()); !begun) return reportError(begun.error());
 
+    if (const auto begun = recording.begin(piece, tooth->place.name); !begun) return reportError(begun.error());
+
     const auto visit = [&](double time, const Tick& tick, const ToothLoss& loss) { files.row(time, tick, loss); };
-    if (options.feed == "rigid") {
-        if (const auto done = cutKinematically(*path, *tool, options.speedRpm, materials, piece, visit); !done)
-            return reportError(done.error());
-    } else {
+    const auto cutAll = [&] {
+        const bool isRigid = options.feed == "rigid";
         HapticSettings settings;
         settings.materials = materials;
         settings.spindle = constantSpeed(options.speedRpm);
-        HapticSimulation simulation(std::make_shared<const ToolShape>(std::move(bur->surface)),
-                                    tool->envelope.maxRadius(), piece.surface(), settings);
-        if (const auto done = cutWithRemovalLaw(*path, *tool, materials, simulation, piece, visit); !done)
-            return reportError(done.error());
-    }
+        Instrument instrument{std::make_shared<const ToolShape>(std::move(bur->surface)), *tool, bur->edge()};
+        StepwiseSession session(tooth->piece,
+                                isRigid ? rigidCutSetup(std::move(instrument), materials, options.speedRpm)
+                                        : cutSetup(std::move(instrument), settings),
+                                recording.sink());
+        return isRigid ? cutKinematically(*path, options.speedRpm > 0, session, visit, recording.stop())
+                       : cutWithRemovalLaw(*path, session, visit, recording.stop());
+    };
+    const Expected<void> done = cutAll();
+    const Expected<void> recorded = recording.close(piece.hash());
+    if (!done) return reportError(done.error());
+    if (!recorded) return reportError(recorded.error());
+    if (recording.stop().stop_requested()) return kExitOk;  // the signal ends the program
     const TaggedMesh cut = piece.exported();
-    if (const auto done = files.finish(options, cut.mesh, piece, tooth->provenance); !done)
-        return reportError(done.error());
+    if (const auto written = files.finish(options, cut.mesh, piece, tooth->provenance); !written)
+        return reportError(written.error());
     if (!options.vdb.empty()) print("voxels written to {}\n", displayName(options.vdb));
     files.printLayers();
     printLoss(piece.loss(), piece.tooth().materials());

@@ -27,6 +27,7 @@ struct CutOptions {
     std::filesystem::path save;       ///< empty: not saved
     std::filesystem::path layersOut;  ///< a folder; empty: not written
     std::filesystem::path vdb;        ///< empty: not written
+    std::filesystem::path record;     ///< empty: not recorded
 };
 
 /// Cuts a tooth with a spinning bur along a trajectory.

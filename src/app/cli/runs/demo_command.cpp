@@ -8,6 +8,7 @@
 
 #include "app/cli/runs/demo_pictures.h"
 #include "app/cli/runs/demo_summary.h"
+#include "app/cli/runs/run_recording.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "app/common/mouth_scene.h"
@@ -22,6 +23,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
+#include "journal/file/atomic_journal_file.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
@@ -37,7 +39,8 @@ namespace fs = std::filesystem;
 
 constexpr double kVoxel = 0.05;             // mm
 constexpr int kPictureBurTriangles = 5000;  // the blades then appear ground
-constexpr const char* kDefaultBur = "57";   // straight fissure, 1.0 mm: can leave its cavity along its path of entry
+constexpr const char* kRecording = "session.ttsession";
+constexpr const char* kDefaultBur = "57";  // straight fissure, 1.0 mm: can leave its cavity along its path of entry
 
 struct DemoInputs {
     std::string toothName;
@@ -168,8 +171,8 @@ Expected<void> openFiles(const DemoOptions& options, FileTransaction& files) {
     for (const auto& input : {options.tooth, options.bur, options.materials}) files.reads(input);
     for (const std::string& layer : options.layers) files.reads(layer.substr(layer.find('=') + 1));
     if (auto made = files.makeFolder(options.out); !made) return made;
-    for (const char* name :
-         {"touch.png", "spray.png", "cut.png", "forces.png", "session.wav", "forces.csv", "cut.stl", "summary.json"}) {
+    for (const char* name : {"touch.png", "spray.png", "cut.png", "forces.png", "session.wav", "forces.csv", "cut.stl",
+                             "summary.json", kRecording}) {
         if (auto opened = files.open(options.out / name); !opened) return opened;
     }
     return {};
@@ -180,6 +183,8 @@ Expected<void> openFiles(const DemoOptions& options, FileTransaction& files) {
 int runDemo(const DemoOptions& options) {
     FileTransaction files;
     if (const auto done = openFiles(options, files); !done) return reportError(done.error());
+    RunRecording recording;
+    if (const auto opened = recording.open(options.record, &files); !opened) return reportError(opened.error());
     DemoInputs cast;
     const auto materials = materialsFrom(options.materials);
     if (!materials) return reportError(materials.error());
@@ -190,8 +195,19 @@ int runDemo(const DemoOptions& options) {
     cast.props.box = cast.box;
 
     print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
-    CutModel piece(cast.tooth, kVoxel);
+    const auto model = std::make_shared<CutModel>(cast.tooth, kVoxel);
+    CutModel& piece = *model;
     piece.surroundBy(cast.surroundings);
+    if (const auto begun = recording.begin(piece, cast.toothName); !begun) return reportError(begun.error());
+    auto file = AtomicFile::create(options.out / kRecording);
+    if (!file) return reportError(file.error());
+    auto own = SessionRecorder::start(std::make_unique<AtomicJournalFile>(*file), displayName(options.out / kRecording),
+                                      piece, cast.toothName);
+    if (!own) return reportError(own.error());
+    const auto sink = [&](const SessionEvent& event) {
+        (*own)->append(event);
+        if (recording.recorder() != nullptr) recording.recorder()->append(event);
+    };
     const std::shared_ptr<const Surface> uncut = piece.surface();
     int reported = 0;
     const auto progress = [&](double part) {
@@ -204,8 +220,13 @@ int runDemo(const DemoOptions& options) {
     HapticSettings settings;
     settings.materials = cast.props.materials;
     const Quat grip = uprightGrip(cast.props.mesialX, 0);
-    const Demonstration played =
-        playDemonstration(piece, cast.box, *cast.instrument, settings, grip, options.seconds, progress);
+    const Demonstration played = playDemonstration(model, cast.box, *cast.instrument, settings, grip, options.seconds,
+                                                   progress, sink, recording.stop());
+    const std::uint64_t hash = piece.hash();
+    if (const auto closed = recording.close(hash); !closed) return reportError(closed.error());
+    if (recording.stop().stop_requested()) return kExitOk;  // the signal ends the program
+    if (const auto closed = (*own)->close(hash); !closed) return reportError(closed.error());
+    if (const auto done = file->commit(); !done) return reportError(done.error());
     print("drawing, plotting, rendering the sound\n");
     const DemoMoment touch{uncut, played.ticks[played.touchTick]};
     if (const auto done = writeDemoPicture(options.out / "touch.png", DemoView::Touch, touch, cast.props); !done)
@@ -214,8 +235,10 @@ int runDemo(const DemoOptions& options) {
         return reportError(done.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
     print("removed {:.3f} mm^3 in {} surface updates\n", total(piece.removed()), played.surfaceUpdates);
-    print("touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl and summary.json are in {}\n",
-          played.work ? "spray.png, " : "", displayName(options.out));
+    print(
+        "touch.png, {}cut.png, forces.png, session.wav, forces.csv, cut.stl, session.ttsession and summary.json are in "
+        "{}\n",
+        played.work ? "spray.png, " : "", displayName(options.out));
     return kExitOk;
 }
 

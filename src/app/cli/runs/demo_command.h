@@ -16,6 +16,7 @@ struct DemoOptions {
     std::string workOn;               ///< tooth of a case; empty: the first
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
     bool mouth = false;               ///< the built-in tooth in its mouth
+    std::filesystem::path record;     ///< recorded also to this file; empty: only to `out`
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 

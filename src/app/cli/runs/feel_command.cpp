@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/cli/runs/run_recording.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/file_bytes.h"
@@ -39,12 +40,23 @@ Expected<TouchedTooth> toothOf(const FeelOptions& options, const MaterialRegistr
     return TouchedTooth{std::move(surface), MaterialTable(opened->teeth->materials())};
 }
 
+/// The surface as it is, which may be open: nothing cuts it.
+std::shared_ptr<CutModel> modelOf(const TouchedTooth& touched) {
+    constexpr double kVoxel = 0.05;  // mm: of a volume that is never used
+    return std::make_shared<CutModel>(
+        std::make_shared<const LayeredTooth>(
+            LayeredTooth::touchOnly(touched.surface->base, touched.surface->closed, touched.materials.registry())),
+        kVoxel);
+}
+
 }  // namespace
 
 int runFeel(const FeelOptions& options) {
     FileTransaction files;
     for (const auto& input : {options.trajectory, options.tooth, options.tool, options.materials}) files.reads(input);
     if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
+    RunRecording recording;
+    if (const auto opened = recording.open(options.record, &files); !opened) return reportError(opened.error());
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return reportError(trajectory.error());
     std::vector<ImportNote> importNotes;
@@ -63,15 +75,22 @@ int runFeel(const FeelOptions& options) {
     settings.mode = options.mode == "penalty" ? ContactMode::Penalty : ContactMode::Proxy;
     settings.freedom = options.freedom == 6 ? Freedom::TranslationAndRotation : Freedom::Translation;
     settings.force = {options.stiffness, options.damping, options.friction};
-    HapticSimulation simulation(*tool, (*tool)->radius(), tooth->surface, settings);
+    const auto model = modelOf(*tooth);
+    if (const auto begun = recording.begin(*model, displayFileName(options.tooth)); !begun)
+        return reportError(begun.error());
+    StepwiseSession session(model, {touchingTool(*tool), settings, Placement::AtOnce}, recording.sink());
     LatencyHistogram micros;
     double maxForce = 0;
-    const auto finished = runTouchPath(*trajectory, simulation, [&](double time, const Tick& tick) {
+    const auto visit = [&](double time, const Tick& tick) {
         file->write(time, tick);
         micros.add(tick.micros);
         maxForce = std::max(maxForce, tick.wrench.force.norm());
-    });
+    };
+    const auto finished = runTouchPath(*trajectory, session, visit, recording.stop());
+    const auto recorded = recording.close(model->hash());
     if (!finished) return reportError(finished.error());
+    if (!recorded) return reportError(recorded.error());
+    if (recording.stop().stop_requested()) return kExitOk;  // the signal ends the program
     if (const auto done = file->commit(); !done) return reportError(done.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
     print("{} ticks written to {}\n", trajectory->size(), displayName(options.out));

@@ -19,6 +19,7 @@ struct FeelOptions {
     std::optional<double> damping;    ///< N*s/mm
     double friction = 0;              ///< Coulomb coefficient
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
+    std::filesystem::path record;     ///< empty: not recorded
     std::string workOn;               ///< tooth of a case; empty: the first
 };
 

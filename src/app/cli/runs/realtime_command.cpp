@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/cli/runs/realtime_link.h"
+#include "app/cli/runs/run_recording.h"
 #include "app/cli/terminal/output.h"
 #include "app/cli/terminal/timing_bars.h"
 #include "app/common/exit_code.h"
@@ -20,7 +21,7 @@
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
 #include "session/live/live_runner.h"
-#include "session/recording/session_recorder.h"
+#include "session/live/live_stream.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -158,6 +159,16 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 }  // namespace
 
 int runRealtime(const RealtimeOptions& options) {
+    RunRecording recording;
+    if (const auto opened = recording.open(options.record); !opened) return reportError(opened.error());
+    std::unique_ptr<LiveStream> stream;
+    if (!options.stream.empty()) {
+        auto opened = LiveStream::open(options.stream);
+        if (!opened) return reportError(opened.error());
+        stream = std::move(*opened);
+    }
+    LiveRunner::TickListener onTick;
+    if (stream != nullptr) onTick = [&stream](const Tick& tick) { stream->write(tick); };
     const BuiltinTooth molar = makeBuiltinTooth(BuiltinToothKind::LowerFirstMolar);
     auto tooth = layeredTooth(molar);
     if (!tooth) return reportError(tooth.error());
@@ -173,20 +184,16 @@ int runRealtime(const RealtimeOptions& options) {
     const auto link = LinkTiming::measure(kLinkShare * options.seconds, options.rateHz);
 
     const Instrument instrument{std::make_shared<const ToolShape>(bur), std::move(*cutting), spec.edge()};
-    std::unique_ptr<SessionRecorder> recorder;
-    if (!options.record.empty()) {
-        auto created = SessionRecorder::create(options.record, *piece, std::string(molar.name));
-        if (!created) return reportError(created.error());
-        recorder = std::move(*created);
-    }
+    if (const auto begun = recording.begin(*piece, std::string(molar.name)); !begun) return reportError(begun.error());
+    SessionRecorder* const recorder = recording.recorder();
     auto runner = std::make_unique<LiveRunner>(
-        piece, instrument, HapticSettings(), hand, LiveRunner::TickListener(), options.rateHz,
-        std::optional<DeviceRegistration>(), nullptr, 1,
-        recorder ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
+        piece, instrument, HapticSettings(), hand, onTick, options.rateHz, std::optional<DeviceRegistration>(), nullptr,
+        1, recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
     SessionControls controls;
-    for (bool cut = false; std::chrono::steady_clock::now() < end; cut = true) {
+    const auto isOver = [&] { return recording.stop().stop_requested() || std::chrono::steady_clock::now() >= end; };
+    for (bool cut = false; !isOver(); cut = true) {
         controls.cutting = cut;
         runner->setControls(controls);
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.5, options.seconds / 4)));
@@ -212,8 +219,7 @@ int runRealtime(const RealtimeOptions& options) {
     constexpr double kMaxMissed = 0.01;  // share of the deadlines: a hand notices more
     const int exitCode = static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
     runner.reset();  // the recording ends with it
-    if (recorder == nullptr) return exitCode;
-    if (const auto closed = recorder->close(piece->hash()); !closed) return reportError(closed.error());
+    if (const auto closed = recording.close(piece->hash()); !closed) return reportError(closed.error());
     return exitCode;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace tactooth {
 
@@ -12,6 +13,7 @@ struct RealtimeOptions {
     bool load = false;  ///< keep all other cores busy during the run
     bool json = false;
     std::filesystem::path record;  ///< recorded session to write; empty: none
+    std::string stream;            ///< address of a live stream (StreamAddress::parse); empty: none
 };
 
 /// Lets a simulated hand touch and cut the built-in molar in real time. Prints the timing of this machine. Returns an

@@ -22,7 +22,7 @@ struct EventCounts {
     std::uint64_t ticks = 0, burs = 0, carves = 0, undos = 0, redos = 0, resets = 0;
 
     void add(const SessionEvent& event) {
-        if (const auto* tick = std::get_if<TickEvent>(&event)) ++ticks, seconds += tick->input.seconds();
+        if (const auto elapsed = secondsOf(event)) ++ticks, seconds += *elapsed;
         burs += std::holds_alternative<BeginEvent>(event) ? 1 : 0;
         const auto* carve = std::get_if<CarveEvent>(&event);
         carves += carve != nullptr && carve->published ? 1 : 0;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sessions/replay_command.h"
 #include "app/cli/sessions/session_command.h"
+#include "app/cli/sessions/session_events_command.h"
+#include "app/cli/sessions/session_export_command.h"
+#include "app/cli/sessions/session_trim_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
 
@@ -35,6 +38,49 @@ void addReplay(CLI::App& program, CommandAction& chosen) {
     command->add_flag("--json", options->json, "Writes the summary as JSON");
 }
 
+void addEvents(CLI::App& session, CommandAction& chosen) {
+    const auto events = std::make_shared<SessionEventsOptions>();
+    CLI::App* command = addForOneSession(
+        session, chosen, "events",
+        "Replays a recording and lists what happened in it: burs, cuts, undos, resets, what the bur reached.", events,
+        runSessionEvents);
+    command->add_flag("--json", events->json, "Writes one JSON object");
+}
+
+void addExport(CLI::App& session, CommandAction& chosen) {
+    CLI::App* parent = session.add_subcommand("export", "Replays a recording and writes it for other programs.");
+    parent->require_subcommand(1);
+    parent->get_formatter()->label("SUBCOMMAND", "FORMAT");
+    const auto csv = std::make_shared<SessionExportOptions>();
+    CLI::App* command = addForOneSession(*parent, chosen, "csv", "Writes a table with a row for each tick, as 'feel'.",
+                                         csv, runSessionExportCsv);
+    command->add_option("--out", csv->out, "CSV file to write")->required()->type_name("FILE");
+    const auto mcap = std::make_shared<SessionExportOptions>();
+    command = addForOneSession(*parent, chosen, "mcap",
+                               "Writes an MCAP file, as Foxglove and PlotJuggler open it: /tool/pose, /tool/force, "
+                               "/spindle and /events in JSON with schemas.",
+                               mcap, runSessionExportMcap);
+    command->add_option("--out", mcap->out, "MCAP file to write")->required()->type_name("FILE");
+    command->add_option("--rate", mcap->rateHz, "Most messages a second on each channel but /events, Hz (default: 100)")
+        ->transform(numberFrom(0.1, 100000.0))
+        ->type_name("HZ");
+}
+
+void addTrim(CLI::App& session, CommandAction& chosen) {
+    const auto trim = std::make_shared<SessionTrimOptions>();
+    CLI::App* command = addForOneSession(
+        session, chosen, "trim",
+        "Writes a part of a recording as a recording that can be replayed. Whole blocks of half a second are kept.",
+        trim, runSessionTrim);
+    command->add_option("--from", trim->from, "Start of the part, s (default: 0)")
+        ->transform(numberFrom(0.0, 1e6))
+        ->type_name("S");
+    command->add_option("--to", trim->to, "End of the part, s (default: that of the recording)")
+        ->transform(numberFrom(0.0, 1e6))
+        ->type_name("S");
+    command->add_option("--out", trim->out, "File to write (*.ttsession)")->required()->type_name("FILE");
+}
+
 }  // namespace
 
 void addSessionCommands(CLI::App& program, CommandAction& chosen) {
@@ -56,6 +102,9 @@ void addSessionCommands(CLI::App& program, CommandAction& chosen) {
         *session, chosen, "verify",
         "Replays a recording and tells whether it reaches the recorded tooth: exit code 1 if not.", verify, runReplay);
     command->add_flag("--json", verify->json, "Writes one JSON object");
+    addEvents(*session, chosen);
+    addExport(*session, chosen);
+    addTrim(*session, chosen);
 }
 
 }  // namespace tactooth

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/export/session_moments.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tactooth {
+namespace {
+
+constexpr double kPauseBetweenCuts = 0.4;  // s, as for the marks of undo
+
+const char* nameOf(Edit edit) { return edit == Edit::Undo ? "undo" : "reset"; }
+
+}  // namespace
+
+SessionMoments::SessionMoments(const SessionReplay& replay)
+    : replay_(&replay), events_(replay.model().tooth().materials()), removedAtEdit_(removed()) {}
+
+void SessionMoments::endCut() {
+    if (!cut_) return;
+    all_.push_back({cut_->lastContact, "cut ended", cut_->place, removed() - cut_->removedBefore});
+    cut_.reset();
+}
+
+void SessionMoments::onEvent(double time, const SessionEvent& event) {
+    if (std::holds_alternative<BeginEvent>(event)) {
+        endCut();
+        all_.push_back({time, "bur"});
+    }
+    if (const auto* const edit = std::get_if<EditEvent>(&event)) {
+        const double change = removed() - removedAtEdit_;
+        if (cut_) cut_->removedBefore += change;
+        endCut();
+        all_.push_back({time, nameOf(edit->edit), {}, change});
+    }
+    removedAtEdit_ = removed();
+}
+
+void SessionMoments::onTick(double time, const Tick& tick) {
+    if (cut_ && time > cut_->lastContact + kPauseBetweenCuts) endCut();
+    if (tick.cutting && tick.contacts > 0 && tick.speedRpm > 0) {
+        if (!cut_) {
+            cut_ = Cut{time, removed(), tick.proxy.position};
+            all_.push_back({time, "cut begun", tick.proxy.position});
+        }
+        cut_->lastContact = time;
+        cut_->place = tick.proxy.position;
+    }
+    events_.update(time, tick, replay_->model().loss());
+}
+
+void SessionMoments::finish() {
+    endCut();
+    for (const CutEvent& event : events_.all()) {
+        all_.push_back({event.time, std::string(cutEventName(event.kind)), event.place});
+    }
+    std::ranges::stable_sort(all_, {}, &SessionMoment::time);
+}
+
+}  // namespace tactooth
