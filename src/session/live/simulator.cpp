@@ -169,9 +169,9 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
+std::vector<std::byte> Simulator::toothFile(const Provenance& provenance, const std::string& work) const {
     const std::lock_guard lock(modelMutex_);
-    return toothFileBytes(*model_, provenance);
+    return toothFileBytes(*model_, provenance, work);
 }
 
 void Simulator::request(Edit edit) {

@@ -96,8 +96,9 @@ public:
     void request(Edit edit);
     /// The steps that can be undone and redone. Never null. Any thread.
     [[nodiscard]] std::shared_ptr<const CutHistory> history() const;
-    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most.
-    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
+    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most. `work`:
+    /// see toothFileBytes.
+    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance, const std::string& work = {}) const;
 
 private:
     template <std::size_t kCapacity>
