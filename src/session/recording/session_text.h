@@ -20,6 +20,8 @@ namespace tactooth {
 
 /// Name of the attachment with the bytes of the tooth's file.
 inline constexpr std::string_view kToothAttachment = "tooth.tactooth";
+/// Name of the attachment with the description of the work (workText), the first of which is number 0.
+[[nodiscard]] std::string workAttachment(std::size_t index);
 /// Name of the attachment with a body around the tooth.
 [[nodiscard]] std::string surroundingAttachment(std::size_t index);
 
