@@ -24,7 +24,8 @@ Environment displayless(const TemporaryFolder& home, const Environment& more) {
                                {"WAYLAND_DISPLAY", std::nullopt},
                                {"QT_QPA_PLATFORM", std::nullopt},
                                {"ALSOFT_DRIVERS", "none"},
-                               {"XDG_CONFIG_HOME", home.path().string()}};
+                               {"XDG_CONFIG_HOME", home.path().string()},
+                               {"XDG_DATA_HOME", home.path().string()}};
     for (const auto& [name, value] : more) environment[name] = value;
     return environment;
 }

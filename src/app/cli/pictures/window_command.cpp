@@ -89,6 +89,14 @@ void addExercise(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
+void addRecordings(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option("--recordings", arguments.recordings,
+                    "Folder where sessions are recorded (default: tactooth/recordings in the user's folder for data)")
+        ->type_name("DIR")
+        ->group(kGroup);
+}
+
 /// One option for each stored setting.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
@@ -123,6 +131,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
     addHands(program, arguments);
     addMouthAndBur(program, arguments);
     addExercise(program, arguments);
+    addRecordings(program, arguments);
     addSettings(program, arguments);
 }
 
@@ -154,6 +163,7 @@ int runWindowCommand(const WindowArguments& arguments) {
     }
     if (!arguments.exercise.empty()) options.exercise = arguments.exercise;
     if (!arguments.bur.empty()) options.bur = arguments.bur;
+    options.recordings = arguments.recordings;
     options.settings = arguments.settings;
     options.device = arguments.device;
     return runWindow(options);

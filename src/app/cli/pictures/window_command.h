@@ -21,6 +21,7 @@ struct WindowArguments {
     std::string materials;
     std::string exercise;
     std::string bur;
+    std::string recordings;
     std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;
     std::optional<int> mouth;  ///< tooth number
