@@ -95,6 +95,9 @@ void addRecordings(CLI::App& program, WindowArguments& arguments) {
                     "Folder where sessions are recorded (default: tactooth/recordings in the user's folder for data)")
         ->type_name("DIR")
         ->group(kGroup);
+    program.add_flag("--no-record", arguments.noRecord, "Keeps nothing of this session and offers nothing to restore")
+        ->excludes("--recordings")
+        ->group(kGroup);
 }
 
 /// One option for each stored setting.
@@ -164,6 +167,7 @@ int runWindowCommand(const WindowArguments& arguments) {
     if (!arguments.exercise.empty()) options.exercise = arguments.exercise;
     if (!arguments.bur.empty()) options.bur = arguments.bur;
     options.recordings = arguments.recordings;
+    options.records = !arguments.noRecord;
     options.settings = arguments.settings;
     options.device = arguments.device;
     return runWindow(options);

@@ -22,6 +22,7 @@ struct WindowArguments {
     std::string exercise;
     std::string bur;
     std::string recordings;
+    bool noRecord = false;
     std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;
     std::optional<int> mouth;  ///< tooth number

@@ -172,7 +172,9 @@ int runWindow(const WindowOptions& options) {
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the bur of the command line or of the case counts
     if (options.device) start->hand.device = *options.device;
-    holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
+    if (options.records) {
+        holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
+    }
     MainWindow& window = holder.open(*start);
     ending = &holder;
     if (tooth) {
