@@ -22,6 +22,9 @@ namespace {
 
 using Row = std::vector<std::int64_t>;
 
+constexpr std::int64_t kPedalDown = static_cast<std::int64_t>(1 / TickInput::kPedalStep);
+constexpr double kMaxForceNumber = 1e3;  // far beyond any material, and no force overflows
+
 std::int64_t bitsOf(double value) { return std::bit_cast<std::int64_t>(value); }
 double numberOf(std::int64_t bits) { return std::bit_cast<double>(bits); }
 
@@ -50,7 +53,8 @@ struct Layout<TickEvent> {
             event.input.rotation[i] = static_cast<std::int32_t>(row[3 + i]);
         }
         if (row[7] < 0 || !std::in_range<std::int32_t>(row[7]) || !std::in_range<std::int32_t>(row[8])) return {};
-        if (row[9] < 0 || row[9] > 3 || !std::in_range<std::uint32_t>(row[10])) return std::nullopt;
+        if (row[8] < 0 || row[8] > kPedalDown || row[9] < 0 || row[9] > 3 || !std::in_range<std::uint32_t>(row[10]))
+            return std::nullopt;
         event.input.elapsed = static_cast<std::int32_t>(row[7]);
         event.input.pedal = static_cast<std::int32_t>(row[8]);
         event.input.cutting = (row[9] & 1) != 0;
@@ -113,7 +117,7 @@ struct Layout<ForceEvent> {
         if (row[0] < 0 || row[0] > 7) return std::nullopt;
         for (std::size_t i = 1; i < 5; ++i) {
             const double value = numberOf(row[i]);
-            if (!std::isfinite(value) || value < 0) return std::nullopt;
+            if (!(value >= 0 && value <= kMaxForceNumber)) return std::nullopt;
         }
         if (!(numberOf(row[5]) >= 0)) return std::nullopt;  // it may be infinite
         ForceEvent event;

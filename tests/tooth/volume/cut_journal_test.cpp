@@ -68,9 +68,10 @@ public:
         }
     }
     void step(int nodes = 100) {
-        journal_.mark(bricks_);
+        mark();
         cut(nodes);
     }
+    void mark() { journal_.mark(bricks_); }
     void cut(int nodes) {
         const BrickKey key{static_cast<int>(random_() % 4), 0, 0};
         CutField field = *bricks_.find(key);
@@ -142,6 +143,7 @@ TEST(CutJournal, BeyondItsMemoryTheOldestStepsAreForgotten) {
     Journal bricks(kBytes);
     std::vector<std::vector<CutField>> states = {bricks.fields()};
     for (int i = 0; i < 100; ++i) bricks.step(), states.push_back(bricks.fields());
+    bricks.mark();  // the last step ends
     const std::size_t kept = bricks.journal().undoable();
     EXPECT_GT(kept, 5U);
     EXPECT_LT(kept, 60U);
