@@ -13,6 +13,7 @@ void SessionKeeper::setFolder(std::optional<RecordingFolder> folder) {
     if (folder_) return;
     beginning_.cancel();
     endRecording();
+    ending_ = {};  // joins: it reads the tooth, which may be cut further
 }
 
 void SessionKeeper::describe(const std::string& work) {
@@ -21,9 +22,11 @@ void SessionKeeper::describe(const std::string& work) {
     if (recording_ != nullptr && !hasStopped_) recording_->recorder().describe(work_);
 }
 
-void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title) {
+void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title,
+                            const std::string& work) {
     if (tooth == tooth_) return;
     tooth_ = tooth;
+    work_ = work;
     beginning_.cancel();
     endRecording();
     if (!folder_) return;

@@ -30,8 +30,8 @@ public:
     void describe(const std::string& work);
 
     /// Prepares for work on `tooth`, on which no thread works yet. If its recording runs already, that goes on;
-    /// otherwise the one before ends, and another one begins.
-    void prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title);
+    /// otherwise the one before ends, and another one begins. `work`: what was done with it before (workText).
+    void prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title, const std::string& work);
     /// The next call of `prepare` begins another recording, even for the same tooth.
     void forget() { tooth_.reset(); }
     /// Whether the threads may begin: the recording has, or there is none.

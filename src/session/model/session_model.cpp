@@ -151,7 +151,11 @@ std::optional<DeviceRegistration> SessionModel::registration() const {
 /// Whether the simulator may begin: the recording has, or there is none.
 bool SessionModel::prepareRecording() {
     if (isToothNew_ || !keeper_->isReady()) stop();  // it works on the tooth before
-    keeper_->prepare(tooth_->piece, tooth_->name);
+    SessionWork before = tooth_->work;
+    before.title = tooth_->name;
+    before.mouthTooth = tooth_->mouthTooth;
+    before.isUnsaved = tooth_->wasUnsaved;
+    keeper_->prepare(tooth_->piece, tooth_->name, workText(before));
     return keeper_->isReady();
 }
 

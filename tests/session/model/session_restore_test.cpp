@@ -31,11 +31,11 @@ class RecordedSession : public ::testing::Test {
 protected:
     void begin(SessionModel& model) {
         model.recordTo(RecordingFolder(folder_.path()));
-        model.describeWork(R"({"title":"Own block","bur":"Flat","seconds":0,"events":[]})");
         model.install(test::blockTooth());
         model.install(test::flatSessionBur());
         (void)model.step(0);
         ASSERT_TRUE(model.simulator() != nullptr && model.isRecording());
+        model.describeWork(R"({"title":"Own block","bur":"Flat","seconds":7,"events":[]})");
     }
     void cut(SessionModel& model) {
         const auto at = [](double time, double z) {
