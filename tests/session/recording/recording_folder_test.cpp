@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <random>
 
 #include "bench_scene.h"
 #include "session/recording/kept_recording.h"
@@ -192,9 +193,12 @@ TEST(KeptRecording, AFullDiskIsSaidAndWhatWasWrittenIsKept) {
     ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     rlimit few = before;
-    few.rlim_cur = 2048;  // bytes: the header and a part of the tooth
+    few.rlim_cur = 16'384;  // bytes: the header and the tooth, but not the text
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &few), 0);
-    auto recording = KeptRecording::begin(RecordingFolder(home.path()), tooth, "Block", "{}");
+    std::mt19937 random(5);
+    std::string text;  // that no compression makes shorter than the limit
+    while (text.size() < 100'000) text += static_cast<char>('0' + random() % 64);
+    auto recording = KeptRecording::begin(RecordingFolder(home.path()), tooth, "Block", text);
     Expected<void> done;
     if (recording) {
         (*recording)->noteTouch();
@@ -205,6 +209,9 @@ TEST(KeptRecording, AFullDiskIsSaidAndWhatWasWrittenIsKept) {
     const std::string sentence = recording ? (done ? "" : done.error().message()) : recording.error().message();
     EXPECT_FALSE(sentence.empty());
     EXPECT_THAT(sentence, HasSubstr(home.path().filename().string()));
+    const std::vector<std::string> left = namesIn(home.path());
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_TRUE(SessionRecording::open(home / left.front())) << "what came before is kept";
 }
 
 }  // namespace
