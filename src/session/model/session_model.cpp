@@ -31,7 +31,7 @@ void SessionModel::install(SessionTooth tooth) {
     resetManipulator();
     haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
-    needsSimulator_ = isToothNew_ = true;
+    needsRunner_ = isToothNew_ = true;
 }
 
 /// The hand starts above the tooth again; its press depth stays.
@@ -43,7 +43,7 @@ void SessionModel::resetManipulator() {
 
 void SessionModel::install(SessionBur bur) {
     bur_ = std::move(bur);
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
@@ -51,20 +51,20 @@ void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device
     if (device == nullptr && before == nullptr) return;
     stop();  // it uses the device before
     devices_.set(slot, std::move(device));
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::setSpindle(const SpindlePreset& spindle) {
     haptics_.spindle = spindle;
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::setHand(const HandSettings& hand) {
     const HandSettings before = std::exchange(hand_, hand);
-    if (hand.rate != before.rate) needsSimulator_ = true;
+    if (hand.rate != before.rate) needsRunner_ = true;
     if (hand.leftHanded == before.leftHanded) return;
     resetManipulator();
-    if (devices_.first() != nullptr) needsSimulator_ = true;  // the device is registered anew
+    if (devices_.first() != nullptr) needsRunner_ = true;  // the device is registered anew
 }
 
 void SessionModel::setCutting(bool cutting) {
@@ -73,7 +73,7 @@ void SessionModel::setCutting(bool cutting) {
 }
 
 void SessionModel::stop() {
-    simulator_.reset();
+    runner_.reset();
     keeper_->end();
 }
 
@@ -81,7 +81,7 @@ void SessionModel::recordTo(const RecordingFolder& folder) {
     keeper_->setFolder(folder);
     if (!tooth_ || isTouched_ || keeper_->isRecording()) return;
     stop();
-    needsSimulator_ = true;
+    needsRunner_ = true;
     keeper_->forget();
 }
 
@@ -89,7 +89,7 @@ void SessionModel::stopRecording() {
     if (!keeper_->folder()) return;
     if (keeper_->isRecording()) {
         stop();
-        needsSimulator_ = true;
+        needsRunner_ = true;
     }
     keeper_->setFolder(std::nullopt);
 }
@@ -106,21 +106,21 @@ std::unique_ptr<SessionKeeper> SessionModel::releaseKeeper() {
 
 bool SessionModel::isModified() const {
     if (!tooth_) return false;
-    // While a tooth is on its way in, the simulator is that of the one before.
-    const bool isRunning = simulator_ != nullptr && !isToothNew_;
-    return (isRunning ? simulator_->removed() : tooth_->piece->removed()) != tooth_->savedAt;
+    // While a tooth is on its way in, the runner is that of the one before.
+    const bool isRunning = runner_ != nullptr && !isToothNew_;
+    return (isRunning ? runner_->feed().removed() : tooth_->piece->removed()) != tooth_->savedAt;
 }
 
 void SessionModel::markSaved() {
-    if (tooth_ && simulator_ != nullptr) tooth_->savedAt = simulator_->removed();
+    if (tooth_ && runner_ != nullptr) tooth_->savedAt = runner_->feed().removed();
 }
 
 void SessionModel::resetTooth() {
-    if (simulator_ == nullptr) return;
-    simulator_->request(Edit::Reset);
+    if (runner_ == nullptr) return;
+    runner_->request(Edit::Reset);
     // Otherwise the history takes back what belongs to the cuts, when the tooth is whole again.
     constexpr double kAll = std::numeric_limits<double>::infinity();
-    if (total(simulator_->removed()) == 0) (void)log_.events().takeBack(0, kAll);
+    if (total(runner_->feed().removed()) == 0) (void)log_.events().takeBack(0, kAll);
 }
 
 void SessionModel::noteChange(WorkStep step) {
@@ -129,8 +129,8 @@ void SessionModel::noteChange(WorkStep step) {
 }
 
 void SessionModel::followHistory() {
-    history_.follow(*simulator_->history(), log_.events(), log_.seconds(), log_.simulatorBegan());
-    if (const std::optional<Edit> edit = history_.advance(); edit && simulator_ != nullptr) simulator_->request(*edit);
+    history_.follow(*runner_->feed().history(), log_.events(), log_.seconds(), log_.simulatorBegan());
+    if (const std::optional<Edit> edit = history_.advance(); edit && runner_ != nullptr) runner_->request(*edit);
 }
 
 std::optional<WorkspaceFit> SessionModel::fit() const {
@@ -148,7 +148,7 @@ std::optional<DeviceRegistration> SessionModel::registration() const {
                                  hand_.autoScaling);
 }
 
-/// Whether the simulator may begin: the recording has, or there is none.
+/// Whether the runner may begin: the recording has, or there is none.
 bool SessionModel::prepareRecording() {
     if (isToothNew_ || !keeper_->isReady()) stop();  // it works on the tooth before
     SessionWork before = tooth_->work;
@@ -159,12 +159,12 @@ bool SessionModel::prepareRecording() {
     return keeper_->isReady();
 }
 
-void SessionModel::startSimulator() {
-    needsSimulator_ = false;
+void SessionModel::startRunner() {
+    needsRunner_ = false;
     manipulator_.release();
     devices_.moveMouse(manipulator_.pose());
     stop();  // its threads end before the new ones begin: they share the cut model and the device
-    simulator_ = std::make_unique<Simulator>(
+    runner_ = std::make_unique<LiveRunner>(
         tooth_->piece, bur_->instrument, haptics_, devices_.active(),
         [this, tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
             DrillSoundState heard = tickSound.at(tick);
@@ -182,9 +182,9 @@ void SessionModel::startSimulator() {
 }
 
 void SessionModel::reportOverload(StepResult& stepResult) {
-    if (reportedOverload_ || !isOverloaded(simulator_->timing(), hand_.rate)) return;
+    if (reportedOverload_ || !isOverloaded(runner_->feed().timing(), hand_.rate)) return;
     reportedOverload_ = true;
-    stepResult.heavyTick = tickP99(simulator_->timing());
+    stepResult.heavyTick = tickP99(runner_->feed().timing());
 }
 
 void SessionModel::noteTouches() {
@@ -194,8 +194,8 @@ void SessionModel::noteTouches() {
     keeper_->noteTouch();
 }
 
-SimulatorControls SessionModel::currentControls() const {
-    SimulatorControls now = controls;
+SessionControls SessionModel::currentControls() const {
+    SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
     return now;
@@ -205,9 +205,9 @@ SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
     stepResult.recordingFault = keeper_->takeFault();
-    if (needsSimulator_ && tooth_ && bur_ && prepareRecording()) {
-        startSimulator();
-        stepResult.newSimulator = true;
+    if (needsRunner_ && tooth_ && bur_ && prepareRecording()) {
+        startRunner();
+        stepResult.newRunner = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);
         if (stepResult.newTooth) {
             log_.clearEvents(haptics_.materials.registry(), tooth_->work);
@@ -217,13 +217,13 @@ SessionModel::StepResult SessionModel::step(double dt) {
         }
         history_.restart();
     }
-    if (simulator_ == nullptr) {
+    if (runner_ == nullptr) {
         fetched_.clear();
         log_.record(fetched_, {});
         return stepResult;
     }
-    simulator_->fetchTicks(fetched_);
-    log_.record(fetched_, simulator_->loss());
+    runner_->feed().fetchTicks(fetched_);
+    log_.record(fetched_, runner_->feed().loss());
     noteTouches();
     followHistory();
     stepResult.faultMessage = devices_.changedFault();
@@ -231,13 +231,13 @@ SessionModel::StepResult SessionModel::step(double dt) {
     const Tick& newest = log_.newest();
     manipulator_.advance(dt, newest.proxy.position, newest.depth);
     devices_.moveMouse(manipulator_.pose());
-    simulator_->setControls(currentControls());
-    animation_.advance(newest, instruments_.water(), instruments_.suction(), simulator_->loss().ground(), dt);
+    runner_->setControls(currentControls());
+    animation_.advance(newest, instruments_.water(), instruments_.suction(), runner_->feed().loss().ground(), dt);
     return stepResult;
 }
 
 std::shared_ptr<const Surface> touchableSurface(const SessionModel& model) {
-    return surrounded(model.simulator()->surface(), model.tooth()->piece->surroundings());
+    return surrounded(model.runner()->feed().surface(), model.tooth()->piece->surroundings());
 }
 
 double handleX(const SessionModel& model) { return model.hand().leftHanded ? -model.mesialX() : model.mesialX(); }

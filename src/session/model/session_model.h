@@ -24,9 +24,9 @@ struct HandSettings {
     bool autoScaling = false;  ///< motion scaling by SessionModel::fit instead of by the controls
 };
 
-/// A session at the simulator: the tooth and the bur, the devices of both hands, the other instruments, and the running
-/// simulator. All functions are for one thread and return at once; none waits for the servo. A change that needs
-/// another simulator takes effect in the next step.
+/// A session at the program: the tooth and the bur, the devices of both hands, the other instruments, and the running
+/// runner. All functions are for one thread and return at once; none waits for the servo. A change that needs
+/// another runner takes effect in the next step.
 class SessionModel {
 public:
     /// `sound` outlives the model. `executor` makes the meshes of the instruments.
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const HandSettings& hand() const { return hand_; }
     /// Touch or cut, as the user chooses it on the screen. A button of the device may have chosen before.
     void setCutting(bool cutting);
-    /// Stops the simulator; tooth and bur stay.
+    /// Stops the runner; tooth and bur stay.
     void stop();
     /// Puts the tooth back as it was before any cut. It can be undone.
     void resetTooth();
@@ -64,9 +64,9 @@ public:
     [[nodiscard]] bool isRecording() const { return keeper_->isRecording(); }
     /// What somebody is doing, for the recording (workText).
     void describeWork(const std::string& work) { keeper_->describe(work); }
-    /// Stops the simulator, ends the recording and waits until it is on the disk: the program ends.
+    /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.
     void finishRecording();
-    /// For another model that goes on with this tooth: the recording that runs. Stops the simulator.
+    /// For another model that goes on with this tooth: the recording that runs. Stops the runner.
     [[nodiscard]] std::unique_ptr<SessionKeeper> releaseKeeper();
     /// Goes on with the recording of another model. Call it before the tooth is installed.
     void adopt(std::unique_ptr<SessionKeeper> keeper) { keeper_ = std::move(keeper); }
@@ -79,8 +79,8 @@ public:
     /// What has changed in a step.
     struct StepResult {
         bool newTooth = false;
-        bool newSimulator = false;        ///< the times of ticks start at zero again
-        std::optional<double> heavyTick;  ///< tickP99 in us, once for each simulator that turns out to be overloaded
+        bool newRunner = false;           ///< the times of ticks start at zero again
+        std::optional<double> heavyTick;  ///< tickP99 in us, once for each runner that turns out to be overloaded
         std::optional<const Message*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
         std::optional<Message> recordingFault;       ///< why recording has stopped or could not begin, once
     };
@@ -89,10 +89,10 @@ public:
 
     [[nodiscard]] const std::optional<SessionTooth>& tooth() const { return tooth_; }
     [[nodiscard]] const std::optional<SessionBur>& bur() const { return bur_; }
-    /// Whether a simulator will begin as soon as its recording has.
-    [[nodiscard]] bool isPreparing() const { return needsSimulator_ && tooth_ && bur_; }
+    /// Whether a runner will begin as soon as its recording has.
+    [[nodiscard]] bool isPreparing() const { return needsRunner_ && tooth_ && bur_; }
     /// Null until there are a tooth and a bur, and while a recording begins.
-    [[nodiscard]] Simulator* simulator() const { return simulator_.get(); }
+    [[nodiscard]] LiveRunner* runner() const { return runner_.get(); }
     /// Direction of mesial along x.
     [[nodiscard]] double mesialX() const { return tooth_ ? tooth_->mesialX : 1; }
     /// The motion scaling with which the devices reach all of the tooth and as far around it as the mouse does; none
@@ -110,18 +110,18 @@ public:
     [[nodiscard]] const TickLog& log() const { return log_; }
     [[nodiscard]] const SceneAnimation& animation() const { return animation_; }
 
-    /// The simulator takes them over in the next step. Motion scaling and clutch are for devices only: the mouse
+    /// The runner takes them over in the next step. Motion scaling and clutch are for devices only: the mouse
     /// points.
-    SimulatorControls controls;
+    SessionControls controls;
 
 private:
     [[nodiscard]] bool prepareRecording();
     void noteTouches();
     void followHistory();
-    void startSimulator();
+    void startRunner();
     void resetManipulator();
     void reportOverload(StepResult& stepResult);
-    [[nodiscard]] SimulatorControls currentControls() const;
+    [[nodiscard]] SessionControls currentControls() const;
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
     SoundOutput& sound_;
@@ -130,7 +130,7 @@ private:
     HandSettings hand_;
     std::optional<SessionTooth> tooth_;
     std::optional<SessionBur> bur_;
-    bool needsSimulator_ = false;  // another one than the running one
+    bool needsRunner_ = false;  // another one than the running one
     bool isToothNew_ = false;
     bool reportedOverload_ = false;
     MouseManipulator manipulator_;
@@ -142,10 +142,10 @@ private:
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument
     std::unique_ptr<SessionKeeper> keeper_;
-    std::unique_ptr<Simulator> simulator_;  // last: it uses the members above
+    std::unique_ptr<LiveRunner> runner_;  // last: it uses the members above
 };
 
-/// All that the bur can touch now. Needs a simulator.
+/// All that the bur can touch now. Needs a runner.
 [[nodiscard]] std::shared_ptr<const Surface> touchableSurface(const SessionModel& model);
 
 /// Direction along x in which the handles leave.

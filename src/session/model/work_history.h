@@ -38,19 +38,19 @@ public:
     /// A change that is no cut was made.
     void add(WorkStep step);
     /// Brings it up to what the tooth has: new strokes, undone and redone ones. Takes back or brings back their events.
-    /// `now`, `simulatorBegan`: on the time scale of `events`, s; the times of `cuts` are those of the simulator.
+    /// `now`, `simulatorBegan`: on the time scale of `events`, s; the times of `cuts` are those of the runner.
     void follow(const CutHistory& cuts, CutEvents& events, double now, double simulatorBegan);
 
     /// The same without the changes that are no cuts: for another window that goes on with the tooth.
     [[nodiscard]] WorkHistory cutsAlone() const;
-    /// Another simulator: it does not answer a request to the one before.
+    /// Another runner: it does not answer a request to the one before.
     void restart() { isWaiting_ = false; }
 
     /// Undoes or redoes steps until `position` of them are done. `advance` does it.
     void goTo(std::size_t position);
     void undo() { goTo(goal_.value_or(position_) - (goal_.value_or(position_) > 0 ? 1 : 0)); }
     void redo() { goTo(goal_.value_or(position_) + 1); }
-    /// Goes on towards the goal. Returns the next request to the simulator; nothing while it has not answered the last
+    /// Goes on towards the goal. Returns the next request to the runner; nothing while it has not answered the last
     /// one, or if there is nothing to do.
     [[nodiscard]] std::optional<Edit> advance();
 
@@ -77,7 +77,7 @@ private:
     std::vector<std::optional<Cut>> cuts_;  // of each step
     std::size_t position_ = 0;
     std::optional<std::size_t> goal_;
-    bool isWaiting_ = false;  // for the simulator
+    bool isWaiting_ = false;  // for the runner
     std::uint64_t revision_ = 0;
 };
 

@@ -34,7 +34,7 @@ protected:
         model.install(test::blockTooth());
         model.install(test::flatSessionBur());
         (void)model.step(0);
-        ASSERT_TRUE(model.simulator() != nullptr && model.isRecording());
+        ASSERT_TRUE(model.runner() != nullptr && model.isRecording());
         model.describeWork(R"({"title":"Own block","bur":"Flat","seconds":7,"events":[]})");
     }
     void cut(SessionModel& model) {
@@ -45,7 +45,7 @@ protected:
         model.setCutting(true);
         model.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
         ASSERT_TRUE(test::stepUntil(
-            model, [&] { return model.simulator() != nullptr && total(model.simulator()->removed()) > 0.01; }));
+            model, [&] { return model.runner() != nullptr && total(model.runner()->feed().removed()) > 0.01; }));
         ASSERT_TRUE(test::stepUntil(model, [&] { return model.log().newest().contacts == 0; }));
     }
     /// What a crash would leave: a copy of the recording while it is written.
@@ -132,7 +132,7 @@ TEST_F(RecordedSession, AFolderThatCannotBeUsedIsSaidOnceAndTheSessionGoesOn) {
     model.install(test::blockTooth());
     model.install(test::flatSessionBur());
     int sentences = 0;
-    EXPECT_TRUE(test::stepUntil(model, [&] { return model.simulator() != nullptr && !model.log().ticks().empty(); }));
+    EXPECT_TRUE(test::stepUntil(model, [&] { return model.runner() != nullptr && !model.log().ticks().empty(); }));
     for (int i = 0; i < 3; ++i) sentences += model.step(0).recordingFault ? 1 : 0;
     EXPECT_LE(sentences, 1);
     EXPECT_FALSE(model.isRecording());
@@ -146,7 +146,7 @@ TEST_F(RecordedSession, ComesBackAfterACrashWithItsCutsTimeAndEvents) {
         SessionModel model(sound_, test::runInline);
         begin(model);
         cut(model);
-        removed = total(model.simulator()->removed());
+        removed = total(model.runner()->feed().removed());
         events = model.log().events().all();
         // The recorder writes each half second.
         const double since = model.log().seconds();
@@ -174,7 +174,7 @@ TEST_F(RecordedSession, ComesBackAfterACrashWithItsCutsTimeAndEvents) {
     SessionModel again(sound_, test::runInline);
     again.install(*tooth);
     (void)again.step(0);
-    ASSERT_NE(again.simulator(), nullptr) << "with its bur";
+    ASSERT_NE(again.runner(), nullptr) << "with its bur";
     EXPECT_TRUE(again.isModified()) << "no file of the user holds the cuts";
     EXPECT_GE(again.log().seconds(), tooth->work.seconds);
     again.markSaved();
@@ -233,7 +233,7 @@ TEST_F(RecordedSession, ASavedToothGoesOnWhereOneStopped) {
     const fs::path file = crashed_ / "a.tactooth";
     ASSERT_TRUE(saveTooth(*model.tooth()->piece, {}, file));
     EXPECT_EQ(loadSessionTooth({.outer = file, .layers = {}})->work.seconds, 0) << "an old file";
-    const auto bytes = model.simulator()->toothFile({}, workText(work));
+    const auto bytes = model.runner()->toothFile({}, workText(work));
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     const auto tooth = loadSessionTooth({.outer = file, .layers = {}});

@@ -11,7 +11,7 @@
 
 #include "bench_scene.h"
 #include "devices/simulated/scripted_device.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "session/recording/session_recorder.h"
 #include "session/recording/session_recording.h"
 #include "session/recording/session_replay.h"
@@ -106,19 +106,19 @@ private:
         }
         ticks.reserve(ticks.size() + 10'000);
         {
-            Simulator simulator(
+            LiveRunner runner(
                 model, bur, settings, device, [&](const Tick& tick) { ticks.push_back(numbersOf(tick)); },
                 kRates[random_() % kRates.size()], {}, hasSecond ? &second : nullptr, 1, lanes);
-            SimulatorControls controls;
+            SessionControls controls;
             controls.force = settings.force;
             const auto start = std::chrono::steady_clock::now();
             while (std::chrono::steady_clock::now() - start < std::chrono::duration<double>(seconds)) {
                 controls.cutting = random_() % 5 != 0;
                 controls.clutch = random_() % 10 == 0;
                 controls.forceScale = random_() % 3 == 0 ? between(0, 1.5) : 1;
-                simulator.setControls(controls);
+                runner.setControls(controls);
                 if (random_() % 4 == 0) {
-                    simulator.request(std::array{Edit::Undo, Edit::Undo, Edit::Redo, Edit::Reset}[random_() % 4]);
+                    runner.request(std::array{Edit::Undo, Edit::Undo, Edit::Redo, Edit::Reset}[random_() % 4]);
                 }
                 std::this_thread::sleep_for(std::chrono::duration<double>(between(0.02, 0.15)));
             }

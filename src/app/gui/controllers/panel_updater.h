@@ -22,7 +22,7 @@ public:
 
     /// After each step of the model. `busy`: work goes on in the background.
     void showStep(bool busy);
-    /// Another simulator counts from zero.
+    /// Another runner counts from zero.
     void restart();
     /// Gauges, plots and events; some ten times a second.
     void showNumbers();

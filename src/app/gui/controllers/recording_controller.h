@@ -45,7 +45,7 @@ public:
     void showFault(const Message& fault);
 
     /// The program ends without a question: saves a tooth with unsaved cuts into the folder, where the next start finds
-    /// it, and ends the recording. It waits for the disk. The simulator stops.
+    /// it, and ends the recording. It waits for the disk. The runner stops.
     void saveBeforeEnd();
 
 private:

@@ -20,7 +20,7 @@ namespace tactooth {
 namespace {
 
 MaterialVolumes removedNow(const SessionModel& model) {
-    return model.simulator() != nullptr ? model.simulator()->removed() : MaterialVolumes{};
+    return model.runner() != nullptr ? model.runner()->feed().removed() : MaterialVolumes{};
 }
 
 }  // namespace
@@ -107,19 +107,19 @@ void ToothController::openBur(const QString& file) {
 }
 
 void ToothController::exportTooth(const QString& file) {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     files_.enterFolderOf(file);
-    const Expected<void> written = writeStl(model_.simulator()->exported().mesh, file.toStdString());
+    const Expected<void> written = writeStl(model_.runner()->feed().exported().mesh, file.toStdString());
     if (!written) return messages_.showError(written.error());
     model_.markSaved();
     messages_.setHint(tr("The tooth was written to %1").arg(file));
 }
 
 bool ToothController::saveTooth(const QString& file) {
-    if (model_.simulator() == nullptr) return false;
+    if (model_.runner() == nullptr) return false;
     files_.enterFolderOf(file);
     const std::string work = work_ ? workTextWithoutFolders(work_()) : std::string();
-    const auto bytes = model_.simulator()->toothFile(savedNow(model_.tooth()->provenance), work);
+    const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance), work);
     const Expected<void> written = writeFile(file.toStdString(), bytes);
     if (!written) {
         messages_.showError(written.error());

@@ -94,7 +94,7 @@ void HistoryActions::note(const Aspect& aspect, int kind, const Setup& before, c
 void HistoryActions::update() {
     const Setup now = setup();
     // Without a tooth, or with another one than before, there is nothing to go back to.
-    if (model_.simulator() != nullptr && seenTooth_ == model_.tooth()->piece.get()) {
+    if (model_.runner() != nullptr && seenTooth_ == model_.tooth()->piece.get()) {
         for (std::size_t i = 0; i < aspects_.size(); ++i) {
             if (!aspects_[i].isSame(seen_, now)) note(aspects_[i], static_cast<int>(i) + 1, seen_, now);
         }

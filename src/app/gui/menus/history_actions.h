@@ -23,7 +23,7 @@ public:
     /// All of them outlive the controller.
     HistoryActions(SessionModel& model, const WindowPanels& panels, InstrumentMenus& instruments);
 
-    /// Another simulator has started: maybe with another bur.
+    /// Another runner has started: maybe with another bur.
     void takeSimulator();
     /// Notes what has changed since the last call, and shows the history. Call it some times a second.
     void update();

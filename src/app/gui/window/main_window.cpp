@@ -93,8 +93,8 @@ void MainWindow::connectLoop() {
     connect(&loop_, &StepLoop::recordingFailed, &recordings_, &RecordingController::showFault);
     connect(&loop_, &StepLoop::faultChanged, &hints_, &WindowHints::showFault);
     connect(&loop_, &StepLoop::overloaded, &hints_, &WindowHints::showOverload);
-    connect(&loop_, &StepLoop::simulatorStarted, &updater_, &PanelUpdater::restart);
-    connect(&loop_, &StepLoop::simulatorStarted, &history_, &HistoryActions::takeSimulator);
+    connect(&loop_, &StepLoop::runnerStarted, &updater_, &PanelUpdater::restart);
+    connect(&loop_, &StepLoop::runnerStarted, &history_, &HistoryActions::takeRunner);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
         devices_.followButtons();
