@@ -39,8 +39,9 @@ std::string practiceReportCsv(const PracticeReport& report) {
     }
     text += line("of it beside the tooth", report.beside, "mm^3");
     for (const CutEventKind kind : kCutEventKinds) {
-        const auto times = std::count_if(report.events.begin(), report.events.end(),
-                                         [kind](const CutEvent& event) { return event.kind == kind; });
+        const auto times = std::count_if(report.events.begin(), report.events.end(), [kind](const CutEvent& event) {
+            return event.kind == kind && !event.isTakenBack;
+        });
         text += line(cutEventName(kind), static_cast<double>(times), "times");
     }
     return text;

@@ -193,7 +193,7 @@ void PadSessionTest::theToothIsCut() {
 void PadSessionTest::theMenuTakesTheCutBack() {
     const double before = removed();
     const bool cutting = isCutting();
-    choose(entry("Undo cut"));
+    choose(entry("Undo"));
     QTRY_VERIFY_WITH_TIMEOUT(removed() < before, kPatience);
     QCOMPARE(isCutting(), cutting);  // button A was for the menu
 }

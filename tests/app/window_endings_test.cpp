@@ -40,7 +40,9 @@ const StartPhase kConnected = "QXcbEventQueue";  // to the display; there is no 
 const StartPhase kWorking = "servo";             // the window is open and the runner runs
 
 Environment homeIn(const TemporaryFolder& home) {
-    return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};
+    return {{"XDG_CONFIG_HOME", home.path().string()},
+            {"XDG_DATA_HOME", (home / "data").string()},
+            {"QT_QPA_PLATFORM", std::nullopt}};
 }
 
 bool hasThread(pid_t process, const std::string& name) {
@@ -87,6 +89,9 @@ TEST_P(WindowEndings, ASignalClosesTheWindowAsByHand) {
         isClosed = run.err.find("tactooth: closed by SIG") != std::string::npos;
         EXPECT_EQ(run.err.find("before it was done") == std::string::npos, isClosed || run.err.empty()) << run.err;
         EXPECT_EQ(std::distance(fs::directory_iterator(settings.parent_path()), {}), 1) << "nothing else is left";
+        const fs::path recordings = home / "data/tactooth/recordings";
+        if (!isClosed || !fs::exists(recordings)) continue;
+        EXPECT_TRUE(fs::is_empty(recordings)) << "the recording was ended, and nothing was touched in it";
     }
     ASSERT_TRUE(isClosed);
     const auto kept = readWindowSettings(settings);

@@ -85,6 +85,7 @@ void WindowGraphicsTest::withoutOpenGl41TheProgramSaysWhatToDo() {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(name, value);
     environment.insert("XDG_CONFIG_HOME", QString::fromStdString((folder_ / "config").string()));
+    environment.insert("XDG_DATA_HOME", QString::fromStdString((folder_ / "data").string()));
     program.setProcessEnvironment(environment);
     program.start(TACTOOTH_PROGRAM, {});
     QVERIFY(program.waitForFinished(kLoadPatience));

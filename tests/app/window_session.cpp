@@ -108,6 +108,27 @@ QString WindowSession::dismissMessage() const {
     return text;
 }
 
+void WindowSession::answerUnsaved(QMessageBox::StandardButton answer) const {
+    QMessageBox* const box = unsavedQuestion();
+    if (box != nullptr) QTest::mouseClick(box->button(answer), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(unsavedQuestion() == nullptr, kPatience);
+}
+
+void WindowSession::cutALittle() {
+    const double before = removed();
+    key(Qt::Key_C);
+    view().setFocus();
+    QTest::keyPress(&view(), Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, kPatience);
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(removed() > before + 0.02, kPatience);
+    liftBur(middle());
+    QTest::keyRelease(&view(), Qt::Key_Space);
+    key(Qt::Key_T);
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, kPatience);
+    waitForCarving();
+}
+
 void WindowSession::closeWindow() {
     window_.reset();
     sound_.reset();
@@ -115,6 +136,7 @@ void WindowSession::closeWindow() {
 
 void WindowSession::loadMolar() {
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
+    answerUnsaved(QMessageBox::Discard);
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("molar"), kLoadPatience);
     waitForTooth();
 }

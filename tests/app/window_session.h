@@ -27,8 +27,14 @@ protected:
     void openWindowWithSettings();
     void closeWindow();
     void waitForTooth();
-    /// Loads the built-in molar.
+    /// Loads the built-in molar. Cuts that are not saved are discarded.
     void loadMolar();
+    /// The question about unsaved cuts; null if there is none.
+    [[nodiscard]] QMessageBox* unsavedQuestion() const { return window_->findChild<QMessageBox*>("unsavedWork"); }
+    /// Answers it, if there is one.
+    void answerUnsaved(QMessageBox::StandardButton answer) const;
+    /// Cuts a little, and lifts the bur.
+    void cutALittle();
     [[nodiscard]] QPoint middle() const { return view().rect().center(); }
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }

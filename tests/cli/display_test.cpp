@@ -20,11 +20,9 @@ using namespace test;
 
 /// An environment without a display, wherever the tests run, except for the variables of `more`.
 Environment displayless(const TemporaryFolder& home, const Environment& more) {
-    Environment environment = {{"DISPLAY", std::nullopt},
-                               {"WAYLAND_DISPLAY", std::nullopt},
-                               {"QT_QPA_PLATFORM", std::nullopt},
-                               {"ALSOFT_DRIVERS", "none"},
-                               {"XDG_CONFIG_HOME", home.path().string()}};
+    Environment environment = {
+        {"DISPLAY", std::nullopt},  {"WAYLAND_DISPLAY", std::nullopt},         {"QT_QPA_PLATFORM", std::nullopt},
+        {"ALSOFT_DRIVERS", "none"}, {"XDG_CONFIG_HOME", home.path().string()}, {"XDG_DATA_HOME", home.path().string()}};
     for (const auto& [name, value] : more) environment[name] = value;
     return environment;
 }

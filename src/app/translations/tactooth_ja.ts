@@ -40,20 +40,28 @@
         <translation>切削（C）：ペダルを踏むとバーが回り、歯を削ります</translation>
     </message>
     <message>
-        <source>Undo cut</source>
-        <translation>切削を戻す</translation>
-    </message>
-    <message>
-        <source>Takes back the last cut (Ctrl+Z)</source>
-        <translation>最後の切削を取り消します（Ctrl+Z）</translation>
-    </message>
-    <message>
         <source>Reset tooth</source>
         <translation>歯を元に戻す</translation>
     </message>
     <message>
-        <source>Puts back all that was cut (Ctrl+R)</source>
-        <translation>削ったところをすべて元に戻します（Ctrl+R）</translation>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Takes back the last cut or change (Ctrl+Z)</source>
+        <translation>最後の切削や変更を取り消します（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back (Ctrl+Shift+Z or Ctrl+Y)</source>
+        <translation>取り消したことをもう一度行います（Ctrl+Shift+Z または Ctrl+Y）</translation>
+    </message>
+    <message>
+        <source>Puts back all that was cut (Ctrl+R); Undo takes that back</source>
+        <translation>削ったところをすべて元に戻します（Ctrl+R）。「元に戻す」で取り消せます</translation>
     </message>
 </context>
 <context>
@@ -343,12 +351,12 @@ The mouse wheel in the picture changes it too.</source>
         <translation>歯を準備しています…</translation>
     </message>
     <message>
-        <source>%1 — Tactooth</source>
-        <translation>%1 — Tactooth</translation>
-    </message>
-    <message>
         <source>This case brings its own materials: it may feel harder, softer or rougher than others</source>
         <translation>この症例には独自の材料が含まれています。ほかの症例より硬く、柔らかく、またはざらついて感じられることがあります</translation>
+    </message>
+    <message>
+        <source>%1[*] — Tactooth</source>
+        <translation>%1[*] — Tactooth</translation>
     </message>
 </context>
 <context>
@@ -434,6 +442,10 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>Real time</source>
         <translation>リアルタイム</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
     </message>
 </context>
 <context>
@@ -725,10 +737,6 @@ The mouse wheel in the picture changes it too.</source>
         <translation>Ctrl + Z</translation>
     </message>
     <message>
-        <source>take back the last cut</source>
-        <translation>最後の切削を取り消す</translation>
-    </message>
-    <message>
         <source>Ctrl + R</source>
         <translation>Ctrl + R</translation>
     </message>
@@ -867,6 +875,18 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;See, feel and hear a dental bur touch and cut a tooth.&lt;br&gt;&lt;br&gt;Free software under the GNU General Public License, version 3 or later;&lt;br&gt;its simulation library under the Apache License 2.0.</source>
         <translation>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
+    </message>
+    <message>
+        <source>take back the last cut or change</source>
+        <translation>最後の切削や変更を取り消す</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + Z, Ctrl + Y</source>
+        <translation>Ctrl + Shift + Z、Ctrl + Y</translation>
+    </message>
+    <message>
+        <source>do it again</source>
+        <translation>もう一度行う</translation>
     </message>
 </context>
 <context>
@@ -1607,6 +1627,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <source>At %1 s: %2</source>
         <translation>%1 秒：%2</translation>
     </message>
+    <message>
+        <source>Taken back: it does not count</source>
+        <translation>取り消し済み：数えません</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::ExercisePanel</name>
@@ -1786,6 +1810,153 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <source>English</source>
         <extracomment>The English name of the language of this catalogue.</extracomment>
         <translation>Japanese</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::HistoryActions</name>
+    <message>
+        <source>Drive</source>
+        <translation>駆動装置</translation>
+    </message>
+    <message>
+        <source>Water spray</source>
+        <translation>注水</translation>
+    </message>
+    <message>
+        <source>Suction</source>
+        <translation>バキューム</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>ミラー</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Look inside</source>
+        <translation>内部を見る</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>A click goes to that state; what comes after it can be redone until you do something else</source>
+        <translation>クリックするとその状態に移ります。それより後のことは、別の操作をするまでやり直せます</translation>
+    </message>
+    <message>
+        <source>The tooth as it was opened</source>
+        <translation>開いたときの歯</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::RecordingController</name>
+    <message>
+        <source>● Recording</source>
+        <translation>● 記録中</translation>
+    </message>
+    <message>
+        <source>&amp;Record sessions</source>
+        <translation>セッションを記録する(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder</source>
+        <translation>フォルダーを開く(&amp;O)</translation>
+    </message>
+    <message>
+        <source>This session is recorded on this computer, so that nothing is lost; see the menu File.</source>
+        <translation>何も失われないように、このセッションをこのコンピューターに記録しています。「ファイル」メニューを見てください。</translation>
+    </message>
+    <message>
+        <source>Recor&amp;dings</source>
+        <translation>記録(&amp;D)</translation>
+    </message>
+    <message>
+        <source>No folder</source>
+        <translation>フォルダーなし</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>The recordings are in %1</source>
+        <translation>記録は %1 にあります</translation>
+    </message>
+    <message>
+        <source>Recording begins with the next tooth</source>
+        <translation>次の歯から記録を始めます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::RestoreController</name>
+    <message>
+        <source>Restoring the session… %1 %</source>
+        <translation>セッションを復元しています… %1 %</translation>
+    </message>
+    <message>
+        <source>Unfinished session</source>
+        <translation>終わっていないセッション</translation>
+    </message>
+    <message>
+        <source>Restore the session of %1?</source>
+        <translation>%1 のセッションを復元しますか？</translation>
+    </message>
+    <message>
+        <source>Tactooth did not end as usual then. The tooth: %1</source>
+        <translation>そのとき Tactooth は正常に終了しませんでした。歯：%1</translation>
+    </message>
+    <message>
+        <source>The system closed Tactooth then, with unsaved cuts. The tooth: %1</source>
+        <translation>そのとき、保存していない切削があるままシステムが Tactooth を終了しました。歯：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>復元(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the file</source>
+        <translation>ファイルを残す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>It stays in the folder of recordings, and this question does not come again</source>
+        <translation>記録のフォルダーに残し、もう尋ねません</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>後で(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The file is %1</source>
+        <translation>ファイルは %1 です</translation>
+    </message>
+    <message>
+        <source>Restoring the session…</source>
+        <translation>セッションを復元しています…</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::UnsavedWork</name>
+    <message>
+        <source>Unsaved cuts</source>
+        <translation>保存していない切削</translation>
+    </message>
+    <message>
+        <source>The tooth has cuts that are not saved. Save it first?</source>
+        <translation>この歯には保存していない切削があります。先に保存しますか？</translation>
     </message>
 </context>
 </TS>

@@ -55,15 +55,18 @@ Expected<LoadedModel> loadModelOrCase(const ToothSource& source, const std::stri
         auto placed = loadCase(source, workOn);
         if (!placed) return Unexpected{placed.error()};
         auto piece = std::make_shared<CutModel>(std::move(placed->tooth), voxel.value_or(defaultVoxel));
-        return LoadedModel{std::move(piece), std::move(placed->place), std::move(placed->provenance),
-                           std::move(placed->importNotes)};
+        return LoadedModel{std::move(piece),
+                           std::move(placed->place),
+                           std::move(placed->provenance),
+                           std::move(placed->importNotes),
+                           {}};
     }
     if (auto single = refuseChoice(source, workOn); !single) return Unexpected{single.error()};
     auto opened = loadTooth(source, voxel, defaultVoxel);
     if (!opened) return Unexpected{opened.error()};
     ToothPlacement place = placeOf(opened->piece->tooth(), displayFileName(source.outer));
     return LoadedModel{std::move(opened->piece), std::move(place), std::move(opened->provenance),
-                       std::move(opened->importNotes)};
+                       std::move(opened->importNotes), std::move(opened->work)};
 }
 
 }  // namespace tactooth

@@ -40,6 +40,7 @@ struct LoadedModel {
     ToothPlacement place;
     Provenance provenance = {};
     std::vector<ImportNote> importNotes = {};  ///< on the files that were read, and on repairs
+    std::string work = {};                     ///< of a saved tooth: see workText
 };
 
 /// The same as a model to cut; also from a saved tooth. `voxel` and `defaultVoxel` as for loadTooth.

@@ -140,9 +140,9 @@ void LiveRunner::publishSurface() {
     cutAvailable_.notify_one();
 }
 
-std::vector<std::byte> LiveRunner::toothFile(const Provenance& provenance) const {
+std::vector<std::byte> LiveRunner::toothFile(const Provenance& provenance, const std::string& work) const {
     const std::lock_guard lock(modelMutex_);
-    return toothFileBytes(*model_, provenance);
+    return toothFileBytes(*model_, provenance, work);
 }
 
 void LiveRunner::request(Edit edit) {

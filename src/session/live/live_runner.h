@@ -72,8 +72,9 @@ public:
     /// whole tooth. Undo takes back the last step: a reset, or the cut since the bur last began to cut after a pause.
     /// Redo does it again, unless something was cut since. No effect if there is nothing to reset, undo or redo.
     void request(Edit edit);
-    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most.
-    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance) const;
+    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most. `work`:
+    /// see toothFileBytes.
+    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance, const std::string& work = {}) const;
 
 private:
     template <std::size_t kCapacity>

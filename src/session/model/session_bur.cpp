@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/session_bur.h"
 
+#include <algorithm>
+
 #include "geometry/util/messages.h"
 #include "instruments/bur_shape.h"
 #include "session/model/spin_envelope_mesh.h"
@@ -42,6 +44,22 @@ Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {
     Expected<CustomBur> own = readCustomBur(path);
     if (!own) return Unexpected{own.error()};
     return makeSessionBur(std::move(*own), path);
+}
+
+std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder) {
+    if (work.bur.empty()) return std::nullopt;
+    if (work.burFile.empty()) {
+        const auto spec = std::ranges::find(burCatalogue(), work.bur, &BurSpec::name);
+        if (spec == burCatalogue().end()) return std::nullopt;
+        Expected<SessionBur> made = makeSessionBur(*spec);
+        return made ? std::optional(std::move(*made)) : std::nullopt;
+    }
+    const std::filesystem::path file = work.burFile;
+    for (const std::filesystem::path& place : {file, folder / file.filename()}) {
+        if (!place.is_absolute() && place == file) continue;  // a name alone: not that of the working folder
+        if (Expected<SessionBur> loaded = loadSessionBur(place)) return std::move(*loaded);
+    }
+    return std::nullopt;
 }
 
 }  // namespace tactooth

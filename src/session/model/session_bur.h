@@ -8,6 +8,7 @@
 
 #include "session/cases/custom_bur.h"
 #include "session/live/live_runner.h"
+#include "session/simulation/session_work.h"
 
 namespace tactooth {
 
@@ -26,5 +27,8 @@ struct SessionBur {
 /// `file`: that described `bur`; empty if a case brought it.
 [[nodiscard]] Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file);
 [[nodiscard]] Expected<SessionBur> loadSessionBur(const std::filesystem::path& path);
+/// The bur that somebody worked with: of the catalogue, or of its file, which may also lie in `folder`. Nothing if it
+/// is not there any more, or belongs to a case.
+[[nodiscard]] std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder);
 
 }  // namespace tactooth

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/session_model.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,10 +19,15 @@ const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));  // mm; the hand starts ab
 }  // namespace
 
 SessionModel::SessionModel(SoundOutput& sound, const TaskExecutor& executor)
-    : sound_(sound), manipulator_(kNoTooth, 1), devices_(manipulator_.pose()), instruments_(executor) {}
+    : sound_(sound),
+      manipulator_(kNoTooth, 1),
+      devices_(manipulator_.pose()),
+      instruments_(executor),
+      keeper_(std::make_unique<SessionKeeper>(executor)) {}
 
 void SessionModel::install(SessionTooth tooth) {
     tooth_ = std::move(tooth);
+    if (!tooth_->savedAt) tooth_->savedAt = tooth_->piece->removed();
     resetManipulator();
     haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
@@ -42,7 +49,7 @@ void SessionModel::install(SessionBur bur) {
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
     const HapticDevice* const before = slot == DeviceSlot::First ? devices_.first() : devices_.second();
     if (device == nullptr && before == nullptr) return;
-    runner_.reset();  // it uses the device before
+    stop();  // it uses the device before
     devices_.set(slot, std::move(device));
     needsRunner_ = true;
 }
@@ -65,10 +72,65 @@ void SessionModel::setCutting(bool cutting) {
     controls.cutting = cutting != (devices_.first() != nullptr && chosenByButton);
 }
 
+void SessionModel::stop() {
+    runner_.reset();
+    keeper_->end();
+}
+
+void SessionModel::recordTo(const RecordingFolder& folder) {
+    keeper_->setFolder(folder);
+    if (!tooth_ || isTouched_ || keeper_->isRecording()) return;
+    stop();
+    needsRunner_ = true;
+    keeper_->forget();
+}
+
+void SessionModel::stopRecording() {
+    if (!keeper_->folder()) return;
+    if (keeper_->isRecording()) {
+        stop();
+        needsRunner_ = true;
+    }
+    keeper_->setFolder(std::nullopt);
+}
+
+void SessionModel::finishRecording() {
+    stop();
+    keeper_->finish();
+}
+
+std::unique_ptr<SessionKeeper> SessionModel::releaseKeeper() {
+    stop();
+    return std::exchange(keeper_, std::make_unique<SessionKeeper>());
+}
+
+bool SessionModel::isModified() const {
+    if (!tooth_) return false;
+    // While a tooth is on its way in, the runner is that of the one before.
+    const bool isRunning = runner_ != nullptr && !isToothNew_;
+    return (isRunning ? runner_->feed().removed() : tooth_->piece->removed()) != tooth_->savedAt;
+}
+
+void SessionModel::markSaved() {
+    if (tooth_ && runner_ != nullptr) tooth_->savedAt = runner_->feed().removed();
+}
+
 void SessionModel::resetTooth() {
     if (runner_ == nullptr) return;
     runner_->request(Edit::Reset);
-    log_.clearEvents(haptics_.materials.registry());
+    // Otherwise the history takes back what belongs to the cuts, when the tooth is whole again.
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    if (total(runner_->feed().removed()) == 0) (void)log_.events().takeBack(0, kAll);
+}
+
+void SessionModel::noteChange(WorkStep step) {
+    step.time = log_.seconds();
+    history_.add(std::move(step));
+}
+
+void SessionModel::followHistory() {
+    history_.follow(*runner_->feed().history(), log_.events(), log_.seconds(), log_.simulatorBegan());
+    if (const std::optional<Edit> edit = history_.advance(); edit && runner_ != nullptr) runner_->request(*edit);
 }
 
 std::optional<WorkspaceFit> SessionModel::fit() const {
@@ -86,11 +148,22 @@ std::optional<DeviceRegistration> SessionModel::registration() const {
                                  hand_.autoScaling);
 }
 
+/// Whether the runner may begin: the recording has, or there is none.
+bool SessionModel::prepareRecording() {
+    if (isToothNew_ || !keeper_->isReady()) stop();  // it works on the tooth before
+    SessionWork before = tooth_->work;
+    before.title = tooth_->name;
+    before.mouthTooth = tooth_->mouthTooth;
+    before.isUnsaved = tooth_->wasUnsaved;
+    keeper_->prepare(tooth_->piece, tooth_->name, workText(before));
+    return keeper_->isReady();
+}
+
 void SessionModel::startRunner() {
     needsRunner_ = false;
     manipulator_.release();
     devices_.moveMouse(manipulator_.pose());
-    runner_.reset();  // its threads end before the new ones begin: they share the cut model and the device
+    stop();  // its threads end before the new ones begin: they share the cut model and the device
     runner_ = std::make_unique<LiveRunner>(
         tooth_->piece, bur_->instrument, haptics_, devices_.active(),
         [this, tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
@@ -98,7 +171,7 @@ void SessionModel::startRunner() {
             instruments_.muteIdle(heard);
             sound_.publish(heard);
         },
-        hand_.rate, registration(), devices_.second(), motionScaling());
+        hand_.rate, registration(), devices_.second(), motionScaling(), keeper_->begin({bur_->instrument, haptics_}));
     reportedOverload_ = false;
     Tick start;
     start.cutting = controls.cutting;
@@ -114,6 +187,13 @@ void SessionModel::reportOverload(StepResult& stepResult) {
     stepResult.heavyTick = tickP99(runner_->feed().timing());
 }
 
+void SessionModel::noteTouches() {
+    const auto touches = [](const Tick& tick) { return tick.contacts > 0; };
+    if (!std::ranges::any_of(log_.ticks(), touches)) return;
+    isTouched_ = true;
+    keeper_->noteTouch();
+}
+
 SessionControls SessionModel::currentControls() const {
     SessionControls now = controls;
     now.motionScaling = motionScaling();
@@ -124,11 +204,18 @@ SessionControls SessionModel::currentControls() const {
 SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
-    if (needsRunner_ && tooth_ && bur_) {
+    stepResult.recordingFault = keeper_->takeFault();
+    if (needsRunner_ && tooth_ && bur_ && prepareRecording()) {
         startRunner();
         stepResult.newRunner = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);
-        if (stepResult.newTooth) log_.clearEvents(haptics_.materials.registry());
+        if (stepResult.newTooth) {
+            log_.clearEvents(haptics_.materials.registry(), tooth_->work);
+            isTouched_ = false;
+            history_.clear();
+            if (adoptedHistory_) history_ = *std::exchange(adoptedHistory_, std::nullopt);
+        }
+        history_.restart();
     }
     if (runner_ == nullptr) {
         fetched_.clear();
@@ -137,6 +224,8 @@ SessionModel::StepResult SessionModel::step(double dt) {
     }
     runner_->feed().fetchTicks(fetched_);
     log_.record(fetched_, runner_->feed().loss());
+    noteTouches();
+    followHistory();
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();

@@ -9,8 +9,10 @@
 #include "session/model/instrument_set.h"
 #include "session/model/mouse_manipulator.h"
 #include "session/model/scene_animation.h"
+#include "session/model/session_keeper.h"
 #include "session/model/session_tooth.h"
 #include "session/model/tick_log.h"
+#include "session/model/work_history.h"
 #include "sound/output/sound_output.h"
 
 namespace tactooth {
@@ -40,9 +42,39 @@ public:
     /// Touch or cut, as the user chooses it on the screen. A button of the device may have chosen before.
     void setCutting(bool cutting);
     /// Stops the runner; tooth and bur stay.
-    void stop() { runner_.reset(); }
-    /// Puts the tooth back as it was before any cut.
+    void stop();
+    /// Puts the tooth back as it was before any cut. It can be undone.
     void resetTooth();
+
+    /// What was done with the tooth.
+    [[nodiscard]] const WorkHistory& history() const { return history_; }
+    /// The next tooth that is installed comes with this history, from another model.
+    void adopt(WorkHistory history) { adoptedHistory_ = std::move(history); }
+    /// Undo, redo and jumps take effect in the next steps, in their order.
+    void undo() { history_.undo(); }
+    void redo() { history_.redo(); }
+    void goTo(std::size_t position) { history_.goTo(position); }
+    /// A change that is no cut was made; its functions undo and redo it.
+    void noteChange(WorkStep step);
+
+    /// Records the session from the next tooth on; a tooth that nobody has touched yet is recorded at once.
+    void recordTo(const RecordingFolder& folder);
+    /// Records nothing any more; what was recorded is kept.
+    void stopRecording();
+    [[nodiscard]] bool isRecording() const { return keeper_->isRecording(); }
+    /// What somebody is doing, for the recording (workText).
+    void describeWork(const std::string& work) { keeper_->describe(work); }
+    /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.
+    void finishRecording();
+    /// For another model that goes on with this tooth: the recording that runs. Stops the runner.
+    [[nodiscard]] std::unique_ptr<SessionKeeper> releaseKeeper();
+    /// Goes on with the recording of another model. Call it before the tooth is installed.
+    void adopt(std::unique_ptr<SessionKeeper> keeper) { keeper_ = std::move(keeper); }
+
+    /// Whether the tooth has cuts that were neither saved nor exported.
+    [[nodiscard]] bool isModified() const;
+    /// The tooth was saved or exported as it is now.
+    void markSaved();
 
     /// What has changed in a step.
     struct StepResult {
@@ -50,13 +82,16 @@ public:
         bool newRunner = false;           ///< the times of ticks start at zero again
         std::optional<double> heavyTick;  ///< tickP99 in us, once for each runner that turns out to be overloaded
         std::optional<const Message*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
+        std::optional<Message> recordingFault;       ///< why recording has stopped or could not begin, once
     };
     /// Call it at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] StepResult step(double dt);
 
     [[nodiscard]] const std::optional<SessionTooth>& tooth() const { return tooth_; }
     [[nodiscard]] const std::optional<SessionBur>& bur() const { return bur_; }
-    /// Null until there are a tooth and a bur.
+    /// Whether a runner will begin as soon as its recording has.
+    [[nodiscard]] bool isPreparing() const { return needsRunner_ && tooth_ && bur_; }
+    /// Null until there are a tooth and a bur, and while a recording begins.
     [[nodiscard]] LiveRunner* runner() const { return runner_.get(); }
     /// Direction of mesial along x.
     [[nodiscard]] double mesialX() const { return tooth_ ? tooth_->mesialX : 1; }
@@ -80,6 +115,9 @@ public:
     SessionControls controls;
 
 private:
+    [[nodiscard]] bool prepareRecording();
+    void noteTouches();
+    void followHistory();
     void startRunner();
     void resetManipulator();
     void reportOverload(StepResult& stepResult);
@@ -100,6 +138,10 @@ private:
     InstrumentSet instruments_;
     TickLog log_;
     SceneAnimation animation_;
+    WorkHistory history_;
+    std::optional<WorkHistory> adoptedHistory_;
+    bool isTouched_ = false;  // the tooth, by an instrument
+    std::unique_ptr<SessionKeeper> keeper_;
     std::unique_ptr<LiveRunner> runner_;  // last: it uses the members above
 };
 

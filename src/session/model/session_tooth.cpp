@@ -43,8 +43,20 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth) {
                        {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
     tooth.workBox = tooth.piece->tooth().ownBox();
     tooth.around = made->around;
+    tooth.mouthTooth = made->tooth.fdi;
     tooth.piece->surroundBy(surroundingsOf(*made));
     return tooth;
+}
+
+Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {
+    Expected<SessionTooth> mouth = makeSessionTooth(MouthChoice{.fdi = fdi});
+    if (!mouth) return Unexpected{mouth.error()};
+    tooth.mesialX = mouth->mesialX;
+    tooth.workBox = mouth->workBox;
+    tooth.around = std::move(mouth->around);
+    tooth.mouthTooth = fdi;
+    if (tooth.piece->surroundings().empty()) tooth.piece->surroundBy(mouth->piece->surroundings());
+    return {};
 }
 
 Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn) {
@@ -61,6 +73,14 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
         Expected<SessionBur> bur = makeSessionBur(std::move(*place.bur), {});
         if (!bur) return Unexpected{bur.error()};
         tooth.bur = std::move(*bur);
+    }
+    if (const std::optional<SessionWork> before = parseWork(work->work)) {
+        tooth.work = *before;
+        if (auto bur = burOf(tooth.work, source.outer.parent_path())) tooth.bur = std::move(*bur);
+    }
+    if (isPermanentTooth(tooth.work.mouthTooth)) {
+        if (const auto inMouth = putIntoMouth(tooth, tooth.work.mouthTooth); !inMouth)
+            return Unexpected{inMouth.error()};
     }
     return tooth;
 }

@@ -15,6 +15,7 @@
 #include "instruments/messages.h"
 #include "patient/scan_import.h"
 #include "session/model/session_bur.h"
+#include "session/simulation/session_work.h"
 #include "session/simulation/tooth_file.h"
 #include "session/simulation/tooth_in_mouth.h"
 #include "session/simulation/tooth_source.h"
@@ -33,6 +34,11 @@ struct SessionTooth {
     std::vector<ToothInMouth::Body> around = {};  ///< the rest of the mouth, which is touched and drawn
     std::any purpose = {};                        ///< what a layer above made the tooth for; the session keeps it
     std::vector<ImportNote> importNotes = {};     ///< what was repaired in the surfaces that were read
+    int mouthTooth = 0;     ///< FDI number, if it stands in the whole built-in mouth; 0: it does not
+    SessionWork work = {};  ///< what somebody was doing with it before
+    /// What was gone when it was saved last; none: as it is now, nothing is unsaved.
+    std::optional<MaterialVolumes> savedAt = {};
+    bool wasUnsaved = false;  ///< it came with cuts that no file of the user holds
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
@@ -62,7 +68,10 @@ struct MouthChoice {
                                                       const std::string& suffix);
 /// `scan`: with layers, as finishScan makes it.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan);
-/// `workOn`: name of the tooth of a case; empty: its first.
+/// `workOn`: name of the tooth of a case; empty: its first. What was being done with a saved tooth is in its `work`.
 [[nodiscard]] Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn = {});
+
+/// Puts a tooth back into the whole mouth that it was cut in: takes over its neighbours and gums from there.
+[[nodiscard]] Expected<void> putIntoMouth(SessionTooth& tooth, int fdi);
 
 }  // namespace tactooth

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/tick_log.h"
 
+#include <algorithm>
+
 namespace tactooth {
 
 void TickLog::restart(const Tick& start) {
@@ -9,9 +11,9 @@ void TickLog::restart(const Tick& start) {
     newest_ = start;
 }
 
-void TickLog::clearEvents(const MaterialRegistry& materials) {
-    events_ = CutEvents(materials);
-    timeBefore_ = -newest_.time;
+void TickLog::clearEvents(const MaterialRegistry& materials, const SessionWork& before) {
+    events_ = CutEvents(materials, before.events);
+    timeBefore_ = before.seconds - newest_.time;
 }
 
 void TickLog::record(std::vector<Tick>& ticks, const ToothLoss& loss) {
@@ -23,7 +25,8 @@ void TickLog::record(std::vector<Tick>& ticks, const ToothLoss& loss) {
 
 double TickLog::workSeconds() const {
     const std::vector<CutEvent>& events = events_.all();
-    return events.empty() ? 0 : timeBefore_ + newest_.time - events.front().time;
+    const auto first = std::ranges::find(events, false, &CutEvent::isTakenBack);
+    return first == events.end() ? 0 : seconds() - first->time;
 }
 
 }  // namespace tactooth

@@ -37,6 +37,20 @@ inline constexpr MessageText kRecordingOverflowed{
     "The recording has a gap, because this computer was too slow for a while: its replay ends there. The session goes "
     "on.",
     "このコンピューターが一時的に遅れたため、記録に抜けがあります。再生はそこで終わります。セッションは続きます。"};
+inline constexpr MessageText kRecordingFolderUnusable{
+    "recording_folder_unusable",
+    "%1: this session is not recorded, because its folder cannot be used (%2); the session goes on.",
+    "%1：フォルダーが使えないため（%2）、このセッションは記録されません。セッションは続きます。"};
+inline constexpr MessageText kRecordingNotRenamed{
+    "recording_not_renamed", "%1: the recording is complete, but cannot be renamed (%2); it keeps this name.",
+    "%1：記録は完了しましたが、名前を変更できません（%2）。この名前のまま残ります。"};
+inline constexpr MessageText kRestoreStopped{
+    "restore_stopped", "%1: the session was not restored, because you stopped it; the recording is kept.",
+    "%1：中止したため、セッションは復元されませんでした。記録は残っています。"};
+inline constexpr MessageText kRestoredInPart{
+    "restored_in_part",
+    "The session was restored up to %1 s of %2 s, where its replay differs from the recording; the recording is kept.",
+    "セッションを %2 秒のうち %1 秒まで復元しました。その先は再生が記録と一致しません。記録は残っています。"};
 inline constexpr MessageText kRecordingBurRefused{"recording_bur_refused", "%1: the bur of this recording: %2",
                                                   "%1：この記録のバー：%2"};
 

@@ -81,6 +81,10 @@ void SessionRecorder::note(const std::string& json) {
     (void)writer_->appendWhenRoom({BlockType::Note, firstTick_, 0, bytesOf(json)});
 }
 
+void SessionRecorder::describe(const std::string& work) {
+    attach(workAttachment(descriptions_++), std::as_bytes(std::span(work)));
+}
+
 void SessionRecorder::open(const BeginEvent& event) {
     end();
     const MeshAttachment bur = attachmentOf(event.instrument.shape->mesh());

@@ -43,6 +43,8 @@ public:
     SessionRecorder(const SessionRecorder&) = delete;
     SessionRecorder& operator=(const SessionRecorder&) = delete;
 
+    /// Notes what somebody is doing with the tooth (workText). The last one counts.
+    void describe(const std::string& work);
     /// A bur begins to work. The threads of the simulation report to the result until `end`.
     [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
     /// For a session that is not live, in place of `begin`: takes the next event. Waits while the disk is slow.
@@ -70,7 +72,8 @@ private:
 
     std::unique_ptr<JournalWriter> writer_;
     std::set<std::string> attached_;  // names
-    mutable std::mutex mutex_;        // of all below
+    std::size_t descriptions_ = 0;
+    mutable std::mutex mutex_;  // of all below
     std::shared_ptr<EventLanes> lanes_;
     EventMerger merger_;
     std::vector<SessionEvent> events_;  // not written yet

@@ -64,6 +64,34 @@ Expected<std::shared_ptr<CutModel>> SessionRecording::makeModel() const {
     return tooth->piece;
 }
 
+std::optional<SessionWork> SessionRecording::work() const {
+    std::optional<SessionWork> last;
+    for (std::size_t i = 0;; ++i) {
+        const Expected<std::vector<std::byte>> text = readAttachment(journal_, workAttachment(i), kMaxWorkBytes);
+        if (!text) return last;
+        std::optional<SessionWork> work = parseWork(textOf(*text));
+        if (!work) continue;
+        if (last) {
+            work->seconds = last->seconds;
+            work->events = std::move(last->events);
+            work->isUnsaved = last->isUnsaved;
+        }
+        last = std::move(work);
+    }
+}
+
+Expected<bool> SessionRecording::hasChanges() const {
+    bool isChanged = false;
+    const Expected<void> read = forEach([&](const SessionEvent& event) {
+        const auto* const carve = std::get_if<CarveEvent>(&event);
+        const auto* const edit = std::get_if<EditEvent>(&event);
+        isChanged = (carve != nullptr && carve->published) || (edit != nullptr && edit->published);
+        return !isChanged;
+    });
+    if (!read) return Unexpected{read.error()};
+    return isChanged;
+}
+
 Expected<BeginEvent> SessionRecording::beginEvent(const std::string& setup) const {
     const MeshFinder findMesh = [this](const std::string& name) -> std::optional<TriangleMesh> {
         const Expected<std::vector<std::byte>> content = readAttachment(journal_, name, kMaxBurBytes);

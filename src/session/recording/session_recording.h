@@ -12,6 +12,7 @@
 #include "journal/file/journal_reader.h"
 #include "session/kernel/session_event.h"
 #include "session/recording/session_text.h"
+#include "session/simulation/session_work.h"
 
 namespace tactooth {
 
@@ -29,6 +30,12 @@ public:
 
     /// The tooth before the first event, with all around it. Fails with one sentence if it is damaged.
     [[nodiscard]] Expected<std::shared_ptr<CutModel>> makeModel() const;
+
+    /// What somebody was doing, as the program described it last; nothing if it did not, or if that is damaged. Time
+    /// and events are those of before the first event.
+    [[nodiscard]] std::optional<SessionWork> work() const;
+    /// Whether something was cut, put back or undone. Fails with one sentence if a block is damaged.
+    [[nodiscard]] Expected<bool> hasChanges() const;
 
     /// Calls `visit` with each event in turn, until it returns false. Fails with one sentence if a block is damaged.
     [[nodiscard]] Expected<void> forEach(const std::function<bool(const SessionEvent&)>& visit) const;

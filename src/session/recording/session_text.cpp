@@ -88,6 +88,8 @@ const MaterialRegistry* registryOf(const Json& json) {
 
 }  // namespace
 
+std::string workAttachment(std::size_t index) { return fmt::format("work-{}", index); }
+
 std::string surroundingAttachment(std::size_t index) { return fmt::format("surrounding-{}", index); }
 
 std::vector<std::byte> surroundingBytes(const SurfacePart& body) {

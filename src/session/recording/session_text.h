@@ -27,6 +27,8 @@ inline constexpr std::string_view kTouchedAttachment = "touched-surface";
 [[nodiscard]] std::optional<LayeredTooth> touchedOf(std::span<const std::byte> content,
                                                     const MaterialRegistry& materials);
 
+/// Name of the attachment with the description of the work (workText), the first of which is number 0.
+[[nodiscard]] std::string workAttachment(std::size_t index);
 /// Name of the attachment with a body around the tooth.
 [[nodiscard]] std::string surroundingAttachment(std::size_t index);
 

@@ -46,13 +46,29 @@ const MessageText& cutEventText(CutEventKind kind) {
 std::string_view cutEventName(CutEventKind kind) { return cutEventText(kind).english; }
 
 std::string cutEventsCsv(std::span<const CutEvent> events) {
-    std::string text = "t,event,x,y,z\n";
-    for (const auto& [kind, time, place] : events) {
+    const bool marks = std::ranges::any_of(events, &CutEvent::isTakenBack);
+    std::string text = marks ? "t,event,x,y,z,taken_back\n" : "t,event,x,y,z\n";
+    for (const auto& [kind, time, place, isTakenBack] : events) {
         text.append(numberText(time)).append(",").append(cutEventName(kind));
         for (const double mm : place) text.append(",").append(numberText(mm));
+        if (marks) text += isTakenBack ? ",yes" : ",no";
         text += '\n';
     }
     return text;
+}
+
+std::vector<std::size_t> CutEvents::takeBack(double from, double to) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < events_.size(); ++i) {
+        if (events_[i].isTakenBack || events_[i].time < from || events_[i].time >= to) continue;
+        events_[i].isTakenBack = true;
+        places.push_back(i);
+    }
+    return places;
+}
+
+void CutEvents::bringBack(std::span<const std::size_t> places) {
+    for (const std::size_t place : places) events_.at(place).isTakenBack = false;
 }
 
 void CutEvents::report(CutEventKind kind, double time, const Tick& tick) {
@@ -60,7 +76,8 @@ void CutEvents::report(CutEventKind kind, double time, const Tick& tick) {
 }
 
 void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
-    if (!happened || std::ranges::any_of(events_, [&](const CutEvent& event) { return event.kind == kind; })) return;
+    const auto isKnown = [&](const CutEvent& event) { return event.kind == kind && !event.isTakenBack; };
+    if (!happened || std::ranges::any_of(events_, isKnown)) return;
     report(kind, time, tick);
 }
 

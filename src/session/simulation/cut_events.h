@@ -40,11 +40,12 @@ inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,   CutE
 
 struct CutEvent {
     CutEventKind kind;
-    double time;  ///< s
-    Vec3 place;   ///< the bur's tip in the tooth's frame, mm
+    double time;               ///< s
+    Vec3 place;                ///< the bur's tip in the tooth's frame, mm
+    bool isTakenBack = false;  ///< its cut was undone: it is listed, but does not count
 };
 
-/// As a table: t,event,x,y,z.
+/// As a table: t,event,x,y,z; with a last column taken_back (yes or no) if any was.
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
 /// Detects the events of a cut tick by tick. First contact, each tissue of the tooth itself and a cut beside the tooth
@@ -55,10 +56,19 @@ class CutEvents {
 public:
     /// `materials`: of the tooth; they say which material is dentin, pulp or gingiva.
     explicit CutEvents(const MaterialRegistry& materials = builtinMaterials()) : materials_(&materials) {}
+    /// Goes on with the events of an earlier session with this tooth.
+    CutEvents(const MaterialRegistry& materials, std::vector<CutEvent> before)
+        : materials_(&materials), events_(std::move(before)) {}
 
     /// `loss`: everything up to this tick. The first call sets what was cut before. Volume that undo or reset has put
     /// back and that is cut again gives no new event.
     void update(double time, const Tick& tick, const ToothLoss& loss);
+
+    /// Marks the events from `from` to before `to` (s) as taken back: their cut was undone. Of a kind that is reported
+    /// once, another one may come then. Returns the places in `all` of those that were not taken back before.
+    std::vector<std::size_t> takeBack(double from, double to);
+    /// The opposite, for what `takeBack` has returned: the cut was redone.
+    void bringBack(std::span<const std::size_t> places);
 
     /// All events, by rising time.
     [[nodiscard]] const std::vector<CutEvent>& all() const { return events_; }

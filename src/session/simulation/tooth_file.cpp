@@ -12,8 +12,8 @@
 
 namespace tactooth {
 
-std::vector<std::byte> toothFileBytes(const CutModel& piece, const Provenance& provenance) {
-    return savedToothBytes(piece.volume(), piece.removed(), provenance);
+std::vector<std::byte> toothFileBytes(const CutModel& piece, const Provenance& provenance, const std::string& work) {
+    return savedToothBytes(piece.volume(), piece.removed(), provenance, work);
 }
 
 Expected<void> saveTooth(const CutModel& piece, const Provenance& provenance, const std::filesystem::path& path) {
@@ -47,7 +47,8 @@ Expected<OpenedTooth> parseTooth(std::span<const std::byte> bytes, const std::st
     if (!tooth) return unexpected(msg::kNamed, name, tooth.error());
     auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), saved->voxel);
     piece->adopt(saved->cuts, saved->removed);
-    return OpenedTooth{std::move(piece), std::move(saved->provenance), notesOn(saved->unknownMaterials)};
+    return OpenedTooth{std::move(piece), std::move(saved->provenance), notesOn(saved->unknownMaterials),
+                       std::move(saved->work)};
 }
 
 Expected<OpenedTooth> loadTooth(const ToothSource& source, std::optional<double> voxel, double defaultVoxel) {

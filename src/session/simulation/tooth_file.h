@@ -19,8 +19,9 @@ namespace tactooth {
 /// Ending of the files that hold a cut tooth.
 inline constexpr std::string_view kToothFileEnding = ".tactooth";
 
-/// The bytes of the file of a tooth.
-[[nodiscard]] std::vector<std::byte> toothFileBytes(const CutModel& piece, const Provenance& provenance);
+/// The bytes of the file of a tooth. `work`: see workText; empty: none.
+[[nodiscard]] std::vector<std::byte> toothFileBytes(const CutModel& piece, const Provenance& provenance,
+                                                    const std::string& work = {});
 /// Writes the file, which appears when it is complete.
 [[nodiscard]] Expected<void> saveTooth(const CutModel& piece, const Provenance& provenance,
                                        const std::filesystem::path& path);
@@ -30,6 +31,7 @@ struct OpenedTooth {
     std::shared_ptr<CutModel> piece;
     Provenance provenance;
     std::vector<ImportNote> importNotes = {};  ///< on the files and on repairs
+    std::string work = {};                     ///< see workText; empty: the file has none
 };
 /// A tooth from the bytes of its file; `name` stands for them in messages. `materials`: see parseSavedTooth.
 [[nodiscard]] Expected<OpenedTooth> parseTooth(std::span<const std::byte> bytes, const std::string& name,

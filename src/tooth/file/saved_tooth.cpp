@@ -16,7 +16,8 @@ namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 3;      // version 1 had no ToothContext, version 2 no table of materials
+constexpr std::uint32_t kVersion = 4;      // version 1 had no ToothContext, 2 no table of materials, 3 no work
+constexpr std::uint32_t kWithoutWork = 3;  // so programs before version 4 read a tooth without work as well
 constexpr std::uint8_t kOldMaterials = 6;  // materials of versions 1 and 2: those with the codes 0 to 5
 constexpr double kWidestBand = 2;          // voxels; the first files kept the cut distance in a wider band
 constexpr double kFinestVoxel = 0.005;     // mm, the limit of the command line
@@ -24,6 +25,7 @@ constexpr double kCoarsestVoxel = 0.5;     // mm
 constexpr int kFarthestBrick = 1 << 16;    // bricks from the origin: 13 m at the default voxel
 constexpr std::size_t kMaxLayers = 2000;   // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMaxNotes = 10'000;
+constexpr std::size_t kMaxWork = std::size_t{4} << 20;  // bytes
 
 void putMesh(ByteWriter& out, const TriangleMesh& mesh) {
     TACTOOTH_ASSERT(mesh.vertices.size() <= std::numeric_limits<std::uint32_t>::max());
@@ -74,6 +76,7 @@ public:
     Expected<SavedTooth> read() {
         readHead();
         if (failure_.empty()) readNotes();
+        if (failure_.empty()) readWork();
         if (failure_.empty()) readMaterialTable();
         if (failure_.empty()) readMesh(tooth_.outer);
         if (failure_.empty()) readLayers();
@@ -118,6 +121,12 @@ private:
             require(true, kDamaged);
             tooth_.provenance.emplace_back(std::move(key), std::move(value));
         }
+    }
+
+    void readWork() {
+        if (version_ < 4) return;
+        tooth_.work = in_.getText();
+        require(tooth_.work.size() <= kMaxWork, kDamaged);
     }
 
     void readMesh(TriangleMesh& mesh) {
@@ -296,12 +305,14 @@ std::vector<MaterialId> materialsIn(const LayeredTooth& tooth, const MaterialVol
 }  // namespace
 
 std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
-                                       const Provenance& provenance) {
+                                       const Provenance& provenance, const std::string& work) {
+    TACTOOTH_ASSERT(work.size() <= kMaxWork);
     ByteWriter out;
     out.putAll(std::span(kMagic.data(), kMagic.size()));
-    out.put(kVersion);
+    out.put(work.empty() ? kWithoutWork : kVersion);
     out.put(static_cast<std::uint32_t>(provenance.size()));
     for (const auto& [key, value] : provenance) out.putText(key), out.putText(value);
+    if (!work.empty()) out.putText(work);
     const LayeredTooth& tooth = *volume.tooth();
     const std::vector<MaterialId> materials = materialsIn(tooth, removed);
     out.put(static_cast<std::uint32_t>(materials.size()));

@@ -31,11 +31,12 @@ struct SavedTooth {
     MaterialVolumes removed{};  ///< mm^3
     std::map<BrickKey, CutField> cuts;
     Provenance provenance;
+    std::string work;  ///< what somebody was doing with it, as a text of the layer above; empty: nothing
 };
 
-/// Writes a cut tooth as the bytes of a file (docs/tooth-file.md).
+/// Writes a cut tooth as the bytes of a file (docs/tooth-file.md). `work`: at most 4 MiB.
 [[nodiscard]] std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
-                                                     const Provenance& provenance);
+                                                     const Provenance& provenance, const std::string& work = {});
 
 /// Reads such bytes. Messages name the file `name`. The names of the materials in the file are looked up in
 /// `materials`. Fails with one sentence that names the position of the byte, if the bytes are not as

@@ -225,7 +225,17 @@ TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
     ASSERT_TRUE(ticksCome());
     EXPECT_EQ(model_.log().events().all().size(), events) << "another runner keeps them";
     model_.resetTooth();
-    EXPECT_TRUE(model_.log().events().all().empty());
+    EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) == 0; }));
+    const auto counts = [&] {
+        return std::ranges::count(std::as_const(model_).log().events().all(), false, &CutEvent::isTakenBack);
+    };
+    EXPECT_TRUE(soon([&] { return counts() == 0; })) << "they are listed, and count no more";
+    EXPECT_EQ(model_.log().events().all().size(), events);
+    EXPECT_EQ(model_.log().workSeconds(), 0);
+    model_.undo();
+    EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) > 0.01; })) << "a reset can be undone";
+    EXPECT_TRUE(soon([&] { return counts() == static_cast<std::ptrdiff_t>(events); }));
+    model_.redo();
     EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) == 0; }));
 }
 

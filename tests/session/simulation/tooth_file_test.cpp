@@ -167,8 +167,19 @@ TEST(ToothFile, SaysWhatIsWrongWithOtherFiles) {
     EXPECT_NE(openTooth(folder / "missing").error().message().find("no such file"), std::string::npos);
 }
 
+TEST(ToothFile, KeepsTheWorkInVersionFourAndIsVersionThreeWithoutIt) {
+    const auto piece = cutBlock();
+    const std::vector<std::byte> bytes = toothFileBytes(*piece, kNotes, "work");
+    EXPECT_EQ(bytes[8], std::byte{4});
+    const auto opened = parseTooth(bytes, "tooth", builtinMaterials());
+    ASSERT_TRUE(opened) << opened.error().message();
+    EXPECT_EQ(opened->work, "work");
+    EXPECT_EQ(opened->piece->hash(), piece->hash());
+    EXPECT_EQ(toothFileBytes(*piece, kNotes)[8], std::byte{3});
+}
+
 TEST(ToothFile, OneChangedByteAnywhereIsNoticed) {
-    const std::vector<std::byte> good = toothFileBytes(*cutBlock(), kNotes);
+    const std::vector<std::byte> good = toothFileBytes(*cutBlock(), kNotes, "work");
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i) {
         std::vector<std::byte> bytes = good;

@@ -95,6 +95,17 @@ void addExercise(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
+void addRecordings(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option("--recordings", arguments.recordings,
+                    "Folder where sessions are recorded (default: tactooth/recordings in the user's folder for data)")
+        ->type_name("DIR")
+        ->group(kGroup);
+    program.add_flag("--no-record", arguments.noRecord, "Keeps nothing of this session and offers nothing to restore")
+        ->excludes("--recordings")
+        ->group(kGroup);
+}
+
 /// One option for each stored setting.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
@@ -129,6 +140,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
     addHands(program, arguments);
     addMouthAndBur(program, arguments);
     addExercise(program, arguments);
+    addRecordings(program, arguments);
     addSettings(program, arguments);
 }
 
@@ -161,6 +173,8 @@ int runWindowCommand(const WindowArguments& arguments) {
     }
     if (!arguments.exercise.empty()) options.exercise = arguments.exercise;
     if (!arguments.bur.empty()) options.bur = arguments.bur;
+    options.recordings = arguments.recordings;
+    options.records = !arguments.noRecord;
     options.settings = arguments.settings;
     options.device = arguments.device;
     return runWindow(options);

@@ -21,6 +21,8 @@ struct WindowArguments {
     std::string materials;
     std::string exercise;
     std::string bur;
+    std::string recordings;
+    bool noRecord = false;
     std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;
     bool deviceInProcess = false;

@@ -18,6 +18,7 @@
 #include "app/gui/panels/event_panel.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
+#include "app/gui/panels/history_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/sound_panel.h"
@@ -28,7 +29,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLayout = 3;  // version of the set of docks: a saved state of another version is not restored
+constexpr int kLayout = 4;  // version of the set of docks: a saved state of another version is not restored
 
 /// Makes all of a panel reachable with large text on a small screen. `sideways`: it scrolls horizontally too; otherwise
 /// the area takes the width that the panel needs.
@@ -68,7 +69,8 @@ void DockLayout::addToolBars() {
 QDockWidget* DockLayout::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
     dock->setObjectName(title);
-    const bool scrolls = &panel != panels_.plots && &panel != panels_.events;  // these two take any size
+    // These take any size.
+    const bool scrolls = &panel != panels_.plots && &panel != panels_.events && &panel != panels_.history;
     dock->setWidget(scrolls ? scrolling(panel, area != Qt::RightDockWidgetArea) : &panel);
     window_.addDockWidget(area, dock);
     return dock;
@@ -88,6 +90,7 @@ void DockLayout::addDocks() {
     QDockWidget* plots = addDock(*panels_.plots, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     window_.tabifyDockWidget(plots, addDock(*panels_.exercise, tr("Exercise"), Qt::BottomDockWidgetArea));
     window_.tabifyDockWidget(plots, addDock(*panels_.events, tr("What happened"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots, addDock(*panels_.history, tr("History"), Qt::BottomDockWidgetArea));
     window_.tabifyDockWidget(plots, addDock(*panels_.timing, tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fit();

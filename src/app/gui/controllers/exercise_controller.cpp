@@ -31,6 +31,7 @@ ExerciseController::ExerciseController(SessionModel& model, const WindowPanels& 
     connect(panels_.exercise, &ExercisePanel::exportRequested, this, &ExerciseController::askForReportFile);
     connect(&teeth_, &ToothController::exerciseFileChosen, this, &ExerciseController::open);
     connect(&teeth_, &ToothController::loadingFailed, this, &ExerciseController::showActive);
+    connect(&teeth_, &ToothController::loadingDeclined, this, &ExerciseController::showActive);
 }
 
 void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) {
@@ -55,7 +56,11 @@ void ExerciseController::takeTooth() {
 }
 
 void ExerciseController::beginExercise() {
-    if (active_ == nullptr) return;
+    const QString target = QString::fromStdString(model_.tooth()->work.targetFile);
+    if (active_ == nullptr) {
+        if (!target.isEmpty()) openTarget(target);  // of a saved tooth
+        return;
+    }
     showCavity();
     loadIdealShape();
 }

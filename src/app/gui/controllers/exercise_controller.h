@@ -41,12 +41,15 @@ public:
         QString file;   ///< of the user's own target
     };
     [[nodiscard]] TargetState targetState() const { return {target_, targetFile_}; }
+    /// Of the user's own target; empty: none.
+    [[nodiscard]] const QString& targetFile() const { return targetFile_; }
     /// Null: free practice.
     [[nodiscard]] const std::shared_ptr<const Exercise>& active() const { return active_; }
 
     /// Another tooth has come: the target before does not fit it.
     void takeTooth();
-    /// Shows the cavity of the tooth's exercise and prepares its target.
+    /// Shows the cavity of the tooth's exercise and prepares its target, or the own target that the tooth was saved
+    /// with.
     void beginExercise();
     /// Goes on with the target of another window.
     void restore(TargetState state);

@@ -32,6 +32,7 @@ signals:
     void aboutToStep(double dt);
     void faultChanged(const Message* fault);  ///< of a device; null: none any more
     void overloaded(double microseconds);     ///< SessionModel::StepResult::heavyTick
+    void recordingFailed(const Message& why);
     void runnerStarted();
     void toothChanged();
     void stepped();

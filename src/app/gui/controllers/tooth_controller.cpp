@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/unsaved_work.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/open_tooth_dialog.h"
+#include "app/gui/model/current_work.h"
 #include "app/gui/text/translation.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
@@ -15,19 +17,40 @@
 
 namespace tactooth {
 
-ToothController::ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, QWidget& window)
-    : model_(model), messages_(messages), files_(files), window_(window), loader_(model) {
+namespace {
+
+MaterialVolumes removedNow(const SessionModel& model) {
+    return model.runner() != nullptr ? model.runner()->feed().removed() : MaterialVolumes{};
+}
+
+}  // namespace
+
+ToothController::ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files,
+                                 UnsavedWork& unsaved, QWidget& window)
+    : model_(model), messages_(messages), files_(files), unsaved_(unsaved), window_(window), loader_(model) {
+    unsaved_.setSaver([this](const std::function<void()>& saved) { askForSave(saved); });
     connect(&importer_, &ScanImporter::failed, this,
             [this](const QString& sentence) { messages_.showError(sentence); });
     connect(&importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth) {
-        messages_.setHint(tr("%1 was imported").arg(QString::fromStdString(tooth.name)));
-        model_.install(tooth);
+        if (removedNow(model_) == importedAt_) return install(tooth);
+        replaceTooth([this, tooth] { install(tooth); });  // something was cut meanwhile
     });
 }
 
+void ToothController::install(const SessionTooth& imported) {
+    messages_.setHint(tr("%1 was imported").arg(QString::fromStdString(imported.name)));
+    model_.install(imported);
+}
+
+void ToothController::replaceTooth(const std::function<void()>& load) {
+    unsaved_.confirmDiscard(load, [this] { emit loadingDeclined(); });
+}
+
 void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hint) {
-    messages_.setHint(hint);
-    loader_.load(std::move(tooth));
+    replaceTooth([this, tooth = std::move(tooth), hint] {
+        messages_.setHint(hint);
+        loader_.load(tooth);
+    });
 }
 
 void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
@@ -39,12 +62,15 @@ void ToothController::loadMouth(const MouthChoice& mouth) {
 }
 
 void ToothController::openTooth(const ToothSource& source, const std::string& workOn) {
-    const QString file = QString::fromStdString(source.outer.string());
-    files_.enterFolderOf(file);
-    emit fileOpened(file);
-    source_ = source;
-    load([source, workOn] { return loadSessionTooth(source, workOn); },
-         tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+    replaceTooth([this, source, workOn] {
+        const QString file = QString::fromStdString(source.outer.string());
+        files_.enterFolderOf(file);
+        emit fileOpened(file);
+        source_ = source;
+        messages_.setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+        loader_.load(Task<SessionTooth>::Function(
+            [source, workOn, known = knownFiles_] { return openSessionTooth(source, workOn, known); }));
+    });
 }
 
 void ToothController::openFile(const QString& file) {
@@ -64,8 +90,11 @@ void ToothController::openDropped(const std::vector<std::filesystem::path>& file
 }
 
 void ToothController::importScan(const std::vector<std::filesystem::path>& files) {
-    files_.enterFolderOf(QString::fromStdString(files.front().string()));
-    importer_.begin(files, &window_);
+    replaceTooth([this, files] {
+        files_.enterFolderOf(QString::fromStdString(files.front().string()));
+        importedAt_ = removedNow(model_);
+        importer_.begin(files, &window_);
+    });
 }
 
 void ToothController::loadBur(const BurSpec& spec) {
@@ -82,16 +111,23 @@ void ToothController::exportTooth(const QString& file) {
     files_.enterFolderOf(file);
     const Expected<void> written = writeStl(model_.runner()->feed().exported().mesh, file.toStdString());
     if (!written) return messages_.showError(written.error());
+    model_.markSaved();
     messages_.setHint(tr("The tooth was written to %1").arg(file));
 }
 
-void ToothController::saveTooth(const QString& file) {
-    if (model_.runner() == nullptr) return;
+bool ToothController::saveTooth(const QString& file) {
+    if (model_.runner() == nullptr) return false;
     files_.enterFolderOf(file);
-    const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance));
+    const std::string work = work_ ? workTextWithoutFolders(work_()) : std::string();
+    const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance), work);
     const Expected<void> written = writeFile(file.toStdString(), bytes);
-    if (!written) return messages_.showError(written.error());
+    if (!written) {
+        messages_.showError(written.error());
+        return false;
+    }
+    model_.markSaved();
     messages_.setHint(tr("The tooth was saved to %1").arg(file));
+    return true;
 }
 
 void ToothController::askForTooth() {
@@ -121,9 +157,11 @@ void ToothController::askForExport() {
                 [this](const QString& file) { exportTooth(file); });
 }
 
-void ToothController::askForSave() {
+void ToothController::askForSave(const std::function<void()>& saved) {
     files_.save(tr("Save tooth"), tr("Saved teeth (*.tactooth);;All files (*)"), "tooth.tactooth",
-                [this](const QString& file) { saveTooth(file); });
+                [this, saved](const QString& file) {
+                    if (saveTooth(file) && saved) saved();
+                });
 }
 
 void ToothController::poll() {

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "app/gui/dialogs/scan_importer.h"
@@ -12,15 +13,18 @@
 namespace tactooth {
 
 class FileDialogs;
+class UnsavedWork;
 class WindowMessages;
 
-/// Brings teeth and burs into the session and writes the tooth to files.
+/// Brings teeth and burs into the session and writes the tooth to files. Each tooth that comes replaces another one, so
+/// all of them pass UnsavedWork::confirmDiscard.
 class ToothController final : public QObject {
     Q_OBJECT
 
 public:
     /// All of them outlive the controller; `window` is the parent of its dialogs.
-    ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, QWidget& window);
+    ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, UnsavedWork& unsaved,
+                    QWidget& window);
 
     void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
@@ -40,14 +44,16 @@ public:
     void openBur(const QString& file);
     /// Writes the surface of the tooth as it is now; shows a message if that fails.
     void exportTooth(const QString& file);
-    /// Saves the tooth with its layers and all cuts, to go on later; shows a message if that fails.
-    void saveTooth(const QString& file);
+    /// Saves the tooth with its layers, all cuts and what was being done with it, to go on later; shows a message if
+    /// that fails. Returns whether it was saved.
+    bool saveTooth(const QString& file);
 
     void askForTooth();
     void askForScan();
     void askForBur();
     void askForExport();
-    void askForSave();
+    /// `saved`: called when the tooth was saved.
+    void askForSave(const std::function<void()>& saved = {});
 
     /// Takes over what is ready. Call it before each step of the model.
     void poll();
@@ -56,20 +62,34 @@ public:
     /// The files of the tooth that was opened last.
     [[nodiscard]] const ToothSource& source() const { return source_; }
     void setSource(ToothSource source) { source_ = std::move(source); }
+    /// Tells what the user is doing, for a saved tooth.
+    void setWork(std::function<SessionWork()> work) { work_ = std::move(work); }
+    /// Files that the user has opened before: a saved tooth may need one of them.
+    void setKnownFiles(std::vector<std::filesystem::path> files) { knownFiles_ = std::move(files); }
+    [[nodiscard]] const std::vector<std::filesystem::path>& knownFiles() const { return knownFiles_; }
 
 signals:
     void fileOpened(const QString& file);
     void exerciseFileChosen(const QString& file);
     void loadingFailed();
+    /// The user keeps the tooth, whose cuts are not saved.
+    void loadingDeclined();
 
 private:
+    void replaceTooth(const std::function<void()>& load);
+    void install(const SessionTooth& imported);
+
     SessionModel& model_;
     WindowMessages& messages_;
     FileDialogs& files_;
+    UnsavedWork& unsaved_;
     QWidget& window_;
     SessionLoader loader_;
     ScanImporter importer_;
     ToothSource source_;
+    std::function<SessionWork()> work_;
+    std::vector<std::filesystem::path> knownFiles_;
+    MaterialVolumes importedAt_{};  // what was gone when the user agreed to import
 };
 
 }  // namespace tactooth

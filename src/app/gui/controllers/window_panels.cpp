@@ -11,6 +11,7 @@
 #include "app/gui/panels/event_panel.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
+#include "app/gui/panels/history_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/sound_panel.h"
@@ -30,6 +31,7 @@ WindowPanels::WindowPanels(SessionModel& model, QObject& owner)
       sound(new SoundPanel),
       plots(new PlotPanel),
       events(new EventPanel),
+      history(new HistoryPanel),
       exercise(new ExercisePanel),
       timing(new TimingPanel),
       status(new StatusLine),

@@ -14,6 +14,7 @@ class EventPanel;
 class ExercisePanel;
 class ForcePanel;
 class GuidedTour;
+class HistoryPanel;
 class InspectionPanel;
 class PlotPanel;
 class SessionModel;
@@ -37,6 +38,7 @@ struct WindowPanels {
     SoundPanel* sound;
     PlotPanel* plots;
     EventPanel* events;
+    HistoryPanel* history;
     ExercisePanel* exercise;
     TimingPanel* timing;
     StatusLine* status;

@@ -11,20 +11,21 @@
 #include <array>
 
 #include "app/gui/controllers/exercise_controller.h"
+#include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
 
 FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
-                   ExerciseController& exercise)
+                   ExerciseController& exercise, RecordingController& recordings)
     : model_(model), teeth_(teeth), exercise_(exercise) {
-    build(window, bar);
+    build(window, bar, recordings);
     connect(&teeth_, &ToothController::fileOpened, this, &FileMenu::remember);
     connect(&exercise_, &ExerciseController::fileOpened, this, &FileMenu::remember);
 }
 
-void FileMenu::build(QMainWindow& window, QToolBar& bar) {
+void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& recordings) {
     QMenu* menu = window.menuBar()->addMenu(tr("&File"));
     const QStyle& style = *window.style();
     QAction* open = menu->addAction(style.standardIcon(QStyle::SP_DialogOpenButton), tr("&Open tooth…"), &teeth_,
@@ -42,10 +43,11 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar) {
     menu->addAction(tr("&Import scan…"), &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
     menu->addAction(tr("Open &bur…"), &teeth_, &ToothController::askForBur);
     menu->addAction(tr("Open e&xercise…"), &exercise_, &ExerciseController::askForExercise);
-    menu->addAction(tr("&Save tooth…"), &teeth_, &ToothController::askForSave)->setShortcut(QKeySequence::Save);
+    menu->addAction(tr("&Save tooth…"), &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style.standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), &teeth_,
                                     &ToothController::askForExport);
     save->setShortcut(QKeySequence::SaveAs);
+    recordings.addTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
     bar.addAction(open);
@@ -74,9 +76,17 @@ void FileMenu::addMouth(QMenu& menu) {
 
 void FileMenu::remember(const QString& file) {
     constexpr qsizetype kMost = 8;  // the user takes in such a menu at one glance
-    recent_.removeAll(file);
-    recent_.prepend(file);
-    recent_ = recent_.mid(0, kMost);
+    QStringList files = recent_;
+    files.removeAll(file);
+    files.prepend(file);
+    setRecent(files.mid(0, kMost));
+}
+
+void FileMenu::setRecent(const QStringList& files) {
+    recent_ = files;
+    std::vector<std::filesystem::path> known;
+    for (const QString& file : recent_) known.emplace_back(file.toStdString());
+    teeth_.setKnownFiles(std::move(known));
 }
 
 void FileMenu::fillRecent() {
@@ -101,7 +111,7 @@ void FileMenu::fillCase() {
 }
 
 void FileMenu::restore(const WindowSettings& settings) {
-    recent_ = QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts);
+    setRecent(QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts));
 }
 
 void FileMenu::store(WindowSettings& settings) const { settings.recent = recent_.join('\n').toStdString(); }

@@ -14,6 +14,7 @@ class QToolBar;
 namespace tactooth {
 
 class ExerciseController;
+class RecordingController;
 class SessionModel;
 class ToothController;
 
@@ -24,16 +25,17 @@ class FileMenu final : public QObject {
 public:
     /// All of them outlive the menu.
     FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
-             ExerciseController& exercise);
+             ExerciseController& exercise, RecordingController& recordings);
 
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
 private:
-    void build(QMainWindow& window, QToolBar& bar);
+    void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings);
     void addBuiltinTeeth(QMenu& menu);
     void addMouth(QMenu& menu);
     void remember(const QString& file);
+    void setRecent(const QStringList& files);
     void fillRecent();
     void fillCase();
 

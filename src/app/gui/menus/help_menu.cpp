@@ -53,7 +53,8 @@ void HelpMenu::showMouseAndKeys() {
     text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));
     text += row(tr("B, D"), tr("breath and drops on the mirror"));
     text += row(tr("W, S"), tr("water spray, suction on and off"));
-    text += row(tr("Ctrl + Z"), tr("take back the last cut"));
+    text += row(tr("Ctrl + Z"), tr("take back the last cut or change"));
+    text += row(tr("Ctrl + Shift + Z, Ctrl + Y"), tr("do it again"));
     text += row(tr("Ctrl + R"), tr("put back all that was cut"));
     text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
     text += row(tr("Ctrl + I"), tr("import a scan"));

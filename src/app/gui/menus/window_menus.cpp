@@ -14,8 +14,11 @@
 namespace tactooth {
 
 WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
-                         ToothController& teeth, ExerciseController& exercise, WindowMessages& messages)
-    : model_(model), file_(window, docks.fileBar(), model, teeth, exercise), instruments_(model.instruments()) {
+                         ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
+                         WindowMessages& messages)
+    : model_(model),
+      file_(window, docks.fileBar(), model, teeth, exercise, recordings),
+      instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
     addSoundMenu(*window.menuBar(), *panels.sound);
@@ -47,7 +50,7 @@ void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     menu->addSeparator();
     instruments_.addSpraySwitches(*menu);
     menu->addSeparator();
-    menu->addActions({panels.drill->undoAction(), panels.drill->resetAction()});
+    menu->addActions({panels.drill->undoAction(), panels.drill->redoAction(), panels.drill->resetAction()});
 }
 
 void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {

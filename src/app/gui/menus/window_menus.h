@@ -20,9 +20,11 @@ class WindowMenus final : public QObject {
 public:
     /// All of them outlive the menus.
     WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
-                ToothController& teeth, ExerciseController& exercise, WindowMessages& messages);
+                ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
+                WindowMessages& messages);
 
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
+    [[nodiscard]] InstrumentMenus& instruments() { return instruments_; }
     /// Shows three ways to begin.
     void welcome() { help_->welcome(); }
 

@@ -65,11 +65,16 @@ void DrillBar::addModes() {
         if (!showing_) emit cuttingChanged(cutting);
     });
     addSeparator();
-    undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo cut"));
-    undo_->setToolTip(tr("Takes back the last cut (Ctrl+Z)"));
-    undo_->setShortcut(QKeySequence::Undo);
+    undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo"));
+    undo_->setObjectName("undo");
+    undo_->setToolTip(tr("Takes back the last cut or change (Ctrl+Z)"));
+    undo_->setShortcut(QKeySequence("Ctrl+Z"));
+    redo_ = addAction(style()->standardIcon(QStyle::SP_ArrowForward), tr("Redo"));
+    redo_->setObjectName("redo");
+    redo_->setToolTip(tr("Does again what was taken back (Ctrl+Shift+Z or Ctrl+Y)"));
+    redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
-    reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R)"));
+    reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R); Undo takes that back"));
     reset_->setShortcut(QKeySequence("Ctrl+R"));
 }
 

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] QAction* touchAction() { return touch_; }
     [[nodiscard]] QAction* cutAction() { return cut_; }
     [[nodiscard]] QAction* undoAction() { return undo_; }
+    [[nodiscard]] QAction* redoAction() { return redo_; }
     [[nodiscard]] QAction* resetAction() { return reset_; }
     /// Shows touch or cut as a device's button has chosen it; emits nothing.
     void showCutting(bool cutting);
@@ -47,6 +48,7 @@ private:
     QAction* touch_;
     QAction* cut_;
     QAction* undo_;
+    QAction* redo_;
     QAction* reset_;
     bool showing_ = false;  // a choice that the user made elsewhere
 };

@@ -60,15 +60,31 @@ void EventPanel::addLine(const CutEvent& event) {
         cell(QString("%1   %2   %3").arg(number(event.place.x()), number(event.place.y()), number(event.place.z()))));
     lines_->scrollToBottom();
     places_.push_back(event.place);
+    isTakenBack_.push_back(false);
     if (event.kind != CutEventKind::FirstContact) emit notified(tr("At %1 s: %2").arg(time, what));
+}
+
+/// What was taken back stays in the list, struck out.
+void EventPanel::mark(std::size_t line, bool isTakenBack) {
+    if (isTakenBack_[line] == isTakenBack) return;
+    isTakenBack_[line] = isTakenBack;
+    for (int column = 0; column < lines_->columnCount(); ++column) {
+        QTableWidgetItem& item = *lines_->item(static_cast<int>(line), column);
+        QFont font = item.font();
+        font.setStrikeOut(isTakenBack);
+        item.setFont(font);
+        item.setToolTip(isTakenBack ? tr("Taken back: it does not count") : QString());
+    }
 }
 
 void EventPanel::show(std::span<const CutEvent> events) {
     if (events.size() < places_.size()) {
         lines_->setRowCount(0);
         places_.clear();
+        isTakenBack_.clear();
     }
     for (const CutEvent& event : events.subspan(places_.size())) addLine(event);
+    for (std::size_t i = 0; i < events.size(); ++i) mark(i, events[i].isTakenBack);
     write_->setEnabled(!places_.empty());
 }
 

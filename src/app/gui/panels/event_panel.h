@@ -31,10 +31,12 @@ signals:
 
 private:
     void addLine(const CutEvent& event);
+    void mark(std::size_t line, bool isTakenBack);
 
     QTableWidget* lines_;
     QWidget* write_;
     std::vector<Vec3> places_;
+    std::vector<bool> isTakenBack_;  // of each line
 };
 
 }  // namespace tactooth

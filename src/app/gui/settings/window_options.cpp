@@ -91,6 +91,11 @@ constexpr std::array kOptions = {
                  "Places the sounds around the head (HRTF)"},
     WindowOption{"sound", "recordings", Text([](S& s) -> std::string& { return s.ownSounds; }), 0,
                  "File with your own sounds"},
+    WindowOption{"recording", "sessions", Switch([](S& s) -> bool& { return s.recordsSessions; }), 0,
+                 "Keeps a recording of each session on this computer"},
+    WindowOption{"recording", "gigabytes", Number([](S& s) -> double& { return s.recordingGigabytes; }),
+                 kMaxRecordingGigabytes, "Most that all recordings take, in GB; the oldest ones go (default: 2)",
+                 kMinRecordingGigabytes},
 };
 
 }  // namespace

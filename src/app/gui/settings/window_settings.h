@@ -60,6 +60,7 @@ inline constexpr double kMaxDamper = 0.02;  ///< N*s/mm
 inline constexpr double kMaxForceScale = 3;
 inline constexpr double kMaxFriction = 1;
 inline constexpr double kMinTextScale = 1, kMaxTextScale = 2;
+inline constexpr double kMinRecordingGigabytes = 0.1, kMaxRecordingGigabytes = 1000;
 
 /// The settings of the mouth mirror.
 struct MirrorSettings {
@@ -97,6 +98,8 @@ struct WindowSettings {
     bool suction = false;             ///< an assistant holds the suction tube
     double textScale = 1;             ///< of all fonts, kMinTextScale..kMaxTextScale
     std::string secondView = "none";  ///< or one of kStandardViews
+    bool recordsSessions = true;      ///< keeps a recording of each session
+    double recordingGigabytes = 2;    ///< of all recordings together
 };
 
 /// One setting: its name in the file ([table] key) and on the command line (--table-key), and its range.

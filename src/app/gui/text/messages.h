@@ -37,6 +37,14 @@ inline constexpr MessageText kScanHasSurface{
     "%1：この表面はすでにあります。1本の歯のファイルだけをドロップし、層には L6_enamel.stl "
     "のように名前を付けてください。"};
 
+// What a saved tooth carries.
+inline constexpr MessageText kNoteExerciseMissing{
+    "note_exercise_missing", "the exercise '%1' was not found: put its file beside the tooth, or open it once",
+    "演習 '%1' が見つかりません。そのファイルを歯のファイルと同じ場所に置くか、一度開いてください"};
+inline constexpr MessageText kNoteTargetMissing{"note_target_missing",
+                                                "the target %1 was not found: put it beside the tooth",
+                                                "目標 %1 が見つかりません。歯のファイルと同じ場所に置いてください"};
+
 // The window itself.
 inline constexpr MessageText kWindowNeedsOpenGl{
     "window_needs_open_gl",

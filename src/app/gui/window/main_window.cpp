@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window/main_window.h"
 
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <utility>
 
+#include "app/gui/model/current_work.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
@@ -24,18 +26,23 @@ MainWindow::MainWindow(SoundOutput& sound)
       messages_(*panels_.status, *this),
       files_(*this),
       docks_(*this, panels_),
-      teeth_(model_, messages_, files_, *this),
+      unsaved_(model_, *this),
+      teeth_(model_, messages_, files_, unsaved_, *this),
       exercise_(model_, panels_, messages_, files_, teeth_),
+      recordings_(model_, panels_, messages_, exercise_),
+      restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
       hints_(model_, panels_, devices_, messages_),
       sounds_(sound, model_, panels_, messages_, files_),
       records_(model_, panels_, messages_, files_),
-      menus_(*this, docks_, panels_, model_, teeth_, exercise_, messages_),
+      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, messages_),
+      history_(model_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
+    teeth_.setWork([this] { return currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString()); });
     connectDrill();
     connectView();
     connectLoop();
@@ -61,9 +68,6 @@ void MainWindow::connectDrill() {
         hints_.showUsual();
     });
     connect(panels_.drill->resetAction(), &QAction::triggered, this, [this] { model_.resetTooth(); });
-    connect(panels_.drill->undoAction(), &QAction::triggered, this, [this] {
-        if (model_.runner() != nullptr) model_.runner()->request(Edit::Undo);
-    });
     connect(panels_.force, &ForcePanel::changed, this, [this] {
         model_.controls.force = panels_.force->overrides();
         model_.controls.forceScale = panels_.force->forceScale();
@@ -83,25 +87,31 @@ void MainWindow::connectView() {
 void MainWindow::connectLoop() {
     connect(&loop_, &StepLoop::aboutToStep, this, [this](double dt) {
         devices_.step(dt);
+        restorer_.poll();
         teeth_.poll();
     });
+    connect(&loop_, &StepLoop::recordingFailed, &recordings_, &RecordingController::showFault);
     connect(&loop_, &StepLoop::faultChanged, &hints_, &WindowHints::showFault);
     connect(&loop_, &StepLoop::overloaded, &hints_, &WindowHints::showOverload);
     connect(&loop_, &StepLoop::runnerStarted, &updater_, &PanelUpdater::restart);
+    connect(&loop_, &StepLoop::runnerStarted, &history_, &HistoryActions::takeRunner);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
         devices_.followButtons();
         sounds_.poll();
         exercise_.poll();
         updater_.showStep(isBusy() || teeth_.isImporting());
-        loop_.setBusy(isBusy());
+        loop_.setBusy(isBusy() || restorer_.isBusy());
+        unsaved_.showState();
     });
 }
 
 void MainWindow::connectNumbers() {
     connect(&loop_, &StepLoop::statusDue, &updater_, &PanelUpdater::showStatus);
+    connect(&loop_, &StepLoop::statusDue, &recordings_, &RecordingController::update);
     connect(&loop_, &StepLoop::numbersDue, this, [this] {
         updater_.showNumbers();
+        history_.update();
         // A clock behind another tab would make the desktop compose the whole window each second.
         if (isInSight(*panels_.exercise)) exercise_.showProgress();
         devices_.showState();
@@ -110,18 +120,23 @@ void MainWindow::connectNumbers() {
 }
 
 void MainWindow::showNewTooth() {
-    setWindowTitle(tr("%1 — Tactooth").arg(translated(model_.tooth()->name)));
+    setWindowTitle(tr("%1[*] — Tactooth").arg(translated(model_.tooth()->name)));
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();
     panels_.view->fit();
     exercise_.takeTooth();
+    restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);
-    if (!pendingViewState_) return exercise_.beginExercise();
+    if (!pendingViewState_) {
+        exercise_.beginExercise();
+        return recordings_.update();
+    }
     ViewState state = *std::exchange(pendingViewState_, std::nullopt);
     panels_.view->setOrbitCamera(state.camera);
     exercise_.restore(std::move(state.target));
     panels_.inspection->choose(state.inside);
+    recordings_.update();
 }
 
 void MainWindow::showImportNotes() {
@@ -148,6 +163,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     panels_.force->set(settings.force);
     devices_.apply(settings.hand);
     sounds_.restore(settings);
+    recordings_.restore(settings);
 }
 
 WindowSettings MainWindow::settings() const {
@@ -160,6 +176,7 @@ WindowSettings MainWindow::settings() const {
     settings.force = panels_.force->settings();
     settings.hand = devices_.settings();
     sounds_.store(settings);
+    recordings_.store(settings);
     return settings;
 }
 
@@ -167,20 +184,41 @@ MainWindow::SessionState MainWindow::releaseSession() {
     SessionState work{model_.tooth(),
                       model_.bur(),
                       teeth_.source(),
-                      {panels_.view->orbitCamera(), panels_.inspection->choice(), exercise_.targetState()}};
-    if (work.tooth) setExercise(*work.tooth, exercise_.active());
-    model_.stop();
+                      {panels_.view->orbitCamera(), panels_.inspection->choice(), exercise_.targetState()},
+                      {},
+                      model_.history().cutsAlone()};
+    if (work.tooth) {
+        setExercise(*work.tooth, exercise_.active());
+        work.tooth->work = currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString());
+    }
+    work.keeper = model_.releaseKeeper();
     return work;
 }
 
 void MainWindow::restoreSession(SessionState work) {
     teeth_.setSource(std::move(work.source));
+    if (work.keeper != nullptr) model_.adopt(std::move(work.keeper));
+    model_.adopt(std::move(work.history));
     if (work.tooth) {
         work.tooth->bur.reset();  // the user may have put another one into the handpiece
         model_.install(std::move(*work.tooth));
         pendingViewState_ = std::move(work.viewState);
     }
     if (work.bur) model_.install(std::move(*work.bur));
+}
+
+void MainWindow::saveBeforeEnd() {
+    mayClose_ = true;
+    recordings_.saveBeforeEnd();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (mayClose_ || !model_.isModified()) return QMainWindow::closeEvent(event);
+    event->ignore();
+    unsaved_.confirmDiscard([this] {
+        mayClose_ = true;
+        close();
+    });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

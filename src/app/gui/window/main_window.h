@@ -11,11 +11,15 @@
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/panel_updater.h"
 #include "app/gui/controllers/record_exports.h"
+#include "app/gui/controllers/recording_controller.h"
+#include "app/gui/controllers/restore_controller.h"
 #include "app/gui/controllers/sound_controller.h"
 #include "app/gui/controllers/step_loop.h"
 #include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/controllers/unsaved_work.h"
 #include "app/gui/controllers/window_hints.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
 #include "app/gui/panels/inspection_panel.h"
 
@@ -36,10 +40,14 @@ public:
     [[nodiscard]] DeviceController& devices() { return devices_; }
     [[nodiscard]] SoundController& sounds() { return sounds_; }
     [[nodiscard]] RecordExports& records() { return records_; }
+    [[nodiscard]] RecordingController& recordings() { return recordings_; }
+    [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
-    [[nodiscard]] bool isBusy() const { return teeth_.isBusy() || model_.instruments().isBusy(); }
+    [[nodiscard]] bool isBusy() const {
+        return teeth_.isBusy() || model_.instruments().isBusy() || model_.isPreparing();
+    }
     /// Shows three ways to begin.
     void welcome() { menus_.welcome(); }
 
@@ -59,10 +67,16 @@ public:
         std::optional<SessionBur> bur;
         ToothSource source;  ///< of the tooth
         ViewState viewState;
+        std::unique_ptr<SessionKeeper> keeper;  ///< its recording goes on
+        WorkHistory history;
     };
     /// Ends the simulation: the work goes on in another window.
     [[nodiscard]] SessionState releaseSession();
     void restoreSession(SessionState work);
+
+    /// The program ends, and nobody can answer a question: see RecordingController::saveBeforeEnd. Closing the window
+    /// asks no more.
+    void saveBeforeEnd();
 
 signals:
     /// The user has chosen another language than that of this window; settings() has it.
@@ -75,6 +89,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
 
 private:
     void connectDrill();
@@ -90,16 +105,21 @@ private:
     WindowMessages messages_;
     FileDialogs files_;
     DockLayout docks_;
+    UnsavedWork unsaved_;
     ToothController teeth_;
     ExerciseController exercise_;
+    RecordingController recordings_;
+    RestoreController restorer_;
     DeviceController devices_;
     WindowHints hints_;
     SoundController sounds_;
     RecordExports records_;
     WindowMenus menus_;
+    HistoryActions history_;
     PanelUpdater updater_;
     StepLoop loop_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
+    bool mayClose_ = false;                      // nothing is lost, or the user agrees
 };
 
 }  // namespace tactooth

@@ -14,6 +14,7 @@
 #include "app/common/display_check.h"
 #include "app/common/exit_code.h"
 #include "app/common/termination.h"
+#include "app/gui/model/current_work.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/settings/settings_autosave.h"
 #include "app/gui/settings/window_setup.h"
@@ -61,6 +62,14 @@ Expected<SessionTooth> toothOfExercise(const std::filesystem::path& file) {
     return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
 }
 
+std::vector<std::filesystem::path> recentFiles(const WindowSettings& settings) {
+    std::vector<std::filesystem::path> files;
+    for (const QString& file : QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts)) {
+        files.emplace_back(file.toStdString());
+    }
+    return files;
+}
+
 /// What the user should know about the settings file. A file that is not TOML is renamed.
 QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::filesystem::path& file) {
     QStringList sentences;
@@ -79,8 +88,9 @@ QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::fil
     return sentences.join(' ');
 }
 
-/// Closes the window and its dialogs as the user does.
-void closeAll() {
+/// Saves what nobody can be asked about, and closes the window and its dialogs.
+void closeAll(WindowOwner& holder) {
+    holder.window().saveBeforeEnd();
     QApplication::closeAllWindows();
     QCoreApplication::exit(kExitOk);
 }
@@ -100,7 +110,9 @@ void releaseWithoutDisplay() {
     if (shownWindow == nullptr) return;
     constexpr unsigned kTimeout = 5;  // s
     ::alarm(kTimeout);
-    releaseDevices(std::exchange(shownWindow, nullptr)->window().model());
+    WindowOwner& holder = *std::exchange(shownWindow, nullptr);
+    releaseDevices(holder.window().model());
+    holder.window().saveBeforeEnd();
     removeAllUnfinished(kTimeout);
     (void)reportError(msg::kDisplayGone);
     ::_exit(kExitBadInput);
@@ -119,7 +131,7 @@ int runWindow(const WindowOptions& options) {
     if (!start) return reportError(start.error());
     std::optional<SessionTooth> tooth;
     if (options.tooth) {
-        Expected<SessionTooth> loaded = loadSessionTooth(*options.tooth, options.workOn);
+        Expected<SessionTooth> loaded = openSessionTooth(*options.tooth, options.workOn, recentFiles(*start));
         if (!loaded) return reportError(loaded.error());
         tooth = std::move(*loaded);
     }
@@ -139,8 +151,14 @@ int runWindow(const WindowOptions& options) {
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     const auto application = startApplication(argc, argv);
-    const GracefulShutdown closing(
-        [&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
+    WindowOwner* ending = nullptr;  // once there is a window
+    const GracefulShutdown closing([&] {
+        const auto close = [&ending] {
+            if (ending != nullptr) return closeAll(*ending);
+            QCoreApplication::exit(kExitOk);
+        };
+        QMetaObject::invokeMethod(application.get(), close, Qt::QueuedConnection);
+    });
     if (const auto openGl = checkOpenGl(); !openGl) return reportError(openGl.error());
 
     lockMemory();  // if the system allows it: the timing panel shows that, and 'tactooth doctor' tells how to get it
@@ -149,11 +167,16 @@ int runWindow(const WindowOptions& options) {
     int exitCode = kExitOk;
     QObject::connect(&holder, &WindowOwner::graphicsFailed, application.get(), [&](const QString& sentence) {
         exitCode = reportError(Message::verbatim(sentence.toStdString()));
+        holder.window().saveBeforeEnd();
         QApplication::exit(exitCode);
     });
     if (bur || (tooth && tooth->bur)) start->bur.clear();  // the bur of the command line or of the case counts
     if (options.device) start->hand.device = *options.device;
+    if (options.records) {
+        holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
+    }
     MainWindow& window = holder.open(*start);
+    ending = &holder;
     if (tooth) {
         window.model().install(std::move(*tooth));
     } else if (options.mouth) {
@@ -168,12 +191,14 @@ int runWindow(const WindowOptions& options) {
     }
     if (forgotten) window.messages().showError(*forgotten);
     if (isFirstTime && !tooth && !options.mouth) window.welcome();
+    window.restorer().offer();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(releaseWithoutDisplay);
     shownWindow = &holder;
     QApplication::exec();
     shownWindow = nullptr;
     releaseDevices(holder.window().model());  // first: the rest of the shutdown may take time
+    holder.window().model().finishRecording();
     if (const auto written = writeWindowSettings(holder.window().settings(), settingsFile); !written) {
         (void)reportError(written.error());  // only reported: the session itself went well
     }

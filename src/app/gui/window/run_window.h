@@ -19,6 +19,8 @@ struct WindowOptions {
     std::optional<MouthChoice> mouth;               ///< a tooth in a whole mouth; excludes `tooth`
     std::optional<std::filesystem::path> exercise;  ///< excludes `tooth` and `mouth`
     std::optional<std::filesystem::path> bur;
+    std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
+    bool records = true;                          ///< false: nothing is kept or restored
     std::map<std::string, std::string> settings;  ///< by their flags (see windowOptions); they override the file
     std::optional<std::string>
         device;  ///< see openDevice; if it does not open, the window says so and the mouse moves the bur

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <memory>
 
 #include "app/gui/settings/window_settings.h"
@@ -24,6 +25,8 @@ public:
     WindowOwner(QApplication& application, SoundOutput& sound);
     ~WindowOwner() override;
 
+    /// Where the windows to come keep their recordings; empty (as without this call): nowhere.
+    void setRecordings(const std::filesystem::path& folder) { recordings_ = folder; }
     /// Makes the window in the language of `settings`; it is not shown yet.
     MainWindow& open(const WindowSettings& settings);
     /// The window; another one after a change of the language.
@@ -38,6 +41,7 @@ private:
 
     QApplication& application_;
     SoundOutput& sound_;
+    std::filesystem::path recordings_;
     std::unique_ptr<MainWindow> window_;
 };
 

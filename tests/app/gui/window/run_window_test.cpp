@@ -57,6 +57,7 @@ Q_COREAPP_STARTUP_FUNCTION(visitWindow)
 TEST(RunWindow, ADeviceThatNobodyKnowsIsSaidOnceAndNotKept) {
     const test::TemporaryFolder home;
     setenv("XDG_CONFIG_HOME", home.path().c_str(), 1);
+    setenv("XDG_DATA_HOME", (home / "data").c_str(), 1);  // of the recordings
     WindowSettings settings;
     settings.hand.device = "joystick";
     settings.hand.secondDevice = "bogus";

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/controllers/unsaved_work.h"
+
+#include <utility>
+
+#include "session/model/session_model.h"
+
+namespace tactooth {
+
+void UnsavedWork::confirmDiscard(Function then, const Function& otherwise) {
+    if (!model_.isModified()) return then();
+    const auto cancel = [otherwise] {
+        if (otherwise) otherwise();
+    };
+    if (question_ != nullptr) {
+        question_->raise();
+        return cancel();
+    }
+    question_ = new QMessageBox(QMessageBox::Warning, tr("Unsaved cuts"),
+                                tr("The tooth has cuts that are not saved. Save it first?"),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
+    question_->setObjectName("unsavedWork");
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    question_->setDefaultButton(QMessageBox::Save);
+    question_->setEscapeButton(QMessageBox::Cancel);
+    connect(question_, &QDialog::finished, this, [this, then = std::move(then), cancel](int answer) {
+        question_.clear();  // so that the answer may lead to another question
+        if (answer == QMessageBox::Save && save_) return save_(then);
+        if (answer == QMessageBox::Discard) return then();
+        cancel();
+    });
+    question_->open();
+}
+
+void UnsavedWork::showState() { window_.setWindowModified(model_.isModified()); }
+
+}  // namespace tactooth

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMessageBox>
+#include <QObject>
+#include <QPointer>
+#include <functional>
+
+namespace tactooth {
+
+class SessionModel;
+
+/// Asks before cuts are lost that were neither saved nor exported. Whatever replaces the tooth or ends the program goes
+/// through `confirmDiscard`, and nothing else may: ToothController does it for all that loads a tooth, and the window
+/// when it closes.
+class UnsavedWork final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both outlive it; `window` shows a star in its title while there are such cuts.
+    UnsavedWork(SessionModel& model, QWidget& window) : model_(model), window_(window) {}
+
+    using Function = std::function<void()>;
+    /// Lets the user save, and calls its argument if the tooth was saved.
+    using Saver = std::function<void(Function saved)>;
+    void setSaver(Saver saver) { save_ = std::move(saver); }
+
+    /// Calls `then` at once if nothing is lost by it. Otherwise it asks, and returns at once: Save calls `then` after
+    /// the tooth was saved, Discard calls it, Cancel calls `otherwise`. While a question is open, another one is
+    /// cancelled.
+    void confirmDiscard(Function then, const Function& otherwise = {});
+    /// Brings the star up to date.
+    void showState();
+
+private:
+    SessionModel& model_;
+    QWidget& window_;
+    Saver save_;
+    QPointer<QMessageBox> question_;
+};
+
+}  // namespace tactooth

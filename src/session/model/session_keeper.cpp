@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/session_keeper.h"
+
+#include <utility>
+
+namespace tactooth {
+
+SessionKeeper::~SessionKeeper() { finish(); }
+
+void SessionKeeper::setFolder(std::optional<RecordingFolder> folder) {
+    folder_ = std::move(folder);
+    if (folder_) return;
+    beginning_.cancel();
+    endRecording();
+    ending_ = {};  // joins: it reads the tooth, which may be cut further
+}
+
+void SessionKeeper::describe(const std::string& work) {
+    if (work == work_) return;
+    work_ = work;
+    if (recording_ != nullptr && !hasStopped_) recording_->recorder().describe(work_);
+}
+
+void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title,
+                            const std::string& work) {
+    if (tooth == tooth_) return;
+    tooth_ = tooth;
+    work_ = work;
+    beginning_.cancel();
+    endRecording();
+    if (!folder_) return;
+    beginning_.start(
+        [folder = *folder_, tooth, title, work = work_] { return KeptRecording::begin(folder, tooth, title, work); });
+}
+
+/// Takes over a recording that has begun.
+void SessionKeeper::collect() {
+    std::optional<Expected<Recording>> begun = beginning_.poll();
+    if (!begun) return;
+    if (!*begun) {
+        fault_ = begun->error();
+        return;
+    }
+    recording_ = std::move(**begun);
+    hasStopped_ = false;
+    if (!folder_ || recording_->tooth() != tooth_.get()) endRecording();
+}
+
+bool SessionKeeper::isReady() {
+    collect();
+    return !beginning_.isBusy();
+}
+
+std::shared_ptr<EventLanes> SessionKeeper::begin(const BeginEvent& event) {
+    collect();
+    if (recording_ == nullptr || hasStopped_) return nullptr;
+    return recording_->recorder().begin(event);
+}
+
+void SessionKeeper::end() {
+    if (recording_ != nullptr) recording_->recorder().end();
+}
+
+void SessionKeeper::noteTouch() {
+    if (recording_ != nullptr) recording_->noteTouch();
+}
+
+void SessionKeeper::endRecording() {
+    hasStopped_ = false;
+    if (recording_ == nullptr) return;
+    // The assignment waits for the one before, which has mostly ended long ago.
+    ending_ = executor_([recording = std::exchange(recording_, nullptr), faults = lateFaults_] {
+        const Expected<void> done = recording->finish();
+        if (done) return;
+        const std::lock_guard lock(faults->mutex);
+        faults->newest = done.error();
+    });
+}
+
+void SessionKeeper::finish() {
+    while (beginning_.isBusy()) {
+        collect();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    endRecording();
+    tooth_.reset();
+    ending_ = {};
+}
+
+std::optional<Message> SessionKeeper::takeFault() {
+    if (recording_ != nullptr && !hasStopped_) {
+        if (std::optional<Message> fault = recording_->recorder().fault()) {
+            hasStopped_ = true;
+            fault_ = std::move(fault);
+        }
+    }
+    if (fault_) return std::exchange(fault_, std::nullopt);
+    const std::lock_guard lock(lateFaults_->mutex);
+    return std::exchange(lateFaults_->newest, std::nullopt);
+}
+
+}  // namespace tactooth

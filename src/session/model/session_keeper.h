@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "session/model/task.h"
+#include "session/recording/kept_recording.h"
+
+namespace tactooth {
+
+/// Keeps a recording of the session that runs, one file for each tooth. What takes time (writing the tooth, waiting for
+/// the disk) is done in the background. All functions are for one thread.
+class SessionKeeper {
+public:
+    explicit SessionKeeper(const TaskExecutor& executor = runInThread) : executor_(executor), beginning_(executor) {}
+    /// As finish().
+    ~SessionKeeper();
+    SessionKeeper(const SessionKeeper&) = delete;
+    SessionKeeper& operator=(const SessionKeeper&) = delete;
+
+    /// Where the recordings of the next teeth go; none: nothing is recorded, and a recording that runs ends. No thread
+    /// works on the tooth then.
+    void setFolder(std::optional<RecordingFolder> folder);
+    [[nodiscard]] const std::optional<RecordingFolder>& folder() const { return folder_; }
+    /// What somebody is doing (workText), if it has changed: recordings hold it.
+    void describe(const std::string& work);
+
+    /// Prepares for work on `tooth`, on which no thread works yet. If its recording runs already, that goes on;
+    /// otherwise the one before ends, and another one begins. `work`: what was done with it before (workText).
+    void prepare(const std::shared_ptr<const CutModel>& tooth, const std::string& title, const std::string& work);
+    /// The next call of `prepare` begins another recording, even for the same tooth.
+    void forget() { tooth_.reset(); }
+    /// Whether the threads may begin: the recording has, or there is none.
+    [[nodiscard]] bool isReady();
+
+    /// A bur begins to work with the tooth; null: nothing is recorded. The threads that work end before the next call
+    /// of `begin`, `end` or `prepare`.
+    [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
+    /// The threads have ended.
+    void end();
+    /// The instrument has touched something.
+    void noteTouch();
+    /// Ends the recording and waits until it is on the disk.
+    void finish();
+
+    [[nodiscard]] bool isRecording() const { return recording_ != nullptr && !hasStopped_; }
+    /// One sentence why recording has stopped or could not begin, once.
+    [[nodiscard]] std::optional<Message> takeFault();
+
+private:
+    using Recording = std::shared_ptr<KeptRecording>;
+    /// Faults of recordings that end in the background.
+    struct Faults {
+        std::mutex mutex;
+        std::optional<Message> newest;
+    };
+
+    void endRecording();
+    void collect();
+
+    TaskExecutor executor_;
+    std::optional<RecordingFolder> folder_;
+    std::string work_;
+    std::shared_ptr<const CutModel> tooth_;  // that was prepared
+    Recording recording_;                    // null: none
+    bool hasStopped_ = false;                // it has a fault
+    std::optional<Message> fault_;           // not taken yet
+    std::shared_ptr<Faults> lateFaults_ = std::make_shared<Faults>();
+    Task<Recording> beginning_;
+    std::jthread ending_;  // waits for the disk
+};
+
+}  // namespace tactooth

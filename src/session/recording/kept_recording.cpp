@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/recording/kept_recording.h"
+
+#include <utility>
+
+namespace tactooth {
+
+KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title)
+    : folder_(std::move(folder)), tooth_(std::move(tooth)), title_(std::move(title)) {}
+
+KeptRecording::~KeptRecording() {
+    if (recorder_ == nullptr) return;
+    recorder_.reset();
+    if (!isTouched_) folder_.discard(file_);
+}
+
+Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFolder& folder,
+                                                              std::shared_ptr<const CutModel> tooth,
+                                                              const std::string& title, const std::string& work) {
+    folder.tidy();
+    Expected<std::filesystem::path> file = folder.liveName();
+    if (!file) return Unexpected{file.error()};
+    auto recorder = SessionRecorder::create(*file, *tooth, title);
+    if (!recorder) return Unexpected{recorder.error()};
+    std::shared_ptr<KeptRecording> made(new KeptRecording(folder, std::move(tooth), title));
+    made->file_ = std::move(*file);
+    made->recorder_ = std::move(*recorder);
+    made->recorder_->describe(work);
+    return made;
+}
+
+Expected<void> KeptRecording::finish() {
+    const Expected<void> closed = recorder_->close(tooth_->hash());
+    recorder_.reset();
+    if (!isTouched_) {
+        folder_.discard(file_);
+        return {};
+    }
+    const auto kept = folder_.keep(file_, began_, title_);
+    folder_.tidy();
+    if (!closed) return closed;
+    if (!kept) return Unexpected{kept.error()};
+    return {};
+}
+
+}  // namespace tactooth
