@@ -128,8 +128,20 @@ void SessionModel::noteChange(WorkStep step) {
     history_.add(std::move(step));
 }
 
-void SessionModel::followHistory() {
-    history_.follow(*simulator_->history(), log_.events(), log_.seconds(), log_.simulatorBegan());
+/// Returns the loss that belongs to the history. The history comes before the ticks: what was undone or redone must not
+/// be reported as a new event.
+ToothLoss SessionModel::followHistory() {
+    std::shared_ptr<const CutHistory> cuts;
+    ToothLoss loss;
+    do {
+        cuts = simulator_->history();
+        loss = simulator_->loss();
+    } while (cuts != simulator_->history());
+    history_.follow(*cuts, log_.events(), log_.seconds(), log_.simulatorBegan());
+    return loss;
+}
+
+void SessionModel::advanceHistory() {
     if (const std::optional<Edit> edit = history_.advance(); edit && simulator_ != nullptr) simulator_->request(*edit);
 }
 
@@ -223,9 +235,10 @@ SessionModel::StepResult SessionModel::step(double dt) {
         return stepResult;
     }
     simulator_->fetchTicks(fetched_);
-    log_.record(fetched_, simulator_->loss());
+    log_.record(fetched_, followHistory());
     noteTouches();
-    followHistory();
+    advanceHistory();
+    if (simulator_ == nullptr) return stepResult;
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();
