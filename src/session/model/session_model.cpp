@@ -128,8 +128,20 @@ void SessionModel::noteChange(WorkStep step) {
     history_.add(std::move(step));
 }
 
-void SessionModel::followHistory() {
-    history_.follow(*runner_->feed().history(), log_.events(), log_.seconds(), log_.simulatorBegan());
+/// Returns the loss that belongs to the history. The history comes before the ticks: what was undone or redone must not
+/// be reported as a new event.
+ToothLoss SessionModel::followHistory() {
+    std::shared_ptr<const CutHistory> cuts;
+    ToothLoss loss;
+    do {
+        cuts = runner_->feed().history();
+        loss = runner_->feed().loss();
+    } while (cuts != runner_->feed().history());
+    history_.follow(*cuts, log_.events(), log_.seconds(), log_.simulatorBegan());
+    return loss;
+}
+
+void SessionModel::advanceHistory() {
     if (const std::optional<Edit> edit = history_.advance(); edit && runner_ != nullptr) runner_->request(*edit);
 }
 
@@ -223,9 +235,10 @@ SessionModel::StepResult SessionModel::step(double dt) {
         return stepResult;
     }
     runner_->feed().fetchTicks(fetched_);
-    log_.record(fetched_, runner_->feed().loss());
+    log_.record(fetched_, followHistory());
     noteTouches();
-    followHistory();
+    advanceHistory();
+    if (runner_ == nullptr) return stepResult;
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();

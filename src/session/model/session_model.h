@@ -117,7 +117,8 @@ public:
 private:
     [[nodiscard]] bool prepareRecording();
     void noteTouches();
-    void followHistory();
+    [[nodiscard]] ToothLoss followHistory();
+    void advanceHistory();
     void startRunner();
     void resetManipulator();
     void reportOverload(StepResult& stepResult);

@@ -31,7 +31,7 @@ std::string demoSummary(const Demonstration& demonstration, const CutModel& piec
         removed[materials.nameOf(id)] = piece.removed()[static_cast<std::size_t>(id)];
     }
     auto events = nlohmann::ordered_json::array();
-    for (const auto& [kind, time, place] : demonstration.events) {
+    for (const auto& [kind, time, place, isTakenBack] : demonstration.events) {
         events.push_back({{"t", time}, {"event", cutEventName(kind)}, {"place", {place.x(), place.y(), place.z()}}});
     }
     const Surface& surface = *piece.surface();

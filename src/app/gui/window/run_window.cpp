@@ -88,9 +88,11 @@ QString whatIsWrongWith(const Expected<ParsedSettings>& settings, const std::fil
     return sentences.join(' ');
 }
 
+WindowOwner* shownWindow = nullptr;  // while the event loop runs
+
 /// Saves what nobody can be asked about, and closes the window and its dialogs.
-void closeAll(WindowOwner& holder) {
-    holder.window().saveBeforeEnd();
+void closeAll() {
+    if (shownWindow != nullptr) shownWindow->window().saveBeforeEnd();
     QApplication::closeAllWindows();
     QCoreApplication::exit(kExitOk);
 }
@@ -101,8 +103,6 @@ void releaseDevices(SessionModel& model) {
     model.install(DeviceSlot::First, nullptr);
     model.install(DeviceSlot::Second, nullptr);
 }
-
-WindowOwner* shownWindow = nullptr;  // while the event loop runs
 
 /// When the display goes, the X library calls exit inside Qt. The window can then neither be used nor destroyed. This
 /// still releases the hand. Settings have been written as they changed.
@@ -151,14 +151,8 @@ int runWindow(const WindowOptions& options) {
     char name[] = "tactooth";
     char* argv[] = {name, nullptr};
     const auto application = startApplication(argc, argv);
-    WindowOwner* ending = nullptr;  // once there is a window
-    const GracefulShutdown closing([&] {
-        const auto close = [&ending] {
-            if (ending != nullptr) return closeAll(*ending);
-            QCoreApplication::exit(kExitOk);
-        };
-        QMetaObject::invokeMethod(application.get(), close, Qt::QueuedConnection);
-    });
+    const GracefulShutdown closing(
+        [&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
     if (const auto openGl = checkOpenGl(); !openGl) return reportError(openGl.error());
 
     lockMemory();  // if the system allows it: the timing panel shows that, and 'tactooth doctor' tells how to get it
@@ -176,7 +170,6 @@ int runWindow(const WindowOptions& options) {
         holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
     }
     MainWindow& window = holder.open(*start);
-    ending = &holder;
     if (tooth) {
         window.model().install(std::move(*tooth));
     } else if (options.mouth) {
