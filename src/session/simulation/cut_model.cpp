@@ -135,6 +135,15 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
     refreshSurface();
 }
 
+void CutModel::replace(const std::map<BrickKey, CutField>& fields, const ToothLoss& loss) {
+    lossAt_.clear();
+    reached_.reset();
+    const std::vector<ChangedBrick> changed = volume_.replace(fields);
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    refreshSurface();
+    loss_ = loss;
+}
+
 void CutModel::mark() {
     if (!volume_.mark()) return;
     if (lossAt_.size() == volume_.marks()) lossAt_.erase(lossAt_.begin());  // the volume has dropped its oldest mark

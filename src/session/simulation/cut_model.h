@@ -97,6 +97,13 @@ public:
     /// Takes over a saved cut of the same tooth (CutVolume::adopt).
     void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
 
+    /// Goes to another moment of the same tooth: replaces the fields of some bricks (CutVolume::replace). `loss`: at
+    /// that moment. Drops all marks. It is for looking: a cut does not go on from here as it did then.
+    void replace(const std::map<BrickKey, CutField>& fields, const ToothLoss& loss);
+    /// CutVolume::noteTouched and CutVolume::takeTouched.
+    void noteTouched() { volume_.noteTouched(); }
+    [[nodiscard]] std::vector<BrickKey> takeTouched() { return volume_.takeTouched(); }
+
     /// Sets a mark that `undo` goes back to.
     void mark();
     /// The number of marks that `undo` can go back.
