@@ -37,6 +37,16 @@ std::uint64_t SessionRecording::ticks() const {
     return range ? range->end - range->begin : 0;
 }
 
+Expected<double> SessionRecording::seconds() const {
+    double seconds = 0;
+    const auto read = forEach([&](const SessionEvent& event) {
+        if (const auto* tick = std::get_if<TickEvent>(&event)) seconds += tick->input.seconds();
+        return true;
+    });
+    if (!read) return Unexpected{read.error()};
+    return seconds;
+}
+
 Expected<std::shared_ptr<CutModel>> SessionRecording::makeModel() const {
     const Expected<std::vector<std::byte>> bytes = readAttachment(journal_, kToothAttachment);
     if (!bytes) return Unexpected{bytes.error()};

@@ -25,6 +25,7 @@ Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCal
         seconds_ = next;
         if (!kernel_->apply(event)) differsAt_ = seconds_;
         if (differsAt_) return false;
+        if (const auto* begin = std::get_if<BeginEvent>(&event)) bur_ = *begin;
         if (tick == nullptr) return true;
         ++ticks_;
         if (onTick) onTick(seconds_, kernel_->tick());
