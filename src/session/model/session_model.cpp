@@ -60,6 +60,12 @@ void SessionModel::setHand(const HandSettings& hand) {
     if (devices_.first() != nullptr) needsSimulator_ = true;  // the device is registered anew
 }
 
+void SessionModel::setPaused(bool paused) {
+    if (std::exchange(paused_, paused) == paused) return;
+    simulator_.reset();
+    needsSimulator_ = true;
+}
+
 void SessionModel::setCutting(bool cutting) {
     const bool chosenByButton = log_.newest().cutting != controls.cutting;
     controls.cutting = cutting != (devices_.first() != nullptr && chosenByButton);
@@ -124,7 +130,7 @@ SimulatorControls SessionModel::currentControls() const {
 SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
-    if (needsSimulator_ && tooth_ && bur_) {
+    if (needsSimulator_ && !paused_ && tooth_ && bur_) {
         startSimulator();
         stepResult.newSimulator = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);

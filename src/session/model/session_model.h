@@ -41,6 +41,9 @@ public:
     void setCutting(bool cutting);
     /// Stops the simulator; tooth and bur stay.
     void stop() { simulator_.reset(); }
+    /// Stops the simulator, and starts none until it is called with false: the tooth, the bur and the devices stay.
+    void setPaused(bool paused);
+    [[nodiscard]] bool isPaused() const { return paused_; }
     /// Puts the tooth back as it was before any cut.
     void resetTooth();
 
@@ -93,6 +96,7 @@ private:
     std::optional<SessionTooth> tooth_;
     std::optional<SessionBur> bur_;
     bool needsSimulator_ = false;  // another one than the running one
+    bool paused_ = false;
     bool isToothNew_ = false;
     bool reportedOverload_ = false;
     MouseManipulator manipulator_;
