@@ -12,8 +12,14 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
+#include "session/recording/session_recorder.h"
 
 namespace tactooth {
+namespace {
+
+bool isRecording(const std::filesystem::path& file) { return file.extension() == kSessionFileEnding; }
+
+}  // namespace
 
 ToothController::ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, QWidget& window)
     : model_(model), messages_(messages), files_(files), window_(window), loader_(model) {
@@ -48,7 +54,10 @@ void ToothController::openTooth(const ToothSource& source, const std::string& wo
 }
 
 void ToothController::openFile(const QString& file) {
-    if (QFileInfo(file).suffix() == "toml") {
+    if (isRecording(file.toStdString())) {
+        emit fileOpened(file);
+        emit recordingChosen(file);
+    } else if (QFileInfo(file).suffix() == "toml") {
         emit exerciseFileChosen(file);
     } else {
         openTooth({.outer = file.toStdString(), .layers = {}});
@@ -56,7 +65,8 @@ void ToothController::openFile(const QString& file) {
 }
 
 void ToothController::openDropped(const std::vector<std::filesystem::path>& files) {
-    if (isCase(files.front()) || isToothFile(files.front()) || files.front().extension() == ".toml") {
+    if (isCase(files.front()) || isToothFile(files.front()) || isRecording(files.front()) ||
+        files.front().extension() == ".toml") {
         openFile(QString::fromStdString(files.front().string()));
     } else {
         importScan(files);
@@ -117,11 +127,19 @@ void ToothController::askForBur() {
 }
 
 void ToothController::askForExport() {
+    if (isReplaying()) return;
     files_.save(tr("Export cut tooth"), tr("STL surfaces (*.stl *.STL);;All files (*)"), "cut.stl",
                 [this](const QString& file) { exportTooth(file); });
 }
 
+/// While a recording is shown, there is no tooth on the bench to write. It tells the user.
+bool ToothController::isReplaying() const {
+    if (model_.isPaused()) messages_.setHint(tr("A recording is shown. Leave the replay to save the tooth."));
+    return model_.isPaused();
+}
+
 void ToothController::askForSave() {
+    if (isReplaying()) return;
     files_.save(tr("Save tooth"), tr("Saved teeth (*.tactooth);;All files (*)"), "tooth.tactooth",
                 [this](const QString& file) { saveTooth(file); });
 }

@@ -28,11 +28,11 @@ public:
     /// `hint`: what the status line says meanwhile.
     void load(Task<SessionTooth>::Function tooth, const QString& hint);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
-    /// A tooth, a case, or the description of an exercise.
+    /// A tooth, a case, the description of an exercise, or a recorded session.
     void openFile(const QString& file);
     /// Another tooth of the case that is open.
     void openToothOfCase(const std::string& name) { openTooth(source_, name); }
-    /// Opens teeth, cases and exercises; shows the import dialog for surfaces.
+    /// Opens teeth, cases, exercises and recordings; shows the import dialog for surfaces.
     void openDropped(const std::vector<std::filesystem::path>& files);
     /// Surfaces of one tooth in any unit and position. A dialog shows what is assumed before the import.
     void importScan(const std::vector<std::filesystem::path>& files);
@@ -60,9 +60,12 @@ public:
 signals:
     void fileOpened(const QString& file);
     void exerciseFileChosen(const QString& file);
+    void recordingChosen(const QString& file);
     void loadingFailed();
 
 private:
+    [[nodiscard]] bool isReplaying() const;
+
     SessionModel& model_;
     WindowMessages& messages_;
     FileDialogs& files_;

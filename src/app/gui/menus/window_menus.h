@@ -22,6 +22,7 @@ public:
     WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                 ToothController& teeth, ExerciseController& exercise, WindowMessages& messages);
 
+    [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
     /// Shows three ways to begin.
     void welcome() { help_->welcome(); }

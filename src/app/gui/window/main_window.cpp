@@ -32,7 +32,8 @@ MainWindow::MainWindow(SoundOutput& sound)
       records_(model_, panels_, messages_, files_),
       menus_(*this, docks_, panels_, model_, teeth_, exercise_, messages_),
       updater_(model_, panels_, sound),
-      loop_(model_) {
+      loop_(model_),
+      replay_(*this, model_, panels_, messages_, files_, updater_, sound) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
@@ -41,6 +42,8 @@ MainWindow::MainWindow(SoundOutput& sound)
     connectLoop();
     connectNumbers();
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
+    connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
+    connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
@@ -93,7 +96,7 @@ void MainWindow::connectLoop() {
         devices_.followButtons();
         sounds_.poll();
         exercise_.poll();
-        updater_.showStep(isBusy() || teeth_.isImporting());
+        updater_.showStep(isBusy() || teeth_.isImporting() || replay_.isLoading());
         loop_.setBusy(isBusy());
     });
 }

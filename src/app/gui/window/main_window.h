@@ -18,6 +18,7 @@
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/menus/window_menus.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/replay/replay_controller.h"
 
 namespace tactooth {
 
@@ -36,6 +37,7 @@ public:
     [[nodiscard]] DeviceController& devices() { return devices_; }
     [[nodiscard]] SoundController& sounds() { return sounds_; }
     [[nodiscard]] RecordExports& records() { return records_; }
+    [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
@@ -99,6 +101,7 @@ private:
     WindowMenus menus_;
     PanelUpdater updater_;
     StepLoop loop_;
+    ReplayController replay_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
 };
 
