@@ -55,9 +55,9 @@ public:
 
     template <class Act>
     void run(const char* name, double seconds, Act act) {
-        const std::uint64_t updates = window_.model().simulator()->surfaceUpdates();
-        const auto ticks = [&] { return window_.model().simulator()->timing().ticks.load(); };
-        const auto missed = [&] { return window_.model().simulator()->timing().missed.load(); };
+        const std::uint64_t updates = window_.model().runner()->feed().surfaceUpdates();
+        const auto ticks = [&] { return window_.model().runner()->feed().timing().ticks.load(); };
+        const auto missed = [&] { return window_.model().runner()->feed().timing().missed.load(); };
         const auto ticksBefore = static_cast<double>(ticks()), missedBefore = static_cast<double>(missed());
         const auto before = processorTimes();
         pictures_ = 0;
@@ -68,8 +68,8 @@ public:
         const double late = static_cast<double>(missed()) - missedBefore;
         const double all = static_cast<double>(ticks()) - ticksBefore + late;
         std::printf("%s,%.1f,%.1f,%.2f", name,
-                    static_cast<double>(window_.model().simulator()->surfaceUpdates() - updates) / now, pictures_ / now,
-                    1000 * late / std::max(1.0, all));
+                    static_cast<double>(window_.model().runner()->feed().surfaceUpdates() - updates) / now,
+                    pictures_ / now, 1000 * late / std::max(1.0, all));
         double sum = 0;
         for (const auto& [thread, time] : processorTimes()) {
             const auto known = before.find(thread);
@@ -99,7 +99,7 @@ int run(double seconds, const QString& file) {
     window.teeth().loadBur(*findBur("58"));
     window.show();
     if (!QTest::qWaitForWindowExposed(&window)) return 1;
-    if (!QTest::qWaitFor([&] { return !window.isBusy() && window.model().simulator() != nullptr; }, 60000)) {
+    if (!QTest::qWaitFor([&] { return !window.isBusy() && window.model().runner() != nullptr; }, 60000)) {
         return 1;
     }
     auto& view = *window.findChild<ToothView*>("toothView");
@@ -125,7 +125,7 @@ int run(double seconds, const QString& file) {
             });
         }
     }
-    const double removed = total(window.model().simulator()->removed());
+    const double removed = total(window.model().runner()->feed().removed());
     std::printf("# removed %.2f mm3\n", removed);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
     QTest::mouseMove(&view, start + QPoint(0, -100));  // clear of the tooth

@@ -33,7 +33,7 @@ protected:
     /// Closes the messages in front and returns their texts.
     [[nodiscard]] QString dismissMessages() const;
     [[nodiscard]] Vec3 toolTip() const { return window_->model().log().newest().hand.position; }
-    [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().simulator()->mirrorMotion().position; }
+    [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().runner()->feed().mirrorMotion().position; }
     void chooseDevice(const char* list, const QString& name) const;
 
     /// Until a change in the stand-in or in the window has reached the simulation and come back.

@@ -32,11 +32,11 @@ TEST(GamepadSession, AGamepadTouchesAndCutsTheToothAndRumbles) {
     const auto& newest = model.log().newest();
     EXPECT_TRUE(soon([&] { return newest.contacts > 0 && newest.wrench.force.norm() > 1; }));
     EXPECT_TRUE(soon([&] { return pad.slowMotor() > 0.3; })) << "contact is felt";
-    EXPECT_EQ(total(model.simulator()->removed()), 0);
+    EXPECT_EQ(total(model.runner()->feed().removed()), 0);
     pad.button(SDL_CONTROLLER_BUTTON_A, true);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
     pad.forgetMotors();
-    EXPECT_TRUE(soon([&] { return newest.cutting && total(model.simulator()->removed()) > 0.005; }));
+    EXPECT_TRUE(soon([&] { return newest.cutting && total(model.runner()->feed().removed()) > 0.005; }));
     EXPECT_TRUE(soon([&] { return pad.strongestQuick() > 0.1; })) << "cutting is felt";
 }
 

@@ -147,7 +147,7 @@ void HaplySessionTest::backToTheMouseTheConnectionIsClosed() {
     QTRY_COMPARE_WITH_TIMEOUT(service_.connections(), 0, kPatience);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY_WITH_TIMEOUT(state().contains("mouse"), kPatience);
-    waitForTooth();  // the simulator restarts
+    waitForTooth();  // the runner restarts
     QVERIFY(removed() > 0.02);
 }
 

@@ -79,7 +79,7 @@ void ImportWindowTest::waitForImportNotes(const QString& words) {
 
 void ImportWindowTest::waitForToothNamed(const std::string& name) {
     QTRY_VERIFY_WITH_TIMEOUT(
-        !window_->isBusy() && window_->model().simulator() != nullptr && window_->model().tooth()->name == name,
+        !window_->isBusy() && window_->model().runner() != nullptr && window_->model().tooth()->name == name,
         kLoadPatience);
 }
 

@@ -195,7 +195,7 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     const double before = removed();
     chooseDevice("secondDevices", "pen:Left");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().runner() != nullptr, kPatience);
     const auto* second = window_->findChild<QLabel*>("secondDeviceState");
     QTRY_COMPARE_WITH_TIMEOUT(second->text(), QString("Touch (stand-in) 'Left': ready"), kPatience);
     QVERIFY(!second->isHidden());
@@ -205,7 +205,7 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
     chooseDevice("secondDevices", "none");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().runner() != nullptr, kPatience);
 }
 
 void PenSessionTest::eachFaultMidPressIsSaidAndKeepsTheSession_data() {
@@ -236,7 +236,7 @@ void PenSessionTest::backToTheMouseThePenIsClosedAndLimp() {
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 0, kPatience);
     QCOMPARE(force(), 0.0);
     QTRY_VERIFY_WITH_TIMEOUT(state().contains("mouse"), kPatience);
-    waitForTooth();  // the simulator restarts
+    waitForTooth();  // the runner restarts
     QVERIFY(removed() > 0.02);
 }
 

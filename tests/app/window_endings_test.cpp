@@ -37,7 +37,7 @@ constexpr double kLongestStart = 100;  // s, on a busy machine
 using StartPhase = std::optional<std::string>;
 const StartPhase kBegun;
 const StartPhase kConnected = "QXcbEventQueue";  // to the display; there is no window yet
-const StartPhase kWorking = "servo";             // the window is open and the simulator runs
+const StartPhase kWorking = "servo";             // the window is open and the runner runs
 
 Environment homeIn(const TemporaryFolder& home) {
     return {{"XDG_CONFIG_HOME", home.path().string()}, {"QT_QPA_PLATFORM", std::nullopt}};

@@ -148,7 +148,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     MainWindow* window = &holder.open(window_->settings());
     window->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().runner() != nullptr, kLoadPatience);
     const Box3 box = window->model().tooth()->box();
     const auto file = folder_ / "kept.stl";
     QVERIFY(writeStl(test::sphere(Vec3(0, 0, box.max().z() - 3), 2, 40, 30), file).has_value());

@@ -245,12 +245,12 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, kPatience);
     QVERIFY(facts->text().contains("Device: mouse"));
     const auto all = ticks();
-    QVERIFY(all <= window_->model().simulator()->timing().ticks);
+    QVERIFY(all <= window_->model().runner()->feed().timing().ticks);
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, kPatience);
     auto* panel = window_->findChild<TimingPanel*>();
-    panel->reset();  // as at a restart of the simulator
-    panel->show(*window_->model().simulator(), "mouse", 1000);
+    panel->reset();  // as at a restart of the runner
+    panel->show(*window_->model().runner(), "mouse", 1000);
     QVERIFY(ticks() >= all);
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
 }
@@ -290,7 +290,7 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     MainWindow* window = &holder.open(settings);
     window->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
     window->show();
-    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().simulator() != nullptr, kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window->isBusy() && window->model().runner() != nullptr, kLoadPatience);
     const CutModel* piece = window->model().tooth()->piece.get();
     const auto languages = [&] { return holder.window().findChild<QMenu*>("language")->actions(); };
     const auto title = [&] { return holder.window().menuBar()->actions().front()->text(); };
@@ -302,7 +302,7 @@ void WindowLookTest::anotherLanguageComesAtOnceWithTheToothAsItIs() {
     QCOMPARE(QCoreApplication::translate("QPlatformTheme", "Cancel"), QStringLiteral("キャンセル"));  // Qt's own texts
     QVERIFY(languages()[2]->isChecked());
     QCOMPARE(holder.window().settings().language, std::string("ja"));
-    QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().simulator() != nullptr, kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(holder.window().model().runner() != nullptr, kLoadPatience);
     QCOMPARE(holder.window().model().tooth()->piece.get(), piece);  // with all of its cuts
     QTRY_VERIFY_WITH_TIMEOUT(holder.window().windowTitle().startsWith(QStringLiteral("上顎中切歯")), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!holder.window().isBusy(), kPatience);

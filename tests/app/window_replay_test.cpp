@@ -76,7 +76,7 @@ void WindowReplayTest::initTestCase() {
     openWindow();
     WindowSession::waitForTooth();
     benchRemoved_ = removed();
-    bench_ = window_->model().simulator()->surface();
+    bench_ = window_->model().runner()->feed().surface();
 }
 
 void WindowReplayTest::cleanupTestCase() { closeWindow(); }
@@ -156,7 +156,7 @@ void WindowReplayTest::thePlotsFollowTheCursor() {
 
 void WindowReplayTest::nothingCanBeCutMeanwhile() {
     QVERIFY(!window_->findChild<DrillBar*>()->isEnabled());
-    QVERIFY(window_->model().simulator() == nullptr);  // no device pushes against a tooth that nobody sees
+    QVERIFY(window_->model().runner() == nullptr);  // no device pushes against a tooth that nobody sees
     key(Qt::Key_Z, Qt::ControlModifier);
     key(Qt::Key_R, Qt::ControlModifier);
     const OrbitCamera before = part<ToothView>("replayView").orbitCamera();
@@ -208,9 +208,9 @@ void WindowReplayTest::anotherRecordingIsShownAsAGhost() {
 void WindowReplayTest::theBenchIsAsItWasAfterwards() {
     key(Qt::Key_Escape);
     QVERIFY(!replay().isActive());
-    QTRY_VERIFY_WITH_TIMEOUT(view().isVisible() && window_->model().simulator() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(view().isVisible() && window_->model().runner() != nullptr, kPatience);
     QVERIFY(window_->findChild<DrillBar*>()->isEnabled());
-    QVERIFY(window_->model().simulator()->surface() == bench_);
+    QVERIFY(window_->model().runner()->feed().surface() == bench_);
     QCOMPARE(removed(), benchRemoved_);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);  // it can be felt again

@@ -28,7 +28,7 @@ void WindowSession::openWindowWithSettings() {
 }
 
 void WindowSession::waitForTooth() {
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().simulator() != nullptr, kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().runner() != nullptr, kLoadPatience);
 }
 
 void WindowSession::key(Qt::Key which, Qt::KeyboardModifiers with) const {
@@ -67,13 +67,13 @@ void WindowSession::waitForSteps(int steps) const {
 
 void WindowSession::waitForCarving() const {
     constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
-    const Simulator& simulator = *window_->model().simulator();
-    std::uint64_t updates = simulator.surfaceUpdates();
+    const LiveRunner& runner = *window_->model().runner();
+    std::uint64_t updates = runner.feed().surfaceUpdates();
     double since = window_->model().log().newest().time;
     const auto isQuiet = [&] {
         const double now = window_->model().log().newest().time;
-        if (updates != simulator.surfaceUpdates()) since = now;
-        updates = simulator.surfaceUpdates();
+        if (updates != runner.feed().surfaceUpdates()) since = now;
+        updates = runner.feed().surfaceUpdates();
         return now > since + kQuiet;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), kPatience);

@@ -32,8 +32,8 @@ protected:
     [[nodiscard]] QPoint middle() const { return view().rect().center(); }
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
-    [[nodiscard]] double removed() const { return total(window_->model().simulator()->removed()); }
-    [[nodiscard]] const Surface& surface() const { return *window_->model().simulator()->surface(); }
+    [[nodiscard]] double removed() const { return total(window_->model().runner()->feed().removed()); }
+    [[nodiscard]] const Surface& surface() const { return *window_->model().runner()->feed().surface(); }
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
     void liftBur(const QPoint& place) const;
@@ -41,7 +41,7 @@ protected:
     void waitForSteps(int steps) const;
     /// Until the carving thread has no work left. The bur must be clear of the tooth.
     void waitForCarving() const;
-    /// Restarts the simulator, which empties the plots, and waits until the window rests.
+    /// Restarts the runner, which empties the plots, and waits until the window rests.
     void waitForRest() const;
     /// Waits until the view is at rest and has drawn no picture for a second: a slow machine may have one on its way.
     /// False if that takes longer than kPatience.

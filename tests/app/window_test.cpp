@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A session with the real window: real mouse and key events, the real simulator, real files.
+// A session with the real window: real mouse and key events, the real runner, real files.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -182,16 +182,16 @@ void WindowTest::aCuttingBurRemovesEnamel() {
     key(Qt::Key_C);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, kPatience);
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().simulator()->surfaceUpdates() > 0, kPatience);
-    const std::uint64_t updatesBefore = window_->model().simulator()->surfaceUpdates();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().runner()->feed().surfaceUpdates() > 0, kPatience);
+    const std::uint64_t updatesBefore = window_->model().runner()->feed().surfaceUpdates();
     const std::clock_t processorBefore = std::clock();
     for (int i = 1; i <= 20; ++i) {
         QTest::mouseMove(&view(), middle() + QPoint(i, 0));
-        const std::uint64_t now = window_->model().simulator()->surfaceUpdates();
-        (void)QTest::qWaitFor([&] { return window_->model().simulator()->surfaceUpdates() > now; }, 2000);
+        const std::uint64_t now = window_->model().runner()->feed().surfaceUpdates();
+        (void)QTest::qWaitFor([&] { return window_->model().runner()->feed().surfaceUpdates() > now; }, 2000);
     }
     QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.05, kPatience);
-    const auto updates = static_cast<double>(window_->model().simulator()->surfaceUpdates() - updatesBefore);
+    const auto updates = static_cast<double>(window_->model().runner()->feed().surfaceUpdates() - updatesBefore);
     const double onTwoCores = static_cast<double>(std::clock() - processorBefore) / CLOCKS_PER_SEC / 2;
     QVERIFY2(test::isSanitized() || updates > 20 * onTwoCores,
              qPrintable(QString("%1 in %2 s").arg(updates).arg(onTwoCores)));

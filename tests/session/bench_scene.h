@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "support/materials.h"
 #include "support/shapes.h"
 

@@ -23,7 +23,7 @@ public:
     /// `start`: pose of the tool that the mouse begins with, tooth frame.
     explicit DeviceSlots(const Pose& start) : mouse_(start) {}
 
-    /// Puts an open device into a slot, null: empties it. The device before is closed. No simulator may use it.
+    /// Puts an open device into a slot, null: empties it. The device before is closed. No runner may use it.
     void set(DeviceSlot slot, std::unique_ptr<HapticDevice> device);
     /// Null: the mouse moves the tool.
     [[nodiscard]] const HapticDevice* first() const { return first_.get(); }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "session/cases/custom_bur.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 namespace tactooth {
 

@@ -24,7 +24,7 @@ void SessionModel::install(SessionTooth tooth) {
     resetManipulator();
     haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
-    needsSimulator_ = isToothNew_ = true;
+    needsRunner_ = isToothNew_ = true;
 }
 
 /// The hand starts above the tooth again; its press depth stays.
@@ -36,34 +36,34 @@ void SessionModel::resetManipulator() {
 
 void SessionModel::install(SessionBur bur) {
     bur_ = std::move(bur);
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
     const HapticDevice* const before = slot == DeviceSlot::First ? devices_.first() : devices_.second();
     if (device == nullptr && before == nullptr) return;
-    simulator_.reset();  // it uses the device before
+    runner_.reset();  // it uses the device before
     devices_.set(slot, std::move(device));
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::setSpindle(const SpindlePreset& spindle) {
     haptics_.spindle = spindle;
-    needsSimulator_ = true;
+    needsRunner_ = true;
 }
 
 void SessionModel::setHand(const HandSettings& hand) {
     const HandSettings before = std::exchange(hand_, hand);
-    if (hand.rate != before.rate) needsSimulator_ = true;
+    if (hand.rate != before.rate) needsRunner_ = true;
     if (hand.leftHanded == before.leftHanded) return;
     resetManipulator();
-    if (devices_.first() != nullptr) needsSimulator_ = true;  // the device is registered anew
+    if (devices_.first() != nullptr) needsRunner_ = true;  // the device is registered anew
 }
 
 void SessionModel::setPaused(bool paused) {
     if (std::exchange(paused_, paused) == paused) return;
-    simulator_.reset();
-    needsSimulator_ = true;
+    runner_.reset();
+    needsRunner_ = true;
 }
 
 void SessionModel::setCutting(bool cutting) {
@@ -72,8 +72,8 @@ void SessionModel::setCutting(bool cutting) {
 }
 
 void SessionModel::resetTooth() {
-    if (simulator_ == nullptr) return;
-    simulator_->requestReset();
+    if (runner_ == nullptr) return;
+    runner_->requestReset();
     log_.clearEvents(haptics_.materials.registry());
 }
 
@@ -92,12 +92,12 @@ std::optional<DeviceRegistration> SessionModel::registration() const {
                                  hand_.autoScaling);
 }
 
-void SessionModel::startSimulator() {
-    needsSimulator_ = false;
+void SessionModel::startRunner() {
+    needsRunner_ = false;
     manipulator_.release();
     devices_.moveMouse(manipulator_.pose());
-    simulator_.reset();  // its threads end before the new ones begin: they share the cut model and the device
-    simulator_ = std::make_unique<Simulator>(
+    runner_.reset();  // its threads end before the new ones begin: they share the cut model and the device
+    runner_ = std::make_unique<LiveRunner>(
         tooth_->piece, bur_->instrument, haptics_, devices_.active(),
         [this, tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
             DrillSoundState heard = tickSound.at(tick);
@@ -115,13 +115,13 @@ void SessionModel::startSimulator() {
 }
 
 void SessionModel::reportOverload(StepResult& stepResult) {
-    if (reportedOverload_ || !isOverloaded(simulator_->timing(), hand_.rate)) return;
+    if (reportedOverload_ || !isOverloaded(runner_->feed().timing(), hand_.rate)) return;
     reportedOverload_ = true;
-    stepResult.heavyTick = tickP99(simulator_->timing());
+    stepResult.heavyTick = tickP99(runner_->feed().timing());
 }
 
-SimulatorControls SessionModel::currentControls() const {
-    SimulatorControls now = controls;
+SessionControls SessionModel::currentControls() const {
+    SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
     return now;
@@ -130,31 +130,31 @@ SimulatorControls SessionModel::currentControls() const {
 SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
-    if (needsSimulator_ && !paused_ && tooth_ && bur_) {
-        startSimulator();
-        stepResult.newSimulator = true;
+    if (needsRunner_ && !paused_ && tooth_ && bur_) {
+        startRunner();
+        stepResult.newRunner = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);
         if (stepResult.newTooth) log_.clearEvents(haptics_.materials.registry());
     }
-    if (simulator_ == nullptr) {
+    if (runner_ == nullptr) {
         fetched_.clear();
         log_.record(fetched_, {});
         return stepResult;
     }
-    simulator_->fetchTicks(fetched_);
-    log_.record(fetched_, simulator_->loss());
+    runner_->feed().fetchTicks(fetched_);
+    log_.record(fetched_, runner_->feed().loss());
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();
     manipulator_.advance(dt, newest.proxy.position, newest.depth);
     devices_.moveMouse(manipulator_.pose());
-    simulator_->setControls(currentControls());
-    animation_.advance(newest, instruments_.water(), instruments_.suction(), simulator_->loss().ground(), dt);
+    runner_->setControls(currentControls());
+    animation_.advance(newest, instruments_.water(), instruments_.suction(), runner_->feed().loss().ground(), dt);
     return stepResult;
 }
 
 std::shared_ptr<const Surface> touchableSurface(const SessionModel& model) {
-    return surrounded(model.simulator()->surface(), model.tooth()->piece->surroundings());
+    return surrounded(model.runner()->feed().surface(), model.tooth()->piece->surroundings());
 }
 
 double handleX(const SessionModel& model) { return model.hand().leftHanded ? -model.mesialX() : model.mesialX(); }

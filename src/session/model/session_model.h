@@ -22,9 +22,9 @@ struct HandSettings {
     bool autoScaling = false;  ///< motion scaling by SessionModel::fit instead of by the controls
 };
 
-/// A session at the simulator: the tooth and the bur, the devices of both hands, the other instruments, and the running
-/// simulator. All functions are for one thread and return at once; none waits for the servo. A change that needs
-/// another simulator takes effect in the next step.
+/// A session at the program: the tooth and the bur, the devices of both hands, the other instruments, and the running
+/// runner. All functions are for one thread and return at once; none waits for the servo. A change that needs
+/// another runner takes effect in the next step.
 class SessionModel {
 public:
     /// `sound` outlives the model. `executor` makes the meshes of the instruments.
@@ -39,9 +39,9 @@ public:
     [[nodiscard]] const HandSettings& hand() const { return hand_; }
     /// Touch or cut, as the user chooses it on the screen. A button of the device may have chosen before.
     void setCutting(bool cutting);
-    /// Stops the simulator; tooth and bur stay.
-    void stop() { simulator_.reset(); }
-    /// Stops the simulator, and starts none until it is called with false: the tooth, the bur and the devices stay.
+    /// Stops the runner; tooth and bur stay.
+    void stop() { runner_.reset(); }
+    /// Stops the runner, and starts none until it is called with false: the tooth, the bur and the devices stay.
     void setPaused(bool paused);
     [[nodiscard]] bool isPaused() const { return paused_; }
     /// Puts the tooth back as it was before any cut.
@@ -50,8 +50,8 @@ public:
     /// What has changed in a step.
     struct StepResult {
         bool newTooth = false;
-        bool newSimulator = false;        ///< the times of ticks start at zero again
-        std::optional<double> heavyTick;  ///< tickP99 in us, once for each simulator that turns out to be overloaded
+        bool newRunner = false;           ///< the times of ticks start at zero again
+        std::optional<double> heavyTick;  ///< tickP99 in us, once for each runner that turns out to be overloaded
         std::optional<const Message*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
     };
     /// Call it at least as often as the picture changes. `dt`: since the last step, s.
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] const std::optional<SessionTooth>& tooth() const { return tooth_; }
     [[nodiscard]] const std::optional<SessionBur>& bur() const { return bur_; }
     /// Null until there are a tooth and a bur.
-    [[nodiscard]] Simulator* simulator() const { return simulator_.get(); }
+    [[nodiscard]] LiveRunner* runner() const { return runner_.get(); }
     /// Direction of mesial along x.
     [[nodiscard]] double mesialX() const { return tooth_ ? tooth_->mesialX : 1; }
     /// The motion scaling with which the devices reach all of the tooth and as far around it as the mouse does; none
@@ -78,15 +78,15 @@ public:
     [[nodiscard]] const TickLog& log() const { return log_; }
     [[nodiscard]] const SceneAnimation& animation() const { return animation_; }
 
-    /// The simulator takes them over in the next step. Motion scaling and clutch are for devices only: the mouse
+    /// The runner takes them over in the next step. Motion scaling and clutch are for devices only: the mouse
     /// points.
-    SimulatorControls controls;
+    SessionControls controls;
 
 private:
-    void startSimulator();
+    void startRunner();
     void resetManipulator();
     void reportOverload(StepResult& stepResult);
-    [[nodiscard]] SimulatorControls currentControls() const;
+    [[nodiscard]] SessionControls currentControls() const;
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
     SoundOutput& sound_;
@@ -95,7 +95,7 @@ private:
     HandSettings hand_;
     std::optional<SessionTooth> tooth_;
     std::optional<SessionBur> bur_;
-    bool needsSimulator_ = false;  // another one than the running one
+    bool needsRunner_ = false;  // another one than the running one
     bool paused_ = false;
     bool isToothNew_ = false;
     bool reportedOverload_ = false;
@@ -104,10 +104,10 @@ private:
     InstrumentSet instruments_;
     TickLog log_;
     SceneAnimation animation_;
-    std::unique_ptr<Simulator> simulator_;  // last: it uses the members above
+    std::unique_ptr<LiveRunner> runner_;  // last: it uses the members above
 };
 
-/// All that the bur can touch now. Needs a simulator.
+/// All that the bur can touch now. Needs a runner.
 [[nodiscard]] std::shared_ptr<const Surface> touchableSurface(const SessionModel& model);
 
 /// Direction along x in which the handles leave.

@@ -9,11 +9,11 @@
 
 namespace tactooth {
 
-/// What the simulators have reported: the ticks of the last step, the newest tick, and the events since the tooth came
-/// or was put back. The times of events go on from one simulator to the next.
+/// What the runners have reported: the ticks of the last step, the newest tick, and the events since the tooth came
+/// or was put back. The times of events go on from one runner to the next.
 class TickLog {
 public:
-    /// Another simulator begins; its times start at zero. `start` is the newest tick until the simulator has made one.
+    /// Another runner begins; its times start at zero. `start` is the newest tick until the runner has made one.
     void restart(const Tick& start);
     /// The list of events begins anew, at the time of the newest tick. `materials`: of the tooth.
     void clearEvents(const MaterialRegistry& materials = builtinMaterials());
@@ -32,7 +32,7 @@ private:
     std::vector<Tick> ticks_;
     Tick newest_;
     CutEvents events_;
-    double timeBefore_ = 0;  // of the earlier simulators, since the list of events began, s
+    double timeBefore_ = 0;  // of the earlier runners, since the list of events began, s
 };
 
 }  // namespace tactooth

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "session/simulation/cut_events.h"
 #include "session/simulation/spray_particle_system.h"
 #include "sound/output/offline_render.h"

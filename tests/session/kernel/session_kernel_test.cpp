@@ -12,7 +12,7 @@
 #include "bench_scene.h"
 #include "devices/simulated/scripted_device.h"
 #include "session/kernel/event_merger.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 namespace tactooth {
 namespace {
@@ -77,23 +77,23 @@ LiveSession runLive(const Script& script, const std::shared_ptr<CutModel>& model
     ScriptedDevice device(script.hand);
     {
         session.ticks.reserve(static_cast<std::size_t>(2 * script.rateHz * script.seconds) + 1000);
-        Simulator simulator(
+        LiveRunner runner(
             model, test::flatBur(), script.settings, device, [&](const Tick& tick) { session.ticks.push_back(tick); },
             script.rateHz, {}, nullptr, 1, lanes);
-        SimulatorControls controls;
+        SessionControls controls;
         controls.cutting = script.cutting;
         controls.force = script.settings.force;
-        simulator.setControls(controls);
+        runner.setControls(controls);
         const auto start = std::chrono::steady_clock::now();
         std::size_t edits = 0;
         for (double time = 0; time < script.seconds;) {
             std::this_thread::sleep_for(5ms);
             time = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             for (; edits < script.edits.size() && script.edits[edits].first < time; ++edits) {
-                if (script.edits[edits].second == Edit::Undo) simulator.requestUndo();
-                if (script.edits[edits].second == Edit::Reset) simulator.requestReset();
+                if (script.edits[edits].second == Edit::Undo) runner.requestUndo();
+                if (script.edits[edits].second == Edit::Reset) runner.requestReset();
                 controls.forceScale = 1 / static_cast<double>(1 + edits);
-                simulator.setControls(controls);
+                runner.setControls(controls);
             }
             lanes->drain(merger);
             merger.take(session.events);

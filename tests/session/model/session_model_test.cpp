@@ -51,18 +51,18 @@ protected:
     SessionModel model_{sound_, test::runInline};
 };
 
-TEST(SessionModel, HasNoSimulatorUntilThereAreAToothAndABur) {
+TEST(SessionModel, HasNoRunnerUntilThereAreAToothAndABur) {
     test::SpySound sound;
     SessionModel model(sound, test::runInline);
-    EXPECT_FALSE(model.step(0.01).newSimulator);
+    EXPECT_FALSE(model.step(0.01).newRunner);
     model.install(test::blockTooth());
-    EXPECT_FALSE(model.step(0.01).newSimulator);
-    EXPECT_EQ(model.simulator(), nullptr);
+    EXPECT_FALSE(model.step(0.01).newRunner);
+    EXPECT_EQ(model.runner(), nullptr);
     model.install(test::flatSessionBur());
-    EXPECT_EQ(model.simulator(), nullptr) << "before the next step";
+    EXPECT_EQ(model.runner(), nullptr) << "before the next step";
     const auto result = model.step(0.01);
-    EXPECT_TRUE(result.newSimulator && result.newTooth);
-    EXPECT_NE(model.simulator(), nullptr);
+    EXPECT_TRUE(result.newRunner && result.newTooth);
+    EXPECT_NE(model.runner(), nullptr);
 }
 
 TEST(SessionModel, WithoutAToothNothingFitsAndMesialIsAtPlusX) {
@@ -74,40 +74,40 @@ TEST(SessionModel, WithoutAToothNothingFitsAndMesialIsAtPlusX) {
     EXPECT_TRUE(model.log().ticks().empty());
 }
 
-TEST_F(SessionModelTest, AStepWithoutAChangeKeepsTheSimulator) {
-    const Simulator* const before = model_.simulator();
+TEST_F(SessionModelTest, AStepWithoutAChangeKeepsTheRunner) {
+    const LiveRunner* const before = model_.runner();
     const auto result = model_.step(0.01);
-    EXPECT_FALSE(result.newSimulator || result.newTooth);
-    EXPECT_EQ(model_.simulator(), before);
+    EXPECT_FALSE(result.newRunner || result.newTooth);
+    EXPECT_EQ(model_.runner(), before);
 }
 
 TEST_F(SessionModelTest, AnotherBurStartsASimulatorForTheSameTooth) {
     ASSERT_TRUE(ticksCome());
     model_.install(test::flatSessionBur());
     const auto result = model_.step(0.01);
-    EXPECT_TRUE(result.newSimulator);
+    EXPECT_TRUE(result.newRunner);
     EXPECT_FALSE(result.newTooth);
 }
 
 TEST_F(SessionModelTest, AnotherSpindleStartsASimulator) {
     const SpindlePreset& spindle = spindlePresets().back();
     model_.setSpindle(spindle);
-    EXPECT_TRUE(model_.step(0.01).newSimulator);
+    EXPECT_TRUE(model_.step(0.01).newRunner);
     EXPECT_EQ(model_.haptics().spindle.name, spindle.name);
 }
 
 TEST_F(SessionModelTest, OnlyAnotherRateStartsASimulator) {
     model_.setHand({.rate = 1000});
-    EXPECT_FALSE(model_.step(0.01).newSimulator);
+    EXPECT_FALSE(model_.step(0.01).newRunner);
     model_.setHand({.rate = 500});
-    EXPECT_TRUE(model_.step(0.01).newSimulator);
+    EXPECT_TRUE(model_.step(0.01).newRunner);
     EXPECT_EQ(model_.hand().rate, 500);
 }
 
 TEST_F(SessionModelTest, StoppingKeepsToothAndBur) {
     model_.stop();
-    EXPECT_FALSE(model_.step(0.01).newSimulator);
-    EXPECT_EQ(model_.simulator(), nullptr);
+    EXPECT_FALSE(model_.step(0.01).newRunner);
+    EXPECT_EQ(model_.runner(), nullptr);
     EXPECT_TRUE(model_.tooth() && model_.bur());
 }
 
@@ -143,21 +143,21 @@ TEST_F(SessionModelTest, TheToolFollowsTheMouse) {
 }
 
 TEST_F(SessionModelTest, EmptyingAnEmptySlotChangesNothing) {
-    const Simulator* const before = model_.simulator();
+    const LiveRunner* const before = model_.runner();
     model_.install(DeviceSlot::First, nullptr);
     model_.install(DeviceSlot::Second, nullptr);
-    EXPECT_EQ(model_.simulator(), before);
-    EXPECT_FALSE(model_.step(0.01).newSimulator);
+    EXPECT_EQ(model_.runner(), before);
+    EXPECT_FALSE(model_.step(0.01).newRunner);
 }
 
-TEST_F(SessionModelTest, ADeviceStopsTheSimulatorBeforeItReplacesTheOneInUse) {
+TEST_F(SessionModelTest, ADeviceStopsTheRunnerBeforeItReplacesTheOneInUse) {
     for (const DeviceSlot slot : {DeviceSlot::First, DeviceSlot::Second}) {
         installStill(slot);
-        EXPECT_EQ(model_.simulator(), nullptr);
-        EXPECT_TRUE(model_.step(0.01).newSimulator);
+        EXPECT_EQ(model_.runner(), nullptr);
+        EXPECT_TRUE(model_.step(0.01).newRunner);
         model_.install(slot, nullptr);
-        EXPECT_EQ(model_.simulator(), nullptr);
-        EXPECT_TRUE(model_.step(0.01).newSimulator);
+        EXPECT_EQ(model_.runner(), nullptr);
+        EXPECT_TRUE(model_.step(0.01).newRunner);
     }
 }
 
@@ -192,7 +192,7 @@ TEST_F(SessionModelTest, WithoutADeviceTheScreenAloneChooses) {
     EXPECT_FALSE(model_.controls.cutting);
 }
 
-TEST_F(SessionModelTest, ASimulatorBeginsWithTheChoiceOfTheScreen) {
+TEST_F(SessionModelTest, ARunnerBeginsWithTheChoiceOfTheScreen) {
     model_.setCutting(true);
     model_.install(test::flatSessionBur());
     double firstTime = -1;
@@ -218,15 +218,15 @@ TEST_F(SessionModelTest, AContactIsLoggedAndTheWorkTimed) {
 TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
     model_.setCutting(true);
     installHandThatPresses();
-    ASSERT_TRUE(soon([&] { return model_.simulator() != nullptr && total(model_.simulator()->removed()) > 0.01; }));
+    ASSERT_TRUE(soon([&] { return model_.runner() != nullptr && total(model_.runner()->feed().removed()) > 0.01; }));
     const std::size_t events = model_.log().events().all().size();
     EXPECT_GE(events, 2U) << "contact, and dentin reached";
     model_.install(DeviceSlot::First, nullptr);
     ASSERT_TRUE(ticksCome());
-    EXPECT_EQ(model_.log().events().all().size(), events) << "another simulator keeps them";
+    EXPECT_EQ(model_.log().events().all().size(), events) << "another runner keeps them";
     model_.resetTooth();
     EXPECT_TRUE(model_.log().events().all().empty());
-    EXPECT_TRUE(soon([&] { return total(model_.simulator()->removed()) == 0; }));
+    EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) == 0; }));
 }
 
 TEST_F(SessionModelTest, AnotherToothBeginsWithoutEvents) {
@@ -289,7 +289,7 @@ TEST_F(SessionModelTest, LeftHandedTheHandleLeavesToTheOtherSide) {
     ASSERT_TRUE(soon([&] { return handle().x() != 0 && !model_.log().ticks().empty(); }));
     const Vec3 right = handle();
     model_.setHand({.leftHanded = true});
-    EXPECT_FALSE(model_.step(0).newSimulator) << "the mouse turns the handle";
+    EXPECT_FALSE(model_.step(0).newRunner) << "the mouse turns the handle";
     EXPECT_TRUE(soon([&] { return handle().x() * right.x() < -0.5 && handle().y() * right.y() > 0; }));
     EXPECT_EQ(handleX(model_), -1);
 }
@@ -298,7 +298,7 @@ TEST_F(SessionModelTest, ADeviceIsRegisteredAnewForTheOtherHand) {
     installStill(DeviceSlot::First);
     (void)model_.step(0);
     model_.setHand({.leftHanded = true});
-    EXPECT_TRUE(model_.step(0).newSimulator);
+    EXPECT_TRUE(model_.step(0).newRunner);
 }
 
 TEST_F(SessionModelTest, WhatHasNoBoundedWorkspaceDoesNotFit) {
@@ -361,7 +361,7 @@ TEST_F(SessionModelTest, TheInstrumentsAreThereAfterTheFirstStep) {
 }
 
 TEST_F(SessionModelTest, TheTouchableSurfaceIsThatOfTheTooth) {
-    EXPECT_EQ(touchableSurface(model_)->base, model_.simulator()->surface()->base);
+    EXPECT_EQ(touchableSurface(model_)->base, model_.runner()->feed().surface()->base);
 }
 
 }  // namespace

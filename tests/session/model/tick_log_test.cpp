@@ -51,7 +51,7 @@ TEST(TickLog, WorkBeginsWithTheFirstContact) {
     EXPECT_EQ(log.workSeconds(), 3);
 }
 
-TEST(TickLog, AnotherSimulatorGoesOnInTimeThoughItsTicksStartAtZero) {
+TEST(TickLog, AnotherRunnerGoesOnInTimeThoughItsTicksStartAtZero) {
     TickLog log;
     record(log, {tickAt(2, 1), tickAt(5)});
     log.restart({});

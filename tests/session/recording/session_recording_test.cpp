@@ -12,7 +12,7 @@
 
 #include "bench_scene.h"
 #include "devices/simulated/scripted_device.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "session/recording/session_recorder.h"
 #include "session/recording/session_replay.h"
 #include "support/shapes.h"
@@ -69,14 +69,14 @@ Recorded record(const fs::path& file, double secondsEach) {
         ScriptedDevice device(strokes(secondsEach, 40 + static_cast<unsigned>(bur)));
         const auto lanes = (*recorder)->begin({instrument, settings});
         {
-            Simulator simulator(
+            LiveRunner runner(
                 model, instrument, settings, device,
                 [&](const Tick& tick) { result.forces.push_back(tick.wrench.force.z()); }, 1000, {}, nullptr, 1, lanes);
-            SimulatorControls controls;
+            SessionControls controls;
             controls.cutting = true;
-            simulator.setControls(controls);
+            runner.setControls(controls);
             std::this_thread::sleep_for(std::chrono::duration<double>(secondsEach));
-            if (bur == 0) simulator.requestUndo();
+            if (bur == 0) runner.requestUndo();
         }
         (*recorder)->end();
     }

@@ -13,8 +13,8 @@
 
 namespace tactooth::test {
 
-/// A session as the Simulator runs it, but by one thread and without a clock: as fast as the machine can, and the same
-/// each time. It reports its events like the threads of the Simulator.
+/// A session as the LiveRunner runs it, but by one thread and without a clock: as fast as the machine can, and the same
+/// each time. It reports its events like the threads of the LiveRunner.
 class SteppedSession {
 public:
     static constexpr int kTicksOfATurn = 4;  ///< ticks between two turns of carving and neighbour lists

@@ -18,7 +18,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/io/run_metadata.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "session/recording/session_recorder.h"
 #include "session/simulation/tooth_source.h"
 
@@ -70,15 +70,15 @@ struct Line {
     const LatencyHistogram* histogram;
 };
 
-void printTable(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines,
+void printTable(const RealtimeOptions& options, const LiveRunner& runner, std::span<const Line> lines,
                 bool memoryLocked) {
     const RunMetadata facts = currentRunMetadata();
     print("machine:  {}\ncommit:   {}\ncommand:  {}\n", facts.machine, facts.commit, facts.command);
     print("A simulated hand touched and cut the built-in molar for {:.0f} s at {:.0f} Hz{}.\n", options.seconds,
           options.rateHz, options.load ? ", with all other cores busy" : "");
     print("Priority: {}; memory: {}; processors: {}.\n\n",
-          simulator.isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
-          simulator.limitsCpuLatency() ? "kept from deep sleep" : "may sleep deeply");
+          runner.feed().isRealTime() ? "real-time (SCHED_FIFO)" : "ordinary", memoryLocked ? "locked" : "not locked",
+          runner.feed().limitsCpuLatency() ? "kept from deep sleep" : "may sleep deeply");
     print("{:<34} {:>8} {:>8} {:>8} {:>9}\n", "us", "p50", "p99", "p99.9", "max");
     std::vector<TimingBars> bars;
     for (const auto& [key, title, head, histogram] : lines) {
@@ -87,7 +87,7 @@ void printTable(const RealtimeOptions& options, const Simulator& simulator, std:
               histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
     }
     print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
-    const ServoTiming& timing = simulator.timing();
+    const ServoTiming& timing = runner.feed().timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
     const auto missed = static_cast<double>(timing.missed.load());
     print("\n{:.0f} ticks, {:.0f} deadlines missed ({:.3f} %).\n", ticks, missed,
@@ -103,7 +103,7 @@ Json binsOf(const LatencyHistogram& histogram) {
     return bins;
 }
 
-Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::span<const Line> lines, bool locked) {
+Json jsonOf(const RealtimeOptions& options, const LiveRunner& runner, std::span<const Line> lines, bool locked) {
     const RunMetadata facts = currentRunMetadata();
     Json json = {{"machine", facts.machine},
                  {"commit", facts.commit},
@@ -112,12 +112,12 @@ Json jsonOf(const RealtimeOptions& options, const Simulator& simulator, std::spa
                  {"seconds", options.seconds},
                  {"rate_hz", options.rateHz},
                  {"load", options.load},
-                 {"real_time_priority", simulator.isRealTime()},
+                 {"real_time_priority", runner.feed().isRealTime()},
                  {"memory_locked", locked},
-                 {"light_sleep", simulator.limitsCpuLatency()},
-                 {"ticks", simulator.timing().ticks.load()},
-                 {"missed", simulator.timing().missed.load()},
-                 {"heavy_scene", isOverloaded(simulator.timing(), options.rateHz)}};
+                 {"light_sleep", runner.feed().limitsCpuLatency()},
+                 {"ticks", runner.feed().timing().ticks.load()},
+                 {"missed", runner.feed().timing().missed.load()},
+                 {"heavy_scene", isOverloaded(runner.feed().timing(), options.rateHz)}};
     for (const auto& [key, title, head, histogram] : lines) {
         json[key] = {{"p50_us", histogram->quantile(0.5)},
                      {"p99_us", histogram->quantile(0.99)},
@@ -159,36 +159,36 @@ int runRealtime(const RealtimeOptions& options) {
         if (!created) return reportError(created.error());
         recorder = std::move(*created);
     }
-    auto simulator = std::make_unique<Simulator>(
-        piece, instrument, HapticSettings(), hand, Simulator::TickListener(), options.rateHz,
+    auto runner = std::make_unique<LiveRunner>(
+        piece, instrument, HapticSettings(), hand, LiveRunner::TickListener(), options.rateHz,
         std::optional<DeviceRegistration>(), nullptr, 1,
         recorder ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
-    SimulatorControls controls;
+    SessionControls controls;
     for (bool cut = false; std::chrono::steady_clock::now() < end; cut = true) {
         controls.cutting = cut;
-        simulator->setControls(controls);
+        runner->setControls(controls);
         std::this_thread::sleep_for(std::chrono::duration<double>(std::min(0.5, options.seconds / 4)));
         ticks.clear();
-        simulator->fetchTicks(ticks);
+        runner->feed().fetchTicks(ticks);
     }
-    const ServoTiming& timing = simulator->timing();
+    const ServoTiming& timing = runner->feed().timing();
     const std::array<Line, 4> lines = {
         {{"period_jitter", "period: shorter or longer by", "period off by", &timing.jitter},
          {"tick", "tick: time of its work", "work of a tick", &timing.tick},
          {"lateness", "waking up: late by", "woken late by", &timing.lateness},
-         {"device_to_force", "from the reading to its force", "reading to force", &simulator->deviceToForce()}}};
+         {"device_to_force", "from the reading to its force", "reading to force", &runner->feed().deviceToForce()}}};
     if (options.json) {
-        print("{}\n", jsonOf(options, *simulator, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
+        print("{}\n", jsonOf(options, *runner, lines, locked).dump(1, ' ', false, Json::error_handler_t::replace));
     } else {
-        printTable(options, *simulator, lines, locked);
+        printTable(options, *runner, lines, locked);
         printAdvice(timing, options.rateHz);
     }
     const auto all = static_cast<double>(timing.ticks + timing.missed);
     constexpr double kMaxMissed = 0.01;  // share of the deadlines: a hand notices more
     const int exitCode = static_cast<double>(timing.missed) > kMaxMissed * all ? kExitNegative : kExitOk;
-    simulator.reset();  // the recording ends with it
+    runner.reset();  // the recording ends with it
     if (recorder == nullptr) return exitCode;
     if (const auto closed = recorder->close(piece->hash()); !closed) return reportError(closed.error());
     return exitCode;

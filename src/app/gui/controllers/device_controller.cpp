@@ -189,8 +189,8 @@ void DeviceController::followButtons() {
 }
 
 void DeviceController::showState() {
-    const Simulator* simulator = model_.simulator();
-    const ForceState force = simulator != nullptr ? simulator->forceState() : ForceState::Off;
+    const LiveRunner* runner = model_.runner();
+    const ForceState force = runner != nullptr ? runner->feed().forceState() : ForceState::Off;
     const auto nameOf = [](const HapticDevice* device) {
         return device != nullptr ? QString::fromStdString(device->info().name) : QString();
     };

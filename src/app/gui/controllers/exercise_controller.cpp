@@ -143,15 +143,15 @@ void ExerciseController::collectTarget() {
 
 void ExerciseController::poll() {
     collectTarget();
-    const Simulator* simulator = model_.simulator();
-    if (simulator == nullptr || target_.metrics == nullptr) return progress_.update(nullptr, 0);
-    progress_.update(simulator->surface(), total(simulator->removed()));
+    const LiveRunner* runner = model_.runner();
+    if (runner == nullptr || target_.metrics == nullptr) return progress_.update(nullptr, 0);
+    progress_.update(runner->feed().surface(), total(runner->feed().removed()));
 }
 
 void ExerciseController::showProgress() {
-    if (model_.simulator() == nullptr) return;
-    panels_.exercise->show(model_.log().workSeconds(), model_.simulator()->removed(), model_.simulator()->materials(),
-                           progress_.progress());
+    if (model_.runner() == nullptr) return;
+    panels_.exercise->show(model_.log().workSeconds(), model_.runner()->feed().removed(),
+                           model_.runner()->feed().materials(), progress_.progress());
 }
 
 void ExerciseController::askForTarget() {
@@ -171,15 +171,15 @@ void ExerciseController::askForReportFile() {
 }
 
 void ExerciseController::exportReport(const QString& file) {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     files_.enterFolderOf(file);
     const std::string report = practiceReportCsv({.tooth = model_.tooth()->name,
                                                   .task = target_.name.toStdString(),
                                                   .seconds = model_.log().workSeconds(),
                                                   .cavity = progress_.progress(),
-                                                  .removed = model_.simulator()->removed(),
-                                                  .materials = &model_.simulator()->materials(),
-                                                  .beside = model_.simulator()->loss().beside,
+                                                  .removed = model_.runner()->feed().removed(),
+                                                  .materials = &model_.runner()->feed().materials(),
+                                                  .beside = model_.runner()->feed().loss().beside,
                                                   .events = model_.log().events().all()});
     const Expected<void> written = writeFile(file.toStdString(), report);
     if (!written) return messages_.showError(written.error());

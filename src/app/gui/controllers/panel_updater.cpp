@@ -39,11 +39,11 @@ void PanelUpdater::showNumbers() {
 }
 
 void PanelUpdater::showStatus() {
-    if (model_.simulator() == nullptr) return;
-    panels_.status->show(*model_.simulator(), sound_.status());
+    if (model_.runner() == nullptr) return;
+    panels_.status->show(*model_.runner(), sound_.status());
     if (!isInSight(*panels_.timing)) return;
     const HapticDevice* device = model_.devices().first();
-    panels_.timing->show(*model_.simulator(),
+    panels_.timing->show(*model_.runner(),
                          device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
                          model_.hand().rate);
 }

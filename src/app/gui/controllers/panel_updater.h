@@ -24,7 +24,7 @@ public:
     void showStep(bool busy);
     /// While a recording is replayed, gauges and plots show that.
     void setReplaying(bool replaying) { replaying_ = replaying; }
-    /// Another simulator counts from zero.
+    /// Another runner counts from zero.
     void restart();
     /// Gauges, plots and events; some ten times a second.
     void showNumbers();

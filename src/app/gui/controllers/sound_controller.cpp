@@ -53,7 +53,7 @@ void SoundController::collect() {
 }
 
 void SoundController::place() {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     sound_.setPlacement(soundPlacementAt(model_.tooth()->box(), model_.mesialX(), model_.log().newest().proxy.position,
                                          panels_.view->camera().cameraInWorld));
 }

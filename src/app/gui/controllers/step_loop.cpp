@@ -45,7 +45,7 @@ void StepLoop::step() {
 void StepLoop::report(const SessionModel::StepResult& result) {
     if (result.faultMessage) emit faultChanged(*result.faultMessage);
     if (result.heavyTick) emit overloaded(*result.heavyTick);
-    if (result.newSimulator) emit simulatorStarted();
+    if (result.newRunner) emit runnerStarted();
     if (result.newTooth) emit toothChanged();
 }
 

@@ -32,7 +32,7 @@ signals:
     void aboutToStep(double dt);
     void faultChanged(const Message* fault);  ///< of a device; null: none any more
     void overloaded(double microseconds);     ///< SessionModel::StepResult::heavyTick
-    void simulatorStarted();
+    void runnerStarted();
     void toothChanged();
     void stepped();
     void numbersDue();

@@ -88,17 +88,17 @@ void ToothController::openBur(const QString& file) {
 }
 
 void ToothController::exportTooth(const QString& file) {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     files_.enterFolderOf(file);
-    const Expected<void> written = writeStl(model_.simulator()->exported().mesh, file.toStdString());
+    const Expected<void> written = writeStl(model_.runner()->feed().exported().mesh, file.toStdString());
     if (!written) return messages_.showError(written.error());
     messages_.setHint(tr("The tooth was written to %1").arg(file));
 }
 
 void ToothController::saveTooth(const QString& file) {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     files_.enterFolderOf(file);
-    const auto bytes = model_.simulator()->toothFile(savedNow(model_.tooth()->provenance));
+    const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance));
     const Expected<void> written = writeFile(file.toStdString(), bytes);
     if (!written) return messages_.showError(written.error());
     messages_.setHint(tr("The tooth was saved to %1").arg(file));

@@ -73,13 +73,13 @@ void WindowHints::showGhost(bool on) {
 
 WindowHints::Reason WindowHints::reason() const {
     const HapticDevice* device = model_.devices().first();
-    const Simulator* simulator = model_.simulator();
-    if (simulator == nullptr || panels_.tour->isRunning()) return Reason::None;
+    const LiveRunner* runner = model_.runner();
+    if (runner == nullptr || panels_.tour->isRunning()) return Reason::None;
     const Tick& tick = model_.log().newest();
     if (device != nullptr) {
         if (device->faultMessage() != nullptr) return Reason::None;  // showFault says it
-        if (simulator->forceState() == ForceState::AwaitsFreeSpace && tick.contacts > 0) return Reason::ForceWaits;
-        if (simulator->isDeviceAtWorkspaceLimit()) return Reason::WorkspaceEnd;
+        if (runner->feed().forceState() == ForceState::AwaitsFreeSpace && tick.contacts > 0) return Reason::ForceWaits;
+        if (runner->feed().isDeviceAtWorkspaceLimit()) return Reason::WorkspaceEnd;
     }
     const bool presses = device != nullptr || model_.manipulator().isPressing();  // a bur may rest in its cavity
     if (tick.contacts == 0 || !presses) return Reason::None;

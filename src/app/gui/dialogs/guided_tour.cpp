@@ -32,7 +32,7 @@ GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, Dr
 }
 
 void GuidedTour::start() {
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     view_.resetView();
     view_.fit();
     step_ = 0;
@@ -60,12 +60,12 @@ void GuidedTour::advance() {
         if (++step_ == steps_.size()) return stop();
         return beginStep();
     }
-    if (!steps_[step_].strokes || model_.simulator() == nullptr) return;
+    if (!steps_[step_].strokes || model_.runner() == nullptr) return;
     const double aside = kStroke * std::sin(2 * std::numbers::pi * kStrokesPerSecond * time_);
     if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(picture(), pixelAt(aside));
     } else {
-        model_.manipulator().aim(picture(), pixelAt(aside), *model_.simulator()->surface());
+        model_.manipulator().aim(picture(), pixelAt(aside), *model_.runner()->feed().surface());
     }
 }
 

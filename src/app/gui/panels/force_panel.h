@@ -8,7 +8,7 @@
 
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 namespace tactooth {
 

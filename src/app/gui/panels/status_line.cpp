@@ -82,12 +82,12 @@ void StatusLine::showOverrun(std::uint64_t inTime, std::uint64_t missed) {
     overrun_->setUpdatesEnabled(true);
 }
 
-void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
-    const ServoTiming& timing = simulator.timing();
+void StatusLine::show(const LiveRunner& runner, SoundStatus sound) {
+    const ServoTiming& timing = runner.feed().timing();
     const std::uint64_t ticks = timing.ticks.load(std::memory_order_relaxed);
-    const std::uint64_t updates = simulator.surfaceUpdates();
+    const std::uint64_t updates = runner.feed().surfaceUpdates();
     const double seconds = since_.isValid() ? static_cast<double>(since_.restart()) / 1000 : (since_.start(), 0.0);
-    // Another simulator counts from zero.
+    // Another runner counts from zero.
     const bool counts = seconds > 0 && ticks >= ticks_ && updates >= updates_;
     const double rate = counts ? static_cast<double>(ticks - ticks_) / seconds : 0;
     const double updateRate = counts ? static_cast<double>(updates - updates_) / seconds : 0;
@@ -105,9 +105,9 @@ void StatusLine::show(const Simulator& simulator, SoundStatus sound) {
                   .arg(shownRate, 0, 'f', 0)
                   .arg(kWholeMicroseconds * std::round(timing.tick.quantile(0.99) / kWholeMicroseconds), 0, 'f', 0)
                   .arg(missed)
-                  .arg(simulator.isRealTime() ? tr("real-time") : tr("not real-time"))
+                  .arg(runner.feed().isRealTime() ? tr("real-time") : tr("not real-time"))
                   .arg(updateRate, 0, 'f', 0));
-    removed_->setText(removedText(simulator.removed(), simulator.materials()));
+    removed_->setText(removedText(runner.feed().removed(), runner.feed().materials()));
     sound_->setText(translated(statusText(sound)));
 }
 

@@ -8,7 +8,7 @@
 #include <QStatusBar>
 
 #include "app/gui/panels/elided_label.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 #include "sound/output/sound_output.h"
 
 namespace tactooth {
@@ -21,7 +21,7 @@ public:
     explicit StatusLine(QWidget* parent = nullptr);
 
     /// Call it about once a second: it shows the rates since the last call.
-    void show(const Simulator& simulator, SoundStatus sound);
+    void show(const LiveRunner& runner, SoundStatus sound);
     /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
 

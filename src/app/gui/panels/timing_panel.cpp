@@ -68,15 +68,15 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     column->addLayout(body, 1);
 }
 
-TimingPanel::Snapshot TimingPanel::now(const Simulator& simulator) {
-    const ServoTiming& timing = simulator.timing();
-    return {
-        {timing.tick.counts(), timing.lateness.counts(), timing.jitter.counts(), simulator.deviceToForce().counts()},
-        timing.ticks.load(std::memory_order_relaxed),
-        timing.missed.load(std::memory_order_relaxed)};
+TimingPanel::Snapshot TimingPanel::now(const LiveRunner& runner) {
+    const ServoTiming& timing = runner.feed().timing();
+    return {{timing.tick.counts(), timing.lateness.counts(), timing.jitter.counts(),
+             runner.feed().deviceToForce().counts()},
+            timing.ticks.load(std::memory_order_relaxed),
+            timing.missed.load(std::memory_order_relaxed)};
 }
 
-/// Otherwise the counters of another simulator would count for this one until the next show.
+/// Otherwise the counters of another runner would count for this one until the next show.
 void TimingPanel::reset() {
     latest_ = from_ = {};
     summary_->setText({});
@@ -85,8 +85,8 @@ void TimingPanel::reset() {
     }
 }
 
-void TimingPanel::show(const Simulator& simulator, const QString& device, double rateHz) {
-    latest_ = now(simulator);
+void TimingPanel::show(const LiveRunner& runner, const QString& device, double rateHz) {
+    latest_ = now(runner);
     std::array<LatencyCounts, kRows> counts;
     for (std::size_t row = 0; row < kRows; ++row) {
         counts[row] = latest_.rows[row].since(from_.rows[row]);
@@ -101,10 +101,10 @@ void TimingPanel::show(const Simulator& simulator, const QString& device, double
     const QStringList facts = {
         tr("%1 ticks, %2 missed (%3 %)").arg(locale().toString(ticks), locale().toString(missed)).arg(share, 0, 'f', 2),
         tr("Device: %1").arg(device),
-        simulator.isRealTime() ? tr("Real-time priority") : tr("Ordinary priority (see 'tactooth doctor')"),
+        runner.feed().isRealTime() ? tr("Real-time priority") : tr("Ordinary priority (see 'tactooth doctor')"),
         isMemoryLocked() ? tr("Memory locked") : tr("Memory may be swapped out (see 'tactooth doctor')"),
-        simulator.limitsCpuLatency() ? tr("Processors kept from deep sleep")
-                                     : tr("Processors may sleep deeply (see 'tactooth doctor')")};
+        runner.feed().limitsCpuLatency() ? tr("Processors kept from deep sleep")
+                                         : tr("Processors may sleep deeply (see 'tactooth doctor')")};
     summary_->setText(facts.join("  ·  "));
     picture_->show({{tr("work of a tick"), kWorkColour, counts[0]}, {tr("woken late"), kLateColour, counts[1]}},
                    1e6 / rateHz);

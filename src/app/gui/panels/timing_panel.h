@@ -6,7 +6,7 @@
 #include <array>
 
 #include "app/gui/panels/histogram_view.h"
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 class QLabel;
 
@@ -23,8 +23,8 @@ public:
     explicit TimingPanel(QWidget* parent = nullptr);
 
     /// `device`: its name for people. Call it about once a second.
-    void show(const Simulator& simulator, const QString& device, double rateHz);
-    /// The next values belong to another simulator, which counts from zero.
+    void show(const LiveRunner& runner, const QString& device, double rateHz);
+    /// The next values belong to another runner, which counts from zero.
     void reset();
 
 private:
@@ -34,7 +34,7 @@ private:
         std::array<LatencyCounts, kRows> rows;
         std::uint64_t ticks = 0, missed = 0;
     };
-    [[nodiscard]] static Snapshot now(const Simulator& simulator);
+    [[nodiscard]] static Snapshot now(const LiveRunner& runner);
 
     HistogramView* picture_;
     std::array<std::array<QLabel*, kColumns>, kRows> cells_{};

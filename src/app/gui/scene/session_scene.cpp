@@ -13,7 +13,7 @@ constexpr float kFog = 0.6F, kDrops = 0.5F;  // share of the glass, 0..1: the cr
 ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
     const Vec3 toEye = directionToEye(dentistView(model.mesialX()));
     Pose mirror = parkedMirror(model.tooth()->box(), meshes.disc, toEye, handleX(model));
-    const Pose& moved = model.simulator()->mirrorMotion();
+    const Pose& moved = model.runner()->feed().mirrorMotion();
     mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
     const MirrorState& state = model.instruments().mirror();
     return {.mesh = meshes.mirror,
@@ -28,12 +28,12 @@ ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshe
 SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror) {
     SceneContents contents;
     contents.materials = model.haptics().materials;
-    if (model.simulator() == nullptr) return contents;
+    if (model.runner() == nullptr) return contents;
     const SessionTooth& tooth = *model.tooth();
     const SessionBur& bur = *model.bur();
     const Tick& newest = model.log().newest();
     const std::optional<InstrumentMeshes>& meshes = model.instruments().meshes();
-    contents.tooth = model.simulator()->surface();
+    contents.tooth = model.runner()->feed().surface();
     contents.around = shownAround(tooth.around);
     contents.tool = ShownTool{.bur = bur.shown,
                               .turbine = withTurbine && meshes ? meshes->turbine : nullptr,

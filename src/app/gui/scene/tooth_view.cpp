@@ -315,7 +315,7 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
 void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 displacement = to - mouse_;
     mouse_ = to;
-    if (model_.simulator() == nullptr) return;
+    if (model_.runner() == nullptr) return;
     if (with & Qt::ShiftModifier) {
         model_.manipulator().tilt(viewport(), displacement);
     } else if (model_.manipulator().isPressing()) {

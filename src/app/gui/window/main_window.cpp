@@ -65,7 +65,7 @@ void MainWindow::connectDrill() {
     });
     connect(panels_.drill->resetAction(), &QAction::triggered, this, [this] { model_.resetTooth(); });
     connect(panels_.drill->undoAction(), &QAction::triggered, this, [this] {
-        if (model_.simulator() != nullptr) model_.simulator()->requestUndo();
+        if (model_.runner() != nullptr) model_.runner()->requestUndo();
     });
     connect(panels_.force, &ForcePanel::changed, this, [this] {
         model_.controls.force = panels_.force->overrides();
@@ -90,7 +90,7 @@ void MainWindow::connectLoop() {
     });
     connect(&loop_, &StepLoop::faultChanged, &hints_, &WindowHints::showFault);
     connect(&loop_, &StepLoop::overloaded, &hints_, &WindowHints::showOverload);
-    connect(&loop_, &StepLoop::simulatorStarted, &updater_, &PanelUpdater::restart);
+    connect(&loop_, &StepLoop::runnerStarted, &updater_, &PanelUpdater::restart);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
         devices_.followButtons();

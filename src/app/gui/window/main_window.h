@@ -22,7 +22,7 @@
 
 namespace tactooth {
 
-/// The simulator's window: owns the session and the parts of the window, and connects them.
+/// The program's window: owns the session and the parts of the window, and connects them.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 

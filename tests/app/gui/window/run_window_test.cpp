@@ -47,7 +47,7 @@ void visitWindow() {
     QObject::connect(timer, &QTimer::timeout, timer, [checks = 0]() mutable {
         takeMessages();
         MainWindow* const window = mainWindow();
-        if (window == nullptr || window->isBusy() || window->model().simulator() == nullptr) return;
+        if (window == nullptr || window->isBusy() || window->model().runner() == nullptr) return;
         if (++checks >= kChecksBefore) window->close();
     });
     timer->start(kCheckInterval);

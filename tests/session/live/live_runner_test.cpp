@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 #include <gtest/gtest.h>
 
@@ -93,8 +93,8 @@ std::vector<DeviceKeyframe> dipping() {
     return script;
 }
 
-SimulatorControls cutting() {
-    SimulatorControls controls;
+SessionControls cutting() {
+    SessionControls controls;
     controls.cutting = true;
     return controls;
 }
@@ -110,24 +110,24 @@ bool soon(const Condition& condition, std::chrono::seconds limit = 20s) {
     return true;
 }
 
-TEST(Simulator, CutsABlockLive) {
+TEST(LiveRunner, CutsABlockLive) {
     const auto piece = test::blockOnTheBench();
     SpyDevice device(stroking());
     std::atomic<std::uint64_t> heard{0};
     std::vector<Tick> ticks;
     double removedOnline = 0;
     {
-        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, [&](const Tick&) { ++heard; });
-        simulator.setControls(cutting());
+        LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, [&](const Tick&) { ++heard; });
+        runner.setControls(cutting());
         const auto end = Clock::now() + 2s;
         while (Clock::now() < end) {
             std::this_thread::sleep_for(10ms);
-            simulator.fetchTicks(ticks);
+            runner.feed().fetchTicks(ticks);
         }
-        EXPECT_TRUE(soon([&] { return simulator.surfaceUpdates() > 3 && total(simulator.removed()) > 0.01; }));
-        EXPECT_GT(simulator.surface()->revision, 3U);
-        EXPECT_GT(simulator.timing().ticks, 100U);
-        removedOnline = total(simulator.removed());
+        EXPECT_TRUE(soon([&] { return runner.feed().surfaceUpdates() > 3 && total(runner.feed().removed()) > 0.01; }));
+        EXPECT_GT(runner.feed().surface()->revision, 3U);
+        EXPECT_GT(runner.feed().timing().ticks, 100U);
+        removedOnline = total(runner.feed().removed());
     }
     // A voxel's share falls a little where the last sweep turned the wall's normal: never by as much as the voxel.
     EXPECT_GE(total(piece->removed()), removedOnline - std::pow(test::kVoxel, 3));
@@ -140,45 +140,45 @@ TEST(Simulator, CutsABlockLive) {
     EXPECT_GT(ticks.back().speedRpm, 10000);
 }
 
-TEST(Simulator, InTouchModeNothingIsCut) {
+TEST(LiveRunner, InTouchModeNothingIsCut) {
     const auto piece = test::blockOnTheBench();
     SpyDevice device(stroking());
     {
-        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
+        LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
         EXPECT_TRUE(soon([&] { return device.strongest() > 0.05; }));
     }
     EXPECT_EQ(total(piece->removed()), 0);
 }
 
-TEST(Simulator, ForceSwitchedOffLeavesTheDeviceLimp) {
+TEST(LiveRunner, ForceSwitchedOffLeavesTheDeviceLimp) {
     SpyDevice device(dipping());
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
-    SimulatorControls off;
+    SessionControls off;
     off.forceEnabled = false;
-    simulator.setControls(off);
+    runner.setControls(off);
     EXPECT_TRUE(soon([&] { return device.force() == 0; }));
-    const auto ticks = simulator.timing().ticks.load();
-    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 20; }));
+    const auto ticks = runner.feed().timing().ticks.load();
+    EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > ticks + 20; }));
     EXPECT_EQ(device.force(), 0);
 }
 
-TEST(Simulator, StartingInsideTheToothGivesNoForce) {
+TEST(LiveRunner, StartingInsideTheToothGivesNoForce) {
     SpyDevice device(resting(-0.5));
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
-    EXPECT_TRUE(soon([&] { return simulator.forceState() == ForceState::AwaitsFreeSpace; }))
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return runner.feed().forceState() == ForceState::AwaitsFreeSpace; }))
         << "a place was found for it";
-    const auto ticks = simulator.timing().ticks.load();
-    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 300; }));
+    const auto ticks = runner.feed().timing().ticks.load();
+    EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > ticks + 300; }));
     EXPECT_EQ(device.strongest(), 0);
-    EXPECT_EQ(simulator.forceState(), ForceState::AwaitsFreeSpace);
+    EXPECT_EQ(runner.feed().forceState(), ForceState::AwaitsFreeSpace);
 }
 
-TEST(Simulator, EndingMidPressFadesTheForceOutFirst) {
+TEST(LiveRunner, EndingMidPressFadesTheForceOutFirst) {
     for (int i = 0; i < 5; ++i) {
         SpyDevice device(dipping());
         {
-            Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+            LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
             EXPECT_TRUE(soon([&] { return device.force() > 0.05; }));
         }
         EXPECT_EQ(device.force(), 0);
@@ -191,8 +191,8 @@ Instrument thickBur() {
     return {std::make_shared<const ToolShape>(mesh), {*RevolutionEnvelope::make(mesh), 1}};
 }
 
-/// As the window does for another bur, tooth or drive: one simulator ends, and the next begins with the same device.
-TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
+/// As the window does for another bur, tooth or drive: one runner ends, and the next begins with the same device.
+TEST(LiveRunner, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
     SpyDevice device(dipping());
     auto piece = test::blockOnTheBench();
     Instrument bur = test::flatBur();
@@ -203,229 +203,229 @@ TEST(Simulator, AnotherBurToothOrDriveMidPressChangesTheForceGently) {
                                              [&] { settings.spindle = spindlePresets().back(); }};
     for (const auto& change : changes) {
         change();
-        Simulator simulator(piece, bur, settings, device, {});
-        simulator.setControls(cutting());
+        LiveRunner runner(piece, bur, settings, device, {});
+        runner.setControls(cutting());
         EXPECT_TRUE(soon([&] { return device.force() > 0.05; }));
     }
     EXPECT_EQ(device.force(), 0);
     EXPECT_FALSE(device.hasJumped());
 }
 
-TEST(Simulator, TwoDevicesMoveTurbineAndMirror) {
+TEST(LiveRunner, TwoDevicesMoveTurbineAndMirror) {
     SpyDevice first(dipping());
     SpyDevice second({moment(0, at(10, 20, 30), 0), moment(0.2, at(10, 20, 30), 0), moment(0.3, at(12, 20, 30), 0)});
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), first, {}, 1000, {}, &second);
-    EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 2) < 1e-9; }));
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), first, {}, 1000, {}, &second);
+    EXPECT_TRUE(soon([&] { return std::abs(runner.feed().mirrorMotion().position.x() - 2) < 1e-9; }));
     EXPECT_TRUE(soon([&] { return first.force() > 0.01; }));
     EXPECT_EQ(second.strongest(), 0);
 }
 
-TEST(Simulator, WhatWasCutIsKeptWhenTheDeviceIsLost) {
+TEST(LiveRunner, WhatWasCutIsKeptWhenTheDeviceIsLost) {
     SpyDevice device(stroking());
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
-    simulator.setControls(cutting());
-    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    runner.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) > 0.01; }));
     device.plugIn(false);
     ASSERT_TRUE(soon([&] { return device.force() == 0; }));
     std::this_thread::sleep_for(100ms);  // what was under way is cut
-    const double kept = total(simulator.removed());
+    const double kept = total(runner.feed().removed());
     EXPECT_GT(kept, 0.01);
     device.plugIn(true);
-    EXPECT_TRUE(soon([&] { return total(simulator.removed()) > 1.2 * kept; })) << "and the session goes on";
+    EXPECT_TRUE(soon([&] { return total(runner.feed().removed()) > 1.2 * kept; })) << "and the session goes on";
 }
 
-TEST(Simulator, ARegisteredDeviceStartsWhereTheToolIsAndMovesItScaled) {
+TEST(LiveRunner, ARegisteredDeviceStartsWhereTheToolIsAndMovesItScaled) {
     SpyDevice device(
         {moment(0, at(100, 50, -30), 0), moment(0.2, at(100, 50, -30), 0), moment(0.3, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;
     const DeviceRegistration registration{at(1, 2, 5), Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()))};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration);
-    SimulatorControls controls;
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration);
+    SessionControls controls;
     controls.motionScaling = 3;
-    simulator.setControls(controls);
+    runner.setControls(controls);
     EXPECT_TRUE(soon([&] {
-        simulator.fetchTicks(ticks);
+        runner.feed().fetchTicks(ticks);
         return !ticks.empty() && (ticks.back().hand.position - Vec3(1, 3, 5)).norm() < 1e-9;
     }));
     EXPECT_LT((ticks.front().hand.position - Vec3(1, 2, 5)).norm(), 1e-9);
 }
 
-TEST(Simulator, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
+TEST(LiveRunner, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
     SpyDevice device({moment(0, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;
     const DeviceRegistration registration{at(1, 2, 5), Quat::Identity(), Vec3(100, 50, -30)};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration,
-                        nullptr, 3);
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration,
+                      nullptr, 3);
     EXPECT_TRUE(soon([&] {
-        simulator.fetchTicks(ticks);
+        runner.feed().fetchTicks(ticks);
         return ticks.size() > 10;
     }));
     for (const Tick& tick : ticks) EXPECT_LT((tick.hand.position - Vec3(2, 2, 5)).norm(), 1e-9);
 }
 
-TEST(Simulator, AButtonOfTheDeviceTurnsTouchIntoCut) {
+TEST(LiveRunner, AButtonOfTheDeviceTurnsTouchIntoCut) {
     std::vector<DeviceKeyframe> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
                                           moment(0.4, at(0, 0, 3), 1)};
     script[1].sample.buttons = 2;
     SpyDevice device(script);
     std::atomic<bool> cutting{false};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                        [&](const Tick& tick) { cutting = tick.cutting; });
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                      [&](const Tick& tick) { cutting = tick.cutting; });
     EXPECT_TRUE(soon([&] { return cutting.load(); }));
 }
 
-TEST(Simulator, AButtonHandsOverToTheMirrorWhileTheToolStays) {
+TEST(LiveRunner, AButtonHandsOverToTheMirrorWhileTheToolStays) {
     std::vector<DeviceKeyframe> script = {moment(0, at(0, 0, 3), 1), moment(0.3, at(0, 0, 3), 1),
                                           moment(0.4, at(0, 0, 3), 1), moment(0.6, at(4, 0, 3), 1)};
     script[1].sample.buttons = 1;
     SpyDevice device(script);
     std::vector<Tick> ticks;
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
-    EXPECT_TRUE(soon([&] { return std::abs(simulator.mirrorMotion().position.x() - 4) < 1e-9; }));
-    simulator.fetchTicks(ticks);
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return std::abs(runner.feed().mirrorMotion().position.x() - 4) < 1e-9; }));
+    runner.feed().fetchTicks(ticks);
     EXPECT_EQ(ticks.back().hand.position, Vec3(0, 0, 3));
 }
 
-TEST(Simulator, ALostDeviceGetsNoForceAndComesBackWithARamp) {
+TEST(LiveRunner, ALostDeviceGetsNoForceAndComesBackWithARamp) {
     SpyDevice device(dipping());
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     device.plugIn(false);
     EXPECT_TRUE(soon([&] { return device.force() == 0; }));
-    const auto ticks = simulator.timing().ticks.load();
-    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > ticks + 20; }));
+    const auto ticks = runner.feed().timing().ticks.load();
+    EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > ticks + 20; }));
     EXPECT_EQ(device.force(), 0);
     device.plugIn(true);
     EXPECT_TRUE(soon([&] { return device.force() > 0.01; }));
     EXPECT_FALSE(device.wasForceTooLarge());
 }
 
-TEST(Simulator, ADeviceThatIsLostFromTheStartIsNoHand) {
+TEST(LiveRunner, ADeviceThatIsLostFromTheStartIsNoHand) {
     SpyDevice device(resting(-0.5));
     device.plugIn(false);
     std::atomic<bool> placed{false};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                        [&](const Tick& tick) { placed = placed || tick.placed; });
-    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 30; }));
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                      [&](const Tick& tick) { placed = placed || tick.placed; });
+    EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > 30; }));
     EXPECT_FALSE(placed);
     EXPECT_EQ(device.strongest(), 0);
 }
 
-TEST(Simulator, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) {
+TEST(LiveRunner, TheForceOverridesOfTheSettingsHoldUntilTheControlsSayOtherwise) {
     HapticSettings soft;
     soft.force.stiffness = 0.0;
     soft.force.damping = 0.0;
     SpyDevice device(dipping());
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), soft, device, {});
-    EXPECT_TRUE(soon([&] { return simulator.timing().ticks > 100; }));
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), soft, device, {});
+    EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > 100; }));
     EXPECT_EQ(device.strongest(), 0);
-    simulator.setControls({});
+    runner.setControls({});
     EXPECT_TRUE(soon([&] { return device.strongest() > 0.01; }));
 }
 
-TEST(Simulator, TheLargerOfBothPedalsCounts) {
+TEST(LiveRunner, TheLargerOfBothPedalsCounts) {
     SpyDevice device({moment(0, at(0, 0, 1), 0.25)});
     std::atomic<double> pedal{-1};
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                        [&](const Tick& tick) { pedal = tick.pedal; });
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
+                      [&](const Tick& tick) { pedal = tick.pedal; });
     EXPECT_TRUE(soon([&] { return pedal == 0.25; }));
-    SimulatorControls controls;
+    SessionControls controls;
     controls.pedal = 0.75;
-    simulator.setControls(controls);
+    runner.setControls(controls);
     EXPECT_TRUE(soon([&] { return pedal == 0.75; }));
 }
 
-TEST(Simulator, AResetPutsTheToothBackWhileItRuns) {
+TEST(LiveRunner, AResetPutsTheToothBackWhileItRuns) {
     const auto piece = test::blockOnTheBench(test::kCaries);
     SpyDevice device(stroking());
-    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-    simulator.setControls(cutting());
-    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
-    simulator.setControls({});
+    LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+    runner.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) > 0.01; }));
+    runner.setControls({});
     std::this_thread::sleep_for(50ms);
-    simulator.requestReset();
-    EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
-    EXPECT_TRUE(simulator.surface()->patches.empty());
+    runner.requestReset();
+    EXPECT_TRUE(soon([&] { return total(runner.feed().removed()) == 0; }));
+    EXPECT_TRUE(runner.feed().surface()->patches.empty());
 }
 
-TEST(Simulator, WhatIsLooseFallsWhileTheBurIsInTheAir) {
+TEST(LiveRunner, WhatIsLooseFallsWhileTheBurIsInTheAir) {
     const auto piece = test::blockOnTheBench();
     test::cutARidgeOff(*piece);
     const double ground = total(piece->removed());
     SpyDevice device({moment(0, at(0, 0, -0.99), 0), moment(0.5, at(0, 0, -1.05), 0), moment(1, at(0, 0, 1), 0)});
-    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-    EXPECT_TRUE(soon([&] { return simulator.loss().pieces == 1; }));
-    EXPECT_GT(total(simulator.removed()), ground + 1);
-    EXPECT_FALSE(contains(*simulator.surface(), Vec3(0, 1, -0.2)));
+    LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+    EXPECT_TRUE(soon([&] { return runner.feed().loss().pieces == 1; }));
+    EXPECT_GT(total(runner.feed().removed()), ground + 1);
+    EXPECT_FALSE(contains(*runner.feed().surface(), Vec3(0, 1, -0.2)));
 }
 
-TEST(Simulator, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
+TEST(LiveRunner, UndoTakesBackTheCutsSinceTheBurWasLiftedWhileItRuns) {
     const auto piece = test::blockOnTheBench(test::kCaries);
     // Two cuts, with the bur in the air for 0.8 s between them, and then a rest in the air.
     SpyDevice device({moment(0, at(-0.5, 0, 0.3), 1), moment(0.3, at(-0.5, 0, -0.3), 1),
                       moment(0.6, at(-0.5, 0, 0.3), 1), moment(1.4, at(0.5, 0, 0.3), 1),
                       moment(1.7, at(0.5, 0, -0.4), 1), moment(2.0, at(0.5, 0, 0.5), 1)});
-    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-    simulator.setControls(cutting());
-    ASSERT_TRUE(soon([&] { return simulator.surface()->patches.empty() == false; }));
+    LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+    runner.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return runner.feed().surface()->patches.empty() == false; }));
     std::this_thread::sleep_for(2500ms);
-    const double both = total(simulator.removed());
-    simulator.requestUndo();
-    ASSERT_TRUE(soon([&] { return total(simulator.removed()) < both; }));
-    const double one = total(simulator.removed());
+    const double both = total(runner.feed().removed());
+    runner.requestUndo();
+    ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) < both; }));
+    const double one = total(runner.feed().removed());
     EXPECT_GT(one, 0.1 * both);
-    simulator.requestUndo();
-    EXPECT_TRUE(soon([&] { return total(simulator.removed()) == 0; }));
-    simulator.requestUndo();
+    runner.requestUndo();
+    EXPECT_TRUE(soon([&] { return total(runner.feed().removed()) == 0; }));
+    runner.requestUndo();
     std::this_thread::sleep_for(50ms);
-    EXPECT_EQ(total(simulator.removed()), 0);
-    EXPECT_EQ(visibleMesh(*simulator.surface()).mesh.triangles.size(), 12U) << "the block as it came";
+    EXPECT_EQ(total(runner.feed().removed()), 0);
+    EXPECT_EQ(visibleMesh(*runner.feed().surface()).mesh.triangles.size(), 12U) << "the block as it came";
 }
 
-TEST(Simulator, TheToothCanBeSavedWhileItIsCut) {
+TEST(LiveRunner, TheToothCanBeSavedWhileItIsCut) {
     const auto piece = test::blockOnTheBench(test::kCaries);
     SpyDevice device(stroking());
-    Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-    simulator.setControls(cutting());
-    ASSERT_TRUE(soon([&] { return total(simulator.removed()) > 0.01; }));
-    const auto saved = parseSavedTooth(simulator.toothFile({}), "saved");
+    LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+    runner.setControls(cutting());
+    ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) > 0.01; }));
+    const auto saved = parseSavedTooth(runner.toothFile({}), "saved");
     ASSERT_TRUE(saved) << saved.error().message();
     EXPECT_GT(saved->removed[static_cast<std::size_t>(test::kCaries)], 0.01);
     EXPECT_FALSE(saved->cuts.empty());
 }
 
-TEST(Simulator, ACutModelGoesOnFromOneSimulatorToTheNext) {
+TEST(LiveRunner, ACutModelGoesOnFromOneRunnerToTheNext) {
     const auto piece = test::blockOnTheBench(test::kCaries);
     for (int round = 0; round < 3; ++round) {
         const double before = total(piece->removed());
         SpyDevice device(stroking());
-        Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-        EXPECT_EQ(total(simulator.removed()), before);
-        simulator.setControls(cutting());
-        ASSERT_TRUE(soon([&] { return total(simulator.removed()) > before + 0.01; })) << round;
+        LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+        EXPECT_EQ(total(runner.feed().removed()), before);
+        runner.setControls(cutting());
+        ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) > before + 0.01; })) << round;
     }
 }
 
-TEST(Simulator, StopsCleanlyInAnyState) {
+TEST(LiveRunner, StopsCleanlyInAnyState) {
     const auto piece = test::blockOnTheBench(test::kCaries);
     for (int i = 0; i < 25; ++i) {
         SpyDevice device(stroking());
         {
-            Simulator simulator(piece, test::flatBur(), HapticSettings(), device, {});
-            simulator.setControls(cutting());
-            if (i % 3 == 1) simulator.requestReset();
+            LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+            runner.setControls(cutting());
+            if (i % 3 == 1) runner.requestReset();
             std::this_thread::sleep_for(i % 5 * 12ms);
         }
         ASSERT_EQ(device.force(), 0);
     }
 }
 
-TEST(Simulator, WithoutADeviceItJustWatches) {
+TEST(LiveRunner, WithoutADeviceItJustWatches) {
     NullDevice device(at(0, 0, 5));
-    Simulator simulator(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
+    LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     std::vector<Tick> ticks;
     EXPECT_TRUE(soon([&] {
-        simulator.fetchTicks(ticks);
+        runner.feed().fetchTicks(ticks);
         return ticks.size() > 20;
     }));
     EXPECT_EQ(ticks.back().contacts, 0);

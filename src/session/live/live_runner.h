@@ -27,7 +27,7 @@
 namespace tactooth {
 
 /// The controls of a running simulation.
-struct SimulatorControls {
+struct SessionControls {
     ForceOverrides force;  ///< empty: the materials' own values
     double forceScale = 1;
     double pedal = 0;          ///< 0..1, from a slider or key; the larger of this and the device's pedal counts
@@ -42,25 +42,25 @@ struct SimulatorControls {
 /// tool and computes the force. The carving thread cuts behind it. The brick-prefetch thread samples bricks of the cut
 /// volume before the carving thread needs them. The neighbour-list thread builds lists before the servo thread needs
 /// them. Any other threads may observe.
-class Simulator {
+class LiveRunner {
 public:
     using TickListener = std::function<void(const Tick&)>;
 
-    /// `device` is open and outlives the simulator. `onTick` runs on the servo thread after every tick and must not
+    /// `device` is open and outlives the runner. `onTick` runs on the servo thread after every tick and must not
     /// block. The model may already be cut. `registration` maps the frame of the device to the tooth frame; without it
     /// both are the same. `second`: a device for the other hand, which holds the mirror at first; open, and outlives
-    /// the simulator. `motionScaling` holds until other controls are set.
+    /// the runner. `motionScaling` holds until other controls are set.
     /// `lanes`: where the threads report their events; null: nowhere.
-    Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
-              HapticDevice& device, TickListener onTick, double rateHz = 1000,
-              std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
-              double motionScaling = 1, std::shared_ptr<EventLanes> lanes = {});
-    ~Simulator();
-    Simulator(const Simulator&) = delete;
-    Simulator& operator=(const Simulator&) = delete;
+    LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
+               HapticDevice& device, TickListener onTick, double rateHz = 1000,
+               std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
+               double motionScaling = 1, std::shared_ptr<EventLanes> lanes = {});
+    ~LiveRunner();
+    LiveRunner(const LiveRunner&) = delete;
+    LiveRunner& operator=(const LiveRunner&) = delete;
 
     /// One thread (the window's); wait-free.
-    void setControls(const SimulatorControls& controls) { controls_.write(controls); }
+    void setControls(const SessionControls& controls) { controls_.write(controls); }
 
     /// One thread (the window's): appends the ticks since the last call to `ticks`, oldest first. Ticks older than two
     /// seconds are lost.
@@ -111,7 +111,7 @@ private:
     void servoTick(double elapsed);
     void fadeOut();
     [[nodiscard]] std::uint32_t takeSurfaces();
-    void setForce(const SimulatorControls& controls);
+    void setForce(const SessionControls& controls);
     void runCarving(const std::stop_token& stop);
     void runNeighbourLists(const std::stop_token& stop);
     void runBrickPrefetch(const std::stop_token& stop, BrickPool& pool);
@@ -138,7 +138,7 @@ private:
     ForceParameters force_;    // in use
 
     // Between threads.
-    TripleBuffer<SimulatorControls> controls_;
+    TripleBuffer<SessionControls> controls_;
     TripleBuffer<Tick> tickForCarving_;
     TripleBuffer<Tick> tickForNeighbourLists_;
     TripleBuffer<std::optional<Pose>>

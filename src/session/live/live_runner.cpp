@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/live/simulator.h"
+#include "session/live/live_runner.h"
 
 #include <pthread.h>
 
@@ -38,10 +38,10 @@ private:
 
 }  // namespace
 
-Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
-                     HapticDevice& device, TickListener onTick, double rateHz,
-                     std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling,
-                     std::shared_ptr<EventLanes> lanes)
+LiveRunner::LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
+                       HapticDevice& device, TickListener onTick, double rateHz,
+                       std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling,
+                       std::shared_ptr<EventLanes> lanes)
     : model_(std::move(piece)),
       instrument_(std::move(instrument)),
       rateHz_(rateHz),
@@ -52,7 +52,7 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
       servo_(instrument_, model_->contactSurface(), settings),
       devices_(device, second, registration),
       force_{settings.force},
-      controls_(SimulatorControls{.force = settings.force, .motionScaling = motionScaling}),
+      controls_(SessionControls{.force = settings.force, .motionScaling = motionScaling}),
       carving_(model_, instrument_.cutting, settings.materials),
       listing_(servo_.tool(), servo_.surface()),
       publishedSurface_(model_->surface()),
@@ -68,13 +68,13 @@ Simulator::Simulator(std::shared_ptr<CutModel> piece, Instrument instrument, con
 }
 
 /// A force that ends within one tick is a kick, so the servo thread fades it out within the limit of the force rate.
-void Simulator::fadeOut() {
+void LiveRunner::fadeOut() {
     fadingOut_.store(true);
     const auto end = std::chrono::steady_clock::now() + kLongestFade;
     while (!silent_.load() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(kPause);
 }
 
-Simulator::~Simulator() {
+LiveRunner::~LiveRunner() {
     fadeOut();
     carvingThread_ = {};  // joins
     brickPrefetchThread_ = {};
@@ -86,7 +86,7 @@ Simulator::~Simulator() {
 
 /// Swaps in new surfaces and returns how many. The old ones go back to the neighbour-list thread: to free one would
 /// stall the servo thread.
-std::uint32_t Simulator::takeSurfaces() {
+std::uint32_t LiveRunner::takeSurfaces() {
     std::uint32_t taken = 0;
     for (HapticSurface* hapticSurface = nullptr; pendingSurfaces_.pop(hapticSurface); ++taken) {
         servo_.take(*hapticSurface);
@@ -95,7 +95,7 @@ std::uint32_t Simulator::takeSurfaces() {
     return taken;
 }
 
-void Simulator::setForce(const SimulatorControls& controls) {
+void LiveRunner::setForce(const SessionControls& controls) {
     const ForceParameters wanted{controls.force, controls.forceScale, maxStiffnessAt(devices_.maxStiffness(), rateHz_)};
     if (wanted == force_) return;
     force_ = wanted;
@@ -103,10 +103,10 @@ void Simulator::setForce(const SimulatorControls& controls) {
     if (lanes_) lanes_->servo(ForceEvent{force_});
 }
 
-void Simulator::servoTick(double elapsed) {
+void LiveRunner::servoTick(double elapsed) {
     const auto start = std::chrono::steady_clock::now();
     controls_.refresh();
-    const SimulatorControls& controls = controls_.value();
+    const SessionControls& controls = controls_.value();
     const std::uint32_t taken = takeSurfaces();
 
     devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons});
@@ -133,23 +133,23 @@ void Simulator::servoTick(double elapsed) {
     if (onTick_) onTick_(tick);
 }
 
-void Simulator::fetchTicks(std::vector<Tick>& ticks) {
+void LiveRunner::fetchTicks(std::vector<Tick>& ticks) {
     ticksForObserver_.consume_all([&](const Tick& tick) { ticks.push_back(tick); });
 }
 
-std::shared_ptr<const Surface> Simulator::surface() const {
+std::shared_ptr<const Surface> LiveRunner::surface() const {
     const std::lock_guard lock(publishedMutex_);
     return publishedSurface_;
 }
 
-TaggedMesh Simulator::exported() const { return exportedMesh(*surface(), model_->volume().lattice().spacing()); }
+TaggedMesh LiveRunner::exported() const { return exportedMesh(*surface(), model_->volume().lattice().spacing()); }
 
-ToothLoss Simulator::loss() const {
+ToothLoss LiveRunner::loss() const {
     const std::lock_guard lock(publishedMutex_);
     return publishedLoss_;
 }
 
-void Simulator::publishSurface() {
+void LiveRunner::publishSurface() {
     CarvedSurface cut{model_->contactSurface(), model_->reached()};
     {
         const std::lock_guard lock(publishedMutex_);
@@ -161,12 +161,12 @@ void Simulator::publishSurface() {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
-std::vector<std::byte> Simulator::toothFile(const Provenance& provenance) const {
+std::vector<std::byte> LiveRunner::toothFile(const Provenance& provenance) const {
     const std::lock_guard lock(modelMutex_);
     return toothFileBytes(*model_, provenance);
 }
 
-std::optional<Edit> Simulator::takeEdit() {
+std::optional<Edit> LiveRunner::takeEdit() {
     if (resetRequested_.exchange(false)) return Edit::Reset;
     if (undosRequested_.load() == 0) return std::nullopt;
     undosRequested_.fetch_sub(1);
@@ -174,7 +174,7 @@ std::optional<Edit> Simulator::takeEdit() {
 }
 
 /// One turn of the carving thread. Returns true if the surface has changed.
-bool Simulator::processModel() {
+bool LiveRunner::processModel() {
     const std::lock_guard lock(modelMutex_);
     if (const std::optional<Edit> edit = takeEdit()) {
         const bool changed = carving_.edit(*edit);
@@ -192,7 +192,7 @@ bool Simulator::processModel() {
     return changed;
 }
 
-void Simulator::runCarving(const std::stop_token& stop) {
+void LiveRunner::runCarving(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "carving");  // for debuggers and profilers
     IdleDetector watch;
     while (!stop.stop_requested()) {
@@ -204,7 +204,7 @@ void Simulator::runCarving(const std::stop_token& stop) {
     }
 }
 
-void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
+void LiveRunner::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
     pthread_setname_np(pthread_self(), "brick-prefetch");  // for debuggers and profilers
     while (!stop.stop_requested()) {
         (void)carvingPose_.refresh();
@@ -215,21 +215,21 @@ void Simulator::runBrickPrefetch(const std::stop_token& stop, BrickPool& pool) {
 }
 
 /// Waits for a surface with new cuts. Its number is 0 if there is none: the tool may need a new list first.
-Simulator::Publication Simulator::waitForSurface(const std::stop_token& stop, bool idle) {
+LiveRunner::Publication LiveRunner::waitForSurface(const std::stop_token& stop, bool idle) {
     std::unique_lock lock(publishedMutex_);
     (void)cutAvailable_.wait_for(lock, stop, idle ? kRest : kPause, [this] { return surfaceToList_.has_value(); });
     return std::exchange(surfaceToList_, std::nullopt).value_or(Publication());
 }
 
 /// Takes back what the servo thread has used up, and returns how many.
-std::uint32_t Simulator::recycleSurfaces() {
+std::uint32_t LiveRunner::recycleSurfaces() {
     return static_cast<std::uint32_t>(
         retiredSurfaces_.consume_all([this](HapticSurface* hapticSurface) { listing_.recycle(hapticSurface); }));
 }
 
 /// Sends a surface or a list to the servo thread; false if there is none, or if the queue is full: then the servo
 /// thread needs no more.
-bool Simulator::send(HapticSurface* hapticSurface) {
+bool LiveRunner::send(HapticSurface* hapticSurface) {
     if (hapticSurface == nullptr) return false;
     if (pendingSurfaces_.push(hapticSurface)) {
         listing_.sent();
@@ -240,7 +240,7 @@ bool Simulator::send(HapticSurface* hapticSurface) {
 }
 
 /// It has a thread of its own because a cut takes longer than a list lasts.
-void Simulator::runNeighbourLists(const std::stop_token& stop) {
+void LiveRunner::runNeighbourLists(const std::stop_token& stop) {
     pthread_setname_np(pthread_self(), "neighbour-list");
     IdleDetector watch;
     bool idle = false;
