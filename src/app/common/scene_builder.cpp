@@ -81,6 +81,29 @@ void lightByMirror(Scene& scene, const Vec3& crown) {
     scene.lighting.fillColour = thrown;
 }
 
+/// The other tooth and its instrument, blue and transparent.
+void addOther(Scene& scene, const ShownOther& other) {
+    const Appearance ghost{.colour = {0.25F, 0.5F, 0.95F}, .roughness = 0.4F, .opacity = 0.35F};
+    if (other.tooth != nullptr) {
+        SceneObject tooth;
+        tooth.shape = other.tooth;
+        tooth.appearances = {ghost};
+        tooth.closed = other.tooth->closed;
+        scene.objects.push_back(std::move(tooth));
+    }
+    if (!other.tool) return;
+    for (const auto& mesh : {other.tool->bur, other.tool->turbine}) {
+        if (mesh == nullptr) continue;
+        SceneObject part;
+        part.shape = mesh;
+        part.objectInWorld = other.tool->toolInTooth;
+        part.appearances = {ghost};
+        part.moves = true;
+        part.handle = mesh != other.tool->bur;
+        scene.objects.push_back(std::move(part));
+    }
+}
+
 /// The centre of the tooth's box in x and y, just below its top: close enough to the crown of any tooth.
 Vec3 crownOf(const Surface& tooth) {
     constexpr double kBelowTop = 3.5;  // mm: half the height of a crown
@@ -118,6 +141,7 @@ Scene makeScene(const SceneContents& contents) {
         scene.objects.push_back(std::move(tooth));
     }
     if (contents.tool) addTool(scene, *contents.tool);
+    if (contents.other) addOther(scene, *contents.other);
     if (contents.mirror) addMirror(scene, *contents.mirror);
     if (contents.suction) addSuction(scene, *contents.suction);
     scene.particles = contents.flying;

@@ -45,6 +45,12 @@ struct ShownBody {
     bool opposite = false;  ///< part of the opposite jaw: left out where it would stand between the eye and the tooth
 };
 
+/// Another session to compare with: it is drawn blue, and everything shows through it.
+struct ShownOther {
+    std::shared_ptr<const Surface> tooth;
+    std::optional<ShownTool> tool;
+};
+
 /// Everything in a picture of the session, in the tooth's frame. Empty members are not drawn.
 struct SceneContents {
     std::shared_ptr<const Surface> tooth;  ///< tags: MaterialId
@@ -54,6 +60,7 @@ struct SceneContents {
     std::optional<ShownSuction> suction;
     std::vector<Particle> flying;  ///< water and chips (particlesOf)
     std::vector<ShownBody> around;
+    std::optional<ShownOther> other = {};
     Camera camera;
 };
 

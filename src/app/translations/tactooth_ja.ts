@@ -65,6 +65,145 @@
     </message>
 </context>
 <context>
+    <name>tactooth::ReplayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Plays or pauses the recording</source>
+        <translation>記録を再生・一時停止します</translation>
+    </message>
+    <message>
+        <source>To the event or comment before</source>
+        <translation>前の出来事かコメントへ</translation>
+    </message>
+    <message>
+        <source>Back by one tick</source>
+        <translation>1 ティック戻る</translation>
+    </message>
+    <message>
+        <source>On by one tick</source>
+        <translation>1 ティック進む</translation>
+    </message>
+    <message>
+        <source>To the next event or comment</source>
+        <translation>次の出来事かコメントへ</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>比較…</translation>
+    </message>
+    <message>
+        <source>Shows another recording as a blue ghost in this one</source>
+        <translation>別の記録を青い半透明で重ねて表示します</translation>
+    </message>
+    <message>
+        <source>Leave replay</source>
+        <translation>再生を終える</translation>
+    </message>
+    <message>
+        <source>Back to the tooth as it was</source>
+        <translation>元の歯に戻ります</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>再生の速さ</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 倍</translation>
+    </message>
+    <message>
+        <source>Comment…</source>
+        <translation>コメント…</translation>
+    </message>
+    <message>
+        <source>Pins a comment to this moment</source>
+        <translation>この瞬間にコメントを付けます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplaySlider</name>
+    <message>
+        <source>Time of the recording</source>
+        <translation>記録の時刻</translation>
+    </message>
+    <message>
+        <source>Time of the recording; the marks are events and comments</source>
+        <translation>記録の時刻。目印は出来事とコメントです</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplayPanel</name>
+    <message>
+        <source>Replay</source>
+        <translation>再生中</translation>
+    </message>
+    <message>
+        <source>Nothing can be cut here. The tooth on the bench waits unchanged.</source>
+        <translation>ここでは削れません。作業中の歯はそのまま残っています。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplayCommentMenu</name>
+    <message>
+        <source>The comments on this recording cannot be read, so none can be added.</source>
+        <translation>この記録のコメントを読めないため、追加できません。</translation>
+    </message>
+    <message>
+        <source>Comment</source>
+        <translation>コメント</translation>
+    </message>
+    <message>
+        <source>Comment at %1 s:</source>
+        <translation>%1 秒のコメント：</translation>
+    </message>
+    <message>
+        <source>No comments yet</source>
+        <translation>コメントはまだありません</translation>
+    </message>
+    <message>
+        <source>Remove the comment here</source>
+        <translation>ここのコメントを消す</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplayController</name>
+    <message>
+        <source>Open recording</source>
+        <translation>記録を開く</translation>
+    </message>
+    <message>
+        <source>Recorded sessions (*.ttsession);;All files (*)</source>
+        <translation>セッションの記録 (*.ttsession);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Opening recording %1…</source>
+        <translation>記録 %1 を開いています…</translation>
+    </message>
+    <message>
+        <source>Replay: Space plays and pauses, Escape leads back to the tooth.</source>
+        <translation>再生中：スペースで再生・一時停止、Esc で元の歯に戻ります。</translation>
+    </message>
+    <message>
+        <source>The tooth is as you left it.</source>
+        <translation>歯は元のままです。</translation>
+    </message>
+    <message>
+        <source>This program differs from the one that made the recording: from %1 s on the replay is not what happened.</source>
+        <translation>このプログラムは記録したときのものと異なります。%1 秒から後の再生は、実際に起きたこととは違います。</translation>
+    </message>
+    <message>
+        <source>Compare with another recording</source>
+        <translation>別の記録と比較</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::DrivePanel</name>
     <message>
         <source>Bur speed</source>
@@ -493,6 +632,10 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::FileMenu</name>
+    <message>
+        <source>Open recor&amp;ding…</source>
+        <translation>記録を開く(&amp;D)…</translation>
+    </message>
     <message>
         <source>&amp;File</source>
         <translation>ファイル(&amp;F)</translation>
@@ -963,6 +1106,10 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::ToothController</name>
+    <message>
+        <source>A recording is shown. Leave the replay to save the tooth.</source>
+        <translation>記録を表示しています。歯を保存するには再生を終えてください。</translation>
+    </message>
     <message>
         <source>%1 was imported</source>
         <translation>%1 を取り込みました</translation>

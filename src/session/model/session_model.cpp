@@ -72,6 +72,12 @@ void SessionModel::setCutting(bool cutting) {
     controls.cutting = cutting != (devices_.first() != nullptr && chosenByButton);
 }
 
+void SessionModel::setPaused(bool paused) {
+    if (std::exchange(paused_, paused) == paused) return;
+    stop();
+    needsRunner_ = true;
+}
+
 void SessionModel::stop() {
     runner_.reset();
     keeper_->end();
@@ -217,7 +223,7 @@ SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
     stepResult.recordingFault = keeper_->takeFault();
-    if (needsRunner_ && tooth_ && bur_ && prepareRecording()) {
+    if (needsRunner_ && !paused_ && tooth_ && bur_ && prepareRecording()) {
         startRunner();
         stepResult.newRunner = true;
         stepResult.newTooth = std::exchange(isToothNew_, false);

@@ -43,6 +43,9 @@ public:
     void setCutting(bool cutting);
     /// Stops the runner; tooth and bur stay.
     void stop();
+    /// Stops the runner, and starts none until it is called with false: the tooth, the bur and the devices stay.
+    void setPaused(bool paused);
+    [[nodiscard]] bool isPaused() const { return paused_; }
     /// Puts the tooth back as it was before any cut. It can be undone.
     void resetTooth();
 
@@ -139,6 +142,7 @@ private:
     InstrumentSet instruments_;
     TickLog log_;
     SceneAnimation animation_;
+    bool paused_ = false;
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument

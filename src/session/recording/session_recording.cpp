@@ -47,6 +47,16 @@ Expected<std::shared_ptr<CutModel>> SessionRecording::makeTouched() const {
     return std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
 }
 
+Expected<double> SessionRecording::seconds() const {
+    double seconds = 0;
+    const auto read = forEach([&](const SessionEvent& event) {
+        seconds += secondsOf(event).value_or(0);
+        return true;
+    });
+    if (!read) return Unexpected{read.error()};
+    return seconds;
+}
+
 Expected<std::shared_ptr<CutModel>> SessionRecording::makeModel() const {
     if (facts_.touchesOnly) return makeTouched();
     const Expected<std::vector<std::byte>> bytes = readAttachment(journal_, kToothAttachment);

@@ -28,6 +28,9 @@ public:
     /// Ticks of all burs together.
     [[nodiscard]] std::uint64_t ticks() const;
 
+    /// Length of the session, s. Reads all events. Fails with one sentence if a block is damaged.
+    [[nodiscard]] Expected<double> seconds() const;
+
     /// The tooth before the first event, with all around it. Fails with one sentence if it is damaged.
     [[nodiscard]] Expected<std::shared_ptr<CutModel>> makeModel() const;
 

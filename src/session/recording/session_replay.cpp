@@ -35,6 +35,7 @@ Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCal
         seconds_ = next;
         if (!kernel_->apply(event)) differsAt_ = seconds_;
         if (differsAt_) return false;
+        if (const auto* begin = std::get_if<BeginEvent>(&event)) bur_ = *begin;
         if (onEvent) onEvent(seconds_, event);
         if (!elapsed) return true;
         ++ticks_;

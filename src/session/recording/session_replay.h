@@ -33,6 +33,8 @@ public:
     [[nodiscard]] double seconds() const { return seconds_; }
     [[nodiscard]] std::uint64_t ticks() const { return ticks_; }
     [[nodiscard]] const CutModel& model() const { return kernel_->model(); }
+    /// The bur at work; nothing before the first event.
+    [[nodiscard]] const std::optional<BeginEvent>& bur() const { return bur_; }
     /// The time at which it was found that the replay differs from the recording, s; nothing if it does not.
     [[nodiscard]] const std::optional<double>& differsAt() const { return differsAt_; }
 
@@ -46,6 +48,7 @@ private:
     double seconds_ = 0;
     std::optional<double> runStart_;  // s, as a run that is not live counts; when its bur began
     std::uint64_t ticks_ = 0;
+    std::optional<BeginEvent> bur_;
     std::optional<double> differsAt_;
 };
 

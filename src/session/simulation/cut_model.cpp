@@ -135,6 +135,15 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
     refreshSurface();
 }
 
+void CutModel::replace(const std::map<BrickKey, CutField>& fields, const ToothLoss& loss) {
+    steps_ = {};
+    reached_.reset();
+    const std::vector<ChangedBrick> changed = volume_.replace(fields);
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+    refreshSurface();
+    loss_ = loss;
+}
+
 void CutModel::followSteps() { steps_.follow(volume_.undoable(), volume_.redoable()); }
 
 void CutModel::markStep(const CutStep& step) {

@@ -82,6 +82,14 @@ public:
     /// Takes over a saved cut of the same tooth (CutVolume::adopt).
     void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
 
+    /// Goes to another moment of the same tooth: replaces the fields of some bricks (CutVolume::replace). `loss`: at
+    /// that moment. Nothing can be undone or redone then. It is for looking: a cut does not go on from here as it did
+    /// then.
+    void replace(const std::map<BrickKey, CutField>& fields, const ToothLoss& loss);
+    /// CutVolume::noteTouched and CutVolume::takeTouched.
+    void noteTouched() { volume_.noteTouched(); }
+    [[nodiscard]] std::vector<BrickKey> takeTouched() { return volume_.takeTouched(); }
+
     /// The next change begins a step of its own. `time`: Tick::time, s.
     void mark(double time);
     /// Restores the tooth before the last step, bit for bit. Returns false if there is none.

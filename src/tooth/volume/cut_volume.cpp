@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "geometry/util/assert.h"
 #include "geometry/util/fnv1a.h"
@@ -48,10 +49,22 @@ void CutVolume::reset() {
     ++restorations_;
     const CutField untouched = CutField::untouched(lattice_.spacing());
     for (const BrickKey& key : cutBricks()) {
-        Brick& brick = *bricks_.find(key);
-        journal_.keep(key, brick);
-        brick.setField(untouched);
+        keep(key);
+        bricks_.find(key)->setField(untouched);
     }
+}
+
+std::vector<BrickKey> CutVolume::takeTouched() {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    return std::exchange(touched_, {});
+}
+
+/// Before a brick changes.
+void CutVolume::keep(const BrickKey& key) {
+    TACTOOTH_ASSERT(bricks_.find(key) != nullptr);
+    journal_.keep(key, *bricks_.find(key));
+    if (notesTouched_) touched_.push_back(key);
 }
 
 /// Returns the bricks at these keys and makes those that are still unknown. Null where a brick is clear of the tooth.
@@ -115,10 +128,7 @@ CarveResult CutVolume::carve(const RevolutionEnvelope& envelope, const Pose& fro
 CarveResult CutVolume::carve(const PlannedRemoval& removable) {
     TACTOOTH_ASSERT(removable.afterCarve == carves_);
     ++carves_;
-    for (const BrickRemoval& found : removable.where) {
-        TACTOOTH_ASSERT(bricks_.find(found.key) != nullptr);
-        journal_.keep(found.key, *bricks_.find(found.key));
-    }
+    for (const BrickRemoval& found : removable.where) keep(found.key);
     std::vector<ChangedBrick> opened(removable.where.size());
     parallelFor(opened.size(), [&](std::size_t i) {
         const BrickRemoval& found = removable.where[i];
@@ -144,7 +154,7 @@ std::vector<ChangedBrick> CutVolume::updateHermiteData(const PlannedRemoval& car
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    for (const BrickKey& key : keys) journal_.keep(key, *bricks_.find(key));
+    for (const BrickKey& key : keys) keep(key);
     std::vector<ChangedBrick> moved(keys.size());
     parallelFor(keys.size(), [&](std::size_t i) {
         moved[i] = updateHermiteInBrick(bricks_, keys[i], lattice_, carved.steps, carves_);
@@ -230,7 +240,7 @@ CarveResult CutVolume::removePieces(const NodeSets& pieces) {
     for (const auto& [key, nodes] : gone) {
         if (bricks_.find(key) == nullptr || !isTouched(key)) continue;
         Brick& brick = *bricks_.find(key);
-        journal_.keep(key, brick);
+        keep(key);
         const MaterialVolumes taken = nodes.any() ? removeNodes(brick, nodes, lattice_.spacing()) : MaterialVolumes{};
         for (std::size_t m = 0; m < kMaxMaterials; ++m) result.removed[m] += taken[m];
         result.changed.push_back(ChangedBrick::all(key));
@@ -255,6 +265,7 @@ std::vector<ChangedBrick> CutVolume::restore(const CutJournal::Fields& fields) {
     ++restorations_;
     for (const auto& [key, field] : fields) {
         bricks_.find(key)->setField(field);
+        if (notesTouched_) touched_.push_back(key);
         changed.push_back(ChangedBrick::all(key));
     }
     return changed;
@@ -269,6 +280,17 @@ std::vector<BrickKey> CutVolume::cutBricks() const {
 std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& fields) {
     TACTOOTH_ASSERT(cutBricks().empty());
     TACTOOTH_ASSERT(undoable() == 0);
+    return setFields(fields);
+}
+
+std::vector<ChangedBrick> CutVolume::replace(const std::map<BrickKey, CutField>& fields) {
+    ++carves_;        // plans made before are invalid
+    ++restorations_;  // the removed region may shrink
+    journal_ = CutJournal(lattice_.spacing());
+    return setFields(fields);
+}
+
+std::vector<ChangedBrick> CutVolume::setFields(const std::map<BrickKey, CutField>& fields) {
     std::vector<BrickKey> keys;
     for (const auto& [key, field] : fields) keys.push_back(key);
     const std::vector<Brick*> bricks = bricksAt(keys);
@@ -276,6 +298,7 @@ std::vector<ChangedBrick> CutVolume::adopt(const std::map<BrickKey, CutField>& f
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (bricks[i] == nullptr) continue;
         bricks[i]->setField(fields.at(keys[i]));
+        if (notesTouched_) touched_.push_back(keys[i]);
         changed.push_back(ChangedBrick::all(keys[i]));
     }
     makeAffected(changed);

@@ -88,6 +88,15 @@ public:
     /// Takes over the removed region of another volume of the same spacing, or of a file. Nothing was cut here, and
     /// there is no step. Returns the bricks that changed. Bricks that are clear of this tooth are left out.
     std::vector<ChangedBrick> adopt(const std::map<BrickKey, CutField>& fields);
+    /// Replaces the fields of these bricks by those that another volume of the same tooth and spacing has at another
+    /// moment. Nothing can be undone or redone then. Returns the bricks that changed; those that are clear of this
+    /// tooth are left out.
+    std::vector<ChangedBrick> replace(const std::map<BrickKey, CutField>& fields);
+
+    /// From now on `takeTouched` tells which bricks have changed.
+    void noteTouched() { notesTouched_ = true; }
+    /// The bricks whose fields may have changed since the last call, in ascending order of the keys.
+    [[nodiscard]] std::vector<BrickKey> takeTouched();
 
     /// The volume removed so far, mm^3, summed again over all bricks.
     [[nodiscard]] MaterialVolumes removedVolume() const;
@@ -109,6 +118,8 @@ public:
 private:
     [[nodiscard]] std::vector<Brick*> bricksAt(const std::vector<BrickKey>& keys);
     void makeBricks(std::vector<BrickKey> missing);
+    void keep(const BrickKey& key);
+    std::vector<ChangedBrick> setFields(const std::map<BrickKey, CutField>& fields);
     void makeAffected(const std::vector<ChangedBrick>& changed);
     [[nodiscard]] NodeSets nodesOf(const DetachedPiece& piece);
     CarveResult removePieces(const NodeSets& pieces);
@@ -122,6 +133,8 @@ private:
     std::shared_ptr<BrickPool> pool_;
     std::uint64_t carves_ = 0;
     std::uint64_t restorations_ = 0;
+    bool notesTouched_ = false;
+    std::vector<BrickKey> touched_;  // since the last takeTouched, with repetitions
 };
 
 }  // namespace tactooth

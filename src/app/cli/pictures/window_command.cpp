@@ -12,6 +12,7 @@
 #include "devices/open_device.h"
 #include "geometry/util/number_text.h"
 #include "session/io/material_file.h"
+#include "session/recording/session_recorder.h"
 
 namespace tactooth {
 namespace {
@@ -23,8 +24,10 @@ constexpr const char* kSecondDeviceSetting = "--hand-second-device";
 
 /// Options for the tooth that replaces the built-in one.
 void addOwnTooth(CLI::App& program, WindowArguments& arguments) {
-    CLI::Option* tooth = program.add_option("--tooth,--case,CASE", arguments.tooth,
-                                            "Opens your own tooth: a case, an STL file (mm) or a saved tooth");
+    CLI::Option* tooth =
+        program.add_option("--tooth,--case,CASE", arguments.tooth,
+                           "Opens your own tooth: a case, an STL file (mm) or a saved tooth; or replays a recorded "
+                           "session (*.ttsession)");
     tooth->type_name("FILE")->group(kGroup);
     program.add_option("--work-on", arguments.workOn, "Tooth of the case to work on (default: the first)")
         ->type_name("NAME")
@@ -154,8 +157,15 @@ int runWindowCommand(const WindowArguments& arguments) {
         if (!file.has_extension() && !std::filesystem::exists(file, unused)) {
             return reportError({msg::kCommandUnknown, arguments.tooth});
         }
-        options.tooth = ToothSource{.outer = file, .layers = {}};
-        options.workOn = arguments.workOn;
+        if (file.extension() == kSessionFileEnding) {
+            if (!arguments.materials.empty() || !arguments.layers.empty() || !arguments.workOn.empty()) {
+                return reportError(msg::kRecordingBringsAll);
+            }
+            options.recording = file;
+        } else {
+            options.tooth = ToothSource{.outer = file, .layers = {}};
+            options.workOn = arguments.workOn;
+        }
     }
     if (arguments.mouth) {
         if (!isPermanentTooth(*arguments.mouth)) {

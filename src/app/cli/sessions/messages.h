@@ -19,5 +19,22 @@ inline constexpr MessageText kTrimNoKeyframe{
     "s; "
     "leave out --from.",
     "%1：%2 秒以前にキーフレームがないため、この記録の一部は先頭からしか再生できません。--from を省いてください。"};
+inline constexpr MessageText kFilmNotStarted{
+    "film_not_started", "%1: the film cannot be made, because ffmpeg (%2) does not start; reinstall ffmpeg.",
+    "%1：ffmpeg（%2）を起動できないため、動画を作れません。ffmpeg を入れ直してください。"};
+inline constexpr MessageText kFilmFailed{"film_failed", "%1: ffmpeg could not make the film; it said: %2",
+                                         "%1：ffmpeg で動画を作れませんでした。ffmpeg のメッセージ：%2"};
+inline constexpr MessageText kFilmEnding{"film_ending", "%1: the name of a film ends in .mp4, .mkv or .mov.",
+                                         "%1：動画のファイル名は .mp4、.mkv、.mov のいずれかで終わります。"};
+inline constexpr MessageText kFilmTooLong{
+    "film_too_long",
+    "the film would have %1 pictures, and %2 are the most; choose a smaller --fps or --until, or a larger "
+    "--speed.",
+    "動画の画像が %1 枚になりますが、%2 枚までです。--fps か --until を小さくするか、--speed "
+    "を大きくしてください。"};
+inline constexpr MessageText kFilmEmpty{"film_empty", "%1: there is nothing to show: this recording has no ticks.",
+                                        "%1：この記録には動きがないため、見せるものがありません。"};
+inline constexpr MessageText kFilmOddSize{"film_odd_size", "%1 is no size for a film: width and height must be even.",
+                                          "%1 は動画の大きさにできません。幅と高さは偶数にしてください。"};
 
 }  // namespace tactooth::msg

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/pictures/render_arguments.h"
+#include "app/cli/sessions/replay_pictures.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/util/display_text.h"
@@ -21,15 +24,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The files of --out: all of them, or none.
+/// All files that are written, but for a film's pictures without ffmpeg: all of them, or none.
 class ReplayFiles {
 public:
     [[nodiscard]] Expected<void> open(const ReplayOptions& options) {
-        if (options.out.empty()) return {};
         set_.reads(options.session);
+        if (!options.film.file.empty()) {
+            ffmpeg_ = findFfmpeg();
+            auto opened =
+                ffmpeg_ ? set_.open(options.film.file) : set_.makeFolder(ReplayFilm::folderFor(options.film.file));
+            if (!opened) return opened;
+        }
+        if (options.out.empty()) return {};
         if (auto made = set_.makeFolder(options.out); !made) return made;
         for (const char* name : {"cut.stl", "forces.csv", "summary.json"}) {
             if (auto opened = set_.open(options.out / name); !opened) return opened;
+        }
+        for (int i = 1; i <= options.pictures; ++i) {
+            if (auto opened = set_.open(pictureFile(options, i)); !opened) return opened;
         }
         auto file = TickCsv::create(options.out / "forces.csv");
         if (!file) return Unexpected{file.error()};
@@ -40,16 +52,86 @@ public:
         if (forces_) forces_->write(time, tick);
     }
     [[nodiscard]] Expected<void> finish(const ReplayOptions& options, const CutModel& model, const Json& summary) {
-        if (options.out.empty()) return {};
-        if (auto done = writeStl(model.exported().mesh, options.out / "cut.stl"); !done) return done;
-        if (auto done = forces_->commit(); !done) return done;
-        if (auto done = writeFile(options.out / "summary.json", summary.dump(2) + "\n"); !done) return done;
+        if (!options.out.empty()) {
+            if (auto done = writeStl(model.exported().mesh, options.out / "cut.stl"); !done) return done;
+            if (auto done = forces_->commit(); !done) return done;
+            if (auto done = writeFile(options.out / "summary.json", summary.dump(2) + "\n"); !done) return done;
+        }
         return set_.commit();
+    }
+    [[nodiscard]] const std::optional<std::filesystem::path>& ffmpeg() const { return ffmpeg_; }
+    [[nodiscard]] static std::filesystem::path pictureFile(const ReplayOptions& options, int number) {
+        return numberedFile(options.out / "picture.png", number);
     }
 
 private:
     FileTransaction set_;
     std::optional<TickCsv> forces_;
+    std::optional<std::filesystem::path> ffmpeg_;
+};
+
+/// The pictures and the film of a replay. Without either it does nothing.
+class ReplayShow {
+public:
+    [[nodiscard]] Expected<void> open(const ReplayOptions& options, const SessionRecording& recording,
+                                      const CutModel& model, const ReplayFiles& files) {
+        options_ = &options;
+        if (options.pictures == 0 && options.film.file.empty()) return {};
+        const Expected<ImageSize> size = parseSize(options.size);
+        if (!size) return Unexpected{size.error()};
+        const Expected<double> seconds = recording.seconds();
+        if (!seconds) return Unexpected{seconds.error()};
+        seconds_ = std::min(*seconds, options.until.value_or(*seconds));
+        if (!options.film.file.empty()) {
+            if (auto fits = ReplayFilm::check(options.film, *size, seconds_); !fits) return fits;
+        }
+        Expected<ReplayPictures> pictures = ReplayPictures::create(options.view, *size, model);
+        if (!pictures) return Unexpected{pictures.error()};
+        pictures_.emplace(std::move(*pictures));
+        if (options.film.file.empty()) return {};
+        Expected<ReplayFilm> film = ReplayFilm::start(options.film, *size, files.ffmpeg());
+        if (!film) return Unexpected{film.error()};
+        film_.emplace(std::move(*film));
+        return {};
+    }
+    /// After each tick. The first failure counts.
+    void add(const SessionReplay& replay, const Tick& tick, double time) {
+        if (!pictures_ || !done_) return;
+        last_ = {tick, time};
+        while (done_ && drawn_ < options_->pictures && time >= seconds_ * (drawn_ + 1) / options_->pictures)
+            draw(replay);
+        if (film_ && done_) done_ = film_->add(replay, *pictures_, tick, time);
+    }
+    [[nodiscard]] Expected<void> finish(const SessionReplay& replay) {
+        while (pictures_ && done_ && drawn_ < options_->pictures)
+            draw(replay);  // rounding, or a recording that differs
+        if (film_ && done_) done_ = film_->finish();
+        return done_;
+    }
+    [[nodiscard]] int filmPictures() const { return film_ ? film_->pictures() : 0; }
+
+private:
+    void draw(const SessionReplay& replay) {
+        const Expected<Image> image = pictures_->draw(replay, last_.tick, last_.time);
+        if (!image) {
+            done_ = Unexpected{image.error()};
+            return;
+        }
+        done_ = writePng(*image, ReplayFiles::pictureFile(*options_, ++drawn_));
+    }
+
+    struct Moment {
+        Tick tick;
+        double time = 0;  // s
+    };
+
+    const ReplayOptions* options_ = nullptr;
+    double seconds_ = 0;
+    std::optional<ReplayPictures> pictures_;
+    std::optional<ReplayFilm> film_;
+    Moment last_;
+    int drawn_ = 0;
+    Expected<void> done_;
 };
 
 Json summaryOf(const SessionReplay& replay, const SessionRecording& recording, double wallSeconds) {
@@ -86,6 +168,12 @@ void printSummary(const Json& summary, const std::string& recordedBy) {
     }
 }
 
+void printFilm(const ReplayOptions& options, int pictures, bool hasFfmpeg) {
+    if (hasFfmpeg) return print("{}: {} pictures\n", displayName(options.film.file), pictures);
+    print("{}: {} pictures and the sound. ffmpeg is not installed; with it they become a film.\n",
+          displayName(ReplayFilm::folderFor(options.film.file)), pictures);
+}
+
 }  // namespace
 
 int runReplay(const ReplayOptions& options) {
@@ -93,11 +181,19 @@ int runReplay(const ReplayOptions& options) {
     if (const auto opened = files.open(options); !opened) return reportError(opened.error());
     const Expected<SessionRecording> recording = SessionRecording::open(options.session);
     if (!recording) return reportError(recording.error());
-    const auto start = std::chrono::steady_clock::now();
     Expected<SessionReplay> replay = SessionReplay::start(*recording);
     if (!replay) return reportError(replay.error());
-    const auto row = [&](double time, const Tick& tick) { files.row(time, tick); };
+    ReplayShow show;
+    if (const auto opened = show.open(options, *recording, replay->model(), files); !opened) {
+        return reportError(opened.error());
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto row = [&](double time, const Tick& tick) {
+        files.row(time, tick);
+        show.add(*replay, tick, time);
+    };
     if (const auto played = replay->playUntil(options.until, row); !played) return reportError(played.error());
+    if (const auto shown = show.finish(*replay); !shown) return reportError(shown.error());
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const Json summary = summaryOf(*replay, *recording, wall);
     if (const auto written = files.finish(options, replay->model(), summary); !written) {
@@ -107,6 +203,7 @@ int runReplay(const ReplayOptions& options) {
         print("{}\n", summary.dump(2));
     } else {
         printSummary(summary, recording->facts().commit + ", " + recording->facts().compiler);
+        if (!options.film.file.empty()) printFilm(options, show.filmPictures(), files.ffmpeg().has_value());
     }
     return replay->differsAt() ? kExitNegative : kExitOk;
 }

@@ -4,6 +4,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+
+#include "app/cli/sessions/replay_film.h"
 
 namespace tactooth {
 
@@ -13,6 +16,10 @@ struct ReplayOptions {
     std::optional<double> until;  ///< s of the session
     bool verify = false;          ///< only compares
     bool json = false;
+    int pictures = 0;  ///< in `out`, evenly over the session
+    FilmOptions film;
+    std::string size = "1280x720";  ///< of pictures and film, as for `tactooth render`
+    std::string view = "dentist";   ///< the same
 };
 
 /// Simulates a recorded session again, as fast as this machine can, and compares it with the recording.

@@ -19,6 +19,41 @@ CLI::App* addForOneSession(CLI::App& parent, CommandAction& chosen, const char* 
     return command;
 }
 
+/// The options of pictures and film.
+void addPictures(CLI::App& command, ReplayOptions& options) {
+    constexpr const char* kGroup = "Pictures";
+    command
+        .add_option("--pictures", options.pictures,
+                    "Pictures of so many moments, evenly over the session, in the folder of --out")
+        ->transform(wholeNumberFrom(1, 500))
+        ->needs("--out")
+        ->type_name("N")
+        ->group(kGroup);
+    CLI::Option* film = command.add_option("--film", options.film.file,
+                                           "A film with the sound of the drill (.mp4, .mkv or .mov), by ffmpeg. Where "
+                                           "that is not installed: a folder FILE.frames of pictures and a WAV file");
+    film->type_name("FILE")->group(kGroup);
+    command.add_option("--fps", options.film.fps, "Pictures each second of the film (default: 25)")
+        ->transform(wholeNumberFrom(1, 240))
+        ->needs(film)
+        ->type_name("N")
+        ->group(kGroup);
+    command.add_option("--speed", options.film.speed, "Speed of the film; it has sound at 1 only (default: 1)")
+        ->transform(numberFrom(0.01, 100.0))
+        ->needs(film)
+        ->type_name("FACTOR")
+        ->group(kGroup);
+    command.add_option("--size", options.size, "Width and height of pictures and film, pixels (default: 1280x720)")
+        ->type_name("WxH")
+        ->group(kGroup);
+    command
+        .add_option("--view", options.view,
+                    "Direction of the view: occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
+                    "degrees (default: dentist)")
+        ->type_name("NAME")
+        ->group(kGroup);
+}
+
 void addReplay(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ReplayOptions>();
     CLI::App* command = addForOneSession(
@@ -34,7 +69,10 @@ void addReplay(CLI::App& program, CommandAction& chosen) {
     command->add_option("--until", options->until, "Stops at this time of the session")
         ->transform(numberFrom(0.0, 1e6))
         ->type_name("S");
-    command->add_flag("--verify", options->verify, "Only compares, and writes no files")->excludes("--out");
+    addPictures(*command, *options);
+    command->add_flag("--verify", options->verify, "Only compares, and writes no files")
+        ->excludes("--out")
+        ->excludes("--film");
     command->add_flag("--json", options->json, "Writes the summary as JSON");
 }
 

@@ -121,6 +121,9 @@ inline constexpr MessageText kMouthViewUnknown{
     "を選んでください。"};
 
 // The command line.
+inline constexpr MessageText kRecordingBringsAll{
+    "recording_brings_all", "a recorded session brings its own tooth; leave out --work-on, --layer and --materials.",
+    "セッションの記録には歯が含まれています。--work-on、--layer、--materials を付けずに実行してください。"};
 inline constexpr MessageText kCommandUnknown{
     "command_unknown", "there is no command and no case '%1'; see 'tactooth --help'.",
     "'%1' というコマンドも症例もありません。'tactooth --help' を参照してください。"};

@@ -7,6 +7,7 @@
 #include <QLayout>
 #include <QProgressBar>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QTimer>
 #include <QToolBar>
@@ -49,7 +50,9 @@ QByteArray unpacked(const std::string& text) { return QByteArray::fromBase64(QBy
 
 DockLayout::DockLayout(QMainWindow& window, const WindowPanels& panels)
     : window_(window), panels_(panels), fileBar_(window.addToolBar(tr("File"))), viewBar_(new QToolBar(tr("View"))) {
-    window_.setCentralWidget(panels_.view);
+    auto* middle = new QStackedWidget;  // other views may take its place
+    middle->addWidget(panels_.view);
+    window_.setCentralWidget(middle);
     window_.setStatusBar(panels_.status);
     addToolBars();
     addDocks();

@@ -21,7 +21,7 @@ PanelUpdater::PanelUpdater(SessionModel& model, const WindowPanels& panels, cons
 void PanelUpdater::showStep(bool busy) {
     trace_.add(model_.log().ticks());
     panels_.busy->setVisible(busy);
-    panels_.view->refresh();
+    if (!replaying_) panels_.view->refresh();
 }
 
 void PanelUpdater::restart() {
@@ -32,6 +32,7 @@ void PanelUpdater::restart() {
 }
 
 void PanelUpdater::showNumbers() {
+    if (replaying_) return;
     panels_.drive->show(model_.log().newest());
     panels_.plots->show(trace_);
     panels_.events->show(model_.log().events().all());

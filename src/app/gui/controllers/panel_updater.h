@@ -22,6 +22,8 @@ public:
 
     /// After each step of the model. `busy`: work goes on in the background.
     void showStep(bool busy);
+    /// While a recording is replayed, gauges and plots show that.
+    void setReplaying(bool replaying) { replaying_ = replaying; }
     /// Another runner counts from zero.
     void restart();
     /// Gauges, plots and events; some ten times a second.
@@ -34,6 +36,7 @@ private:
     WindowPanels panels_;
     const SoundOutput& sound_;
     TickTrace trace_;
+    bool replaying_ = false;
 };
 
 /// Whether any part of a panel is visible. For Qt a panel behind another tab is visible too.

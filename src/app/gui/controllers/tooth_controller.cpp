@@ -14,8 +14,14 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
+#include "session/recording/session_recorder.h"
 
 namespace tactooth {
+namespace {
+
+bool isRecording(const std::filesystem::path& file) { return file.extension() == kSessionFileEnding; }
+
+}  // namespace
 
 namespace {
 
@@ -74,7 +80,10 @@ void ToothController::openTooth(const ToothSource& source, const std::string& wo
 }
 
 void ToothController::openFile(const QString& file) {
-    if (QFileInfo(file).suffix() == "toml") {
+    if (isRecording(file.toStdString())) {
+        emit fileOpened(file);
+        emit recordingChosen(file);
+    } else if (QFileInfo(file).suffix() == "toml") {
         emit exerciseFileChosen(file);
     } else {
         openTooth({.outer = file.toStdString(), .layers = {}});
@@ -82,7 +91,8 @@ void ToothController::openFile(const QString& file) {
 }
 
 void ToothController::openDropped(const std::vector<std::filesystem::path>& files) {
-    if (isCase(files.front()) || isToothFile(files.front()) || files.front().extension() == ".toml") {
+    if (isCase(files.front()) || isToothFile(files.front()) || isRecording(files.front()) ||
+        files.front().extension() == ".toml") {
         openFile(QString::fromStdString(files.front().string()));
     } else {
         importScan(files);
@@ -153,11 +163,19 @@ void ToothController::askForBur() {
 }
 
 void ToothController::askForExport() {
+    if (isReplaying()) return;
     files_.save(tr("Export cut tooth"), tr("STL surfaces (*.stl *.STL);;All files (*)"), "cut.stl",
                 [this](const QString& file) { exportTooth(file); });
 }
 
+/// While a recording is shown, there is no tooth on the bench to write. It tells the user.
+bool ToothController::isReplaying() const {
+    if (model_.isPaused()) messages_.setHint(tr("A recording is shown. Leave the replay to save the tooth."));
+    return model_.isPaused();
+}
+
 void ToothController::askForSave(const std::function<void()>& saved) {
+    if (isReplaying()) return;
     files_.save(tr("Save tooth"), tr("Saved teeth (*.tactooth);;All files (*)"), "tooth.tactooth",
                 [this, saved](const QString& file) {
                     if (saveTooth(file) && saved) saved();

@@ -32,11 +32,11 @@ public:
     /// `hint`: what the status line says meanwhile.
     void load(Task<SessionTooth>::Function tooth, const QString& hint);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
-    /// A tooth, a case, or the description of an exercise.
+    /// A tooth, a case, the description of an exercise, or a recorded session.
     void openFile(const QString& file);
     /// Another tooth of the case that is open.
     void openToothOfCase(const std::string& name) { openTooth(source_, name); }
-    /// Opens teeth, cases and exercises; shows the import dialog for surfaces.
+    /// Opens teeth, cases, exercises and recordings; shows the import dialog for surfaces.
     void openDropped(const std::vector<std::filesystem::path>& files);
     /// Surfaces of one tooth in any unit and position. A dialog shows what is assumed before the import.
     void importScan(const std::vector<std::filesystem::path>& files);
@@ -71,6 +71,7 @@ public:
 signals:
     void fileOpened(const QString& file);
     void exerciseFileChosen(const QString& file);
+    void recordingChosen(const QString& file);
     void loadingFailed();
     /// The user keeps the tooth, whose cuts are not saved.
     void loadingDeclined();
@@ -78,6 +79,7 @@ signals:
 private:
     void replaceTooth(const std::function<void()>& load);
     void install(const SessionTooth& imported);
+    [[nodiscard]] bool isReplaying() const;
 
     SessionModel& model_;
     WindowMessages& messages_;

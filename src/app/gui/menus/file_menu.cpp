@@ -43,6 +43,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     menu->addAction(tr("&Import scan…"), &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
     menu->addAction(tr("Open &bur…"), &teeth_, &ToothController::askForBur);
     menu->addAction(tr("Open e&xercise…"), &exercise_, &ExerciseController::askForExercise);
+    menu->addAction(tr("Open recor&ding…"), this, &FileMenu::recordingWanted);
     menu->addAction(tr("&Save tooth…"), &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style.standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), &teeth_,
                                     &ToothController::askForExport);

@@ -30,6 +30,10 @@ public:
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
+signals:
+    /// The user wants to choose a recording to open.
+    void recordingWanted();
+
 private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings);
     void addBuiltinTeeth(QMenu& menu);

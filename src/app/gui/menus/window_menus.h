@@ -23,6 +23,7 @@ public:
                 ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
                 WindowMessages& messages);
 
+    [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
     [[nodiscard]] InstrumentMenus& instruments() { return instruments_; }
     /// Shows three ways to begin.

@@ -33,6 +33,14 @@ bool samePose(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSeen && a.rotation.angularDistance(b.rotation) < kSeen / 20;
 }
 
+bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<ShownOther>& drawn) {
+    if (now.has_value() != drawn.has_value()) return true;
+    if (!now) return false;
+    return now->tooth != drawn->tooth || now->tool.has_value() != drawn->tool.has_value() ||
+           (now->tool && (now->tool->bur != drawn->tool->bur || now->tool->turbine != drawn->tool->turbine ||
+                          !samePose(now->tool->toolInTooth, drawn->tool->toolInTooth)));
+}
+
 }  // namespace
 
 ToothView::ToothView(SessionModel& model, QWidget* parent)
@@ -48,7 +56,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
         // On a slow machine the next quick picture may just be late. A full-quality picture now would delay it more.
-        careful_ = changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
+        careful_ = changeTo(contents()) == FramePacer::Change::None;
         if (careful_) {
             redraw();
         } else {
@@ -69,6 +77,16 @@ void ToothView::forgetRenderer() {
     makeCurrent();
     renderer_.reset();
     doneCurrent();
+}
+
+SceneContents ToothView::contents() const {
+    return contents_ ? contents_(showsTurbine_, showsMirror_) : sceneContents(model_, showsTurbine_, showsMirror_);
+}
+
+void ToothView::setContents(ContentsSource contents) {
+    contents_ = std::move(contents);
+    setCursor(contents_ ? Qt::OpenHandCursor : Qt::CrossCursor);
+    redraw();
 }
 
 ImageSize ToothView::imageSize() const {
@@ -107,10 +125,10 @@ void ToothView::redraw() {
 
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
-    SceneContents contents = sceneContents(model_, showsTurbine_, showsMirror_);
-    if (!std::exchange(isStale_, false) && changeTo(contents) == FramePacer::Change::None) return;
-    contents.camera = camera_.camera();
-    drawn_ = contents;
+    SceneContents now = contents();
+    if (!std::exchange(isStale_, false) && changeTo(now) == FramePacer::Change::None) return;
+    now.camera = camera_.camera();
+    drawn_ = now;
     sinceDrawn_.start();
     const bool careful = std::exchange(careful_, false);
     showsCareful_ = careful;
@@ -121,7 +139,7 @@ void ToothView::paintGL() {
         settings.resolution = framePacer_.resolution(change);
         rest_.start(kRestMs);
     }
-    Scene scene = sceneFor(contents);
+    Scene scene = sceneFor(now);
     scene.second = secondPicture(careful);
     auto done = renderer_->render(scene, defaultFramebufferObject(), imageSize(), settings);
     if (!done) report(done.error());
@@ -131,8 +149,7 @@ void ToothView::paintGL() {
 }
 
 bool ToothView::isAtRest() const {
-    return showsCareful_ && !isStale_ &&
-           changeTo(sceneContents(model_, showsTurbine_, showsMirror_)) == FramePacer::Change::None;
+    return showsCareful_ && !isStale_ && changeTo(contents()) == FramePacer::Change::None;
 }
 
 Scene ToothView::sceneFor(const SceneContents& contents) const {
@@ -161,7 +178,7 @@ FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
     using enum FramePacer::Change;
     if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
         now.mirror.has_value() != drawn_.mirror.has_value() || now.suction.has_value() != drawn_.suction.has_value() ||
-        now.flying != drawn_.flying) {
+        now.flying != drawn_.flying || isOtherMoved(now.other, drawn_.other)) {
         return Motion;
     }
     if (now.mirror && (now.mirror->mesh != drawn_.mirror->mesh || now.mirror->fog != drawn_.mirror->fog ||
@@ -191,7 +208,7 @@ bool ToothView::seesTip(const SceneContents& now) const {
 
 void ToothView::refresh() {
     secondFrame_->setVisible(drawsSecond());  // a tooth may have come
-    const FramePacer::Change change = changeTo(sceneContents(model_, showsTurbine_, showsMirror_));
+    const FramePacer::Change change = changeTo(contents());
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
     redraw();
@@ -268,7 +285,7 @@ void ToothView::resizeEvent(QResizeEvent* event) {
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() == Qt::LeftButton) model_.manipulator().press(viewport(), mouse_);
+    if (event->button() == Qt::LeftButton && !contents_) model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -286,8 +303,9 @@ void ToothView::moveCamera(const Vec2& displacement, Qt::MouseButtons buttons) {
 
 void ToothView::mouseMoveEvent(QMouseEvent* event) {
     const Vec2 now = toPixel(event->position());
-    if (event->buttons() & (Qt::RightButton | Qt::MiddleButton)) {
-        moveCamera(now - mouse_, event->buttons());
+    const bool turnsByLeft = contents_ && (event->buttons() & Qt::LeftButton) != 0;
+    if (turnsByLeft || (event->buttons() & (Qt::RightButton | Qt::MiddleButton))) {
+        moveCamera(now - mouse_, turnsByLeft ? Qt::MouseButtons(Qt::RightButton) : event->buttons());
         mouse_ = now;
     } else {
         moveHand(now, event->modifiers());
@@ -318,14 +336,14 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     for (const auto& [code, displacement] : directions) {
         if (key.key() != code) continue;
         const Vec2 pixels = kKeyStep * size.height * displacement;
-        if (key.modifiers() & Qt::ControlModifier) {
+        if (contents_ || (key.modifiers() & Qt::ControlModifier)) {
             moveCamera(kKeyTurn * pixels, Qt::RightButton);
         } else {
             moveHand(mouse_ + pixels, key.modifiers());
         }
         return true;
     }
-    if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
+    if (!contents_ && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
         if (key.isAutoRepeat()) return true;
         model_.manipulator().press(viewport(), mouse_);
         isPressedByKey_ = true;
@@ -360,7 +378,7 @@ void ToothView::endKeyPress() {
 void ToothView::wheelEvent(QWheelEvent* event) {
     constexpr double kNotch = 120;  // eighths of a degree
     const double notches = event->angleDelta().y() / kNotch;
-    if (event->modifiers() & Qt::ControlModifier) {
+    if (contents_ || (event->modifiers() & Qt::ControlModifier)) {
         camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
         redraw();
     } else {

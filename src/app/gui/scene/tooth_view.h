@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
@@ -26,6 +27,10 @@ public:
     explicit ToothView(SessionModel& model, QWidget* parent = nullptr);
     ~ToothView() override;
 
+    /// Shows these contents in place of the session: `contents` gives them for each picture. The mouse and the keys
+    /// then move only the camera.
+    using ContentsSource = std::function<SceneContents(bool withTurbine, bool withMirror)>;
+    void setContents(ContentsSource contents);
     /// Draws again if the scene has changed and the next picture is due.
     void refresh();
     /// Number of pictures drawn so far.
@@ -77,6 +82,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    [[nodiscard]] SceneContents contents() const;
     [[nodiscard]] ImageSize imageSize() const;
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     [[nodiscard]] FramePacer::Change changeTo(const SceneContents& now) const;
@@ -93,6 +99,7 @@ private:
     void redraw();
 
     SessionModel& model_;
+    ContentsSource contents_;  // null: the session
     OrbitCamera camera_;
     std::optional<Renderer> renderer_;
     bool failed_ = false;

@@ -38,7 +38,8 @@ MainWindow::MainWindow(SoundOutput& sound)
       menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, messages_),
       history_(model_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
-      loop_(model_) {
+      loop_(model_),
+      replay_(*this, model_, panels_, messages_, files_, updater_, sound) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
@@ -48,6 +49,8 @@ MainWindow::MainWindow(SoundOutput& sound)
     connectLoop();
     connectNumbers();
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
+    connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
+    connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
@@ -100,7 +103,7 @@ void MainWindow::connectLoop() {
         devices_.followButtons();
         sounds_.poll();
         exercise_.poll();
-        updater_.showStep(isBusy() || teeth_.isImporting());
+        updater_.showStep(isBusy() || teeth_.isImporting() || replay_.isLoading());
         loop_.setBusy(isBusy() || restorer_.isBusy());
         unsaved_.showState();
     });

@@ -22,6 +22,7 @@
 #include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/replay/replay_controller.h"
 
 namespace tactooth {
 
@@ -42,6 +43,7 @@ public:
     [[nodiscard]] RecordExports& records() { return records_; }
     [[nodiscard]] RecordingController& recordings() { return recordings_; }
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
+    [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
@@ -118,6 +120,7 @@ private:
     HistoryActions history_;
     PanelUpdater updater_;
     StepLoop loop_;
+    ReplayController replay_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
 };

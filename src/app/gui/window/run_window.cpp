@@ -26,6 +26,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/unfinished_files.h"
 #include "haptics/real_time.h"
+#include "session/recording/session_recording.h"
 #include "sound/output/openal_output.h"
 
 namespace tactooth {
@@ -140,6 +141,10 @@ int runWindow(const WindowOptions& options) {
         if (!made) return reportError(made.error());
         tooth = std::move(*made);
     }
+    if (options.recording) {
+        const auto readable = SessionRecording::open(*options.recording);
+        if (!readable) return reportError(readable.error());
+    }
     std::optional<SessionBur> bur;
     if (options.bur) {
         Expected<SessionBur> loaded = loadSessionBur(*options.bur);
@@ -183,7 +188,8 @@ int runWindow(const WindowOptions& options) {
         window.messages().showError(sentences);
     }
     if (forgotten) window.messages().showError(*forgotten);
-    if (isFirstTime && !tooth && !options.mouth) window.welcome();
+    if (options.recording) window.teeth().openFile(QString::fromStdString(options.recording->string()));
+    if (isFirstTime && !tooth && !options.mouth && !options.recording) window.welcome();
     window.restorer().offer();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(releaseWithoutDisplay);

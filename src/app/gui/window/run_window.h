@@ -15,9 +15,10 @@ namespace tactooth {
 /// What the window opens; a missing value means the built-in tooth or bur.
 struct WindowOptions {
     std::optional<ToothSource> tooth;
-    std::string workOn;                             ///< name of the tooth of a case; empty: the first
-    std::optional<MouthChoice> mouth;               ///< a tooth in a whole mouth; excludes `tooth`
-    std::optional<std::filesystem::path> exercise;  ///< excludes `tooth` and `mouth`
+    std::string workOn;                              ///< name of the tooth of a case; empty: the first
+    std::optional<MouthChoice> mouth;                ///< a tooth in a whole mouth; excludes `tooth`
+    std::optional<std::filesystem::path> exercise;   ///< excludes `tooth` and `mouth`
+    std::optional<std::filesystem::path> recording;  ///< a recorded session to replay; excludes `tooth`
     std::optional<std::filesystem::path> bur;
     std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
     bool records = true;                          ///< false: nothing is kept or restored

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/sessions/replay_pictures.h"
+
+#include <utility>
+
+#include "app/cli/pictures/render_arguments.h"
+#include "app/common/inspection.h"
+#include "instruments/turbine.h"
+
+namespace tactooth {
+
+ReplayPictures::ReplayPictures(OffscreenRenderer renderer, const OrbitCamera& camera, ImageSize size,
+                               const CutModel& model)
+    : renderer_(std::move(renderer)),
+      camera_(camera),
+      size_(size),
+      around_(bodiesAround(model)),
+      turbine_(std::make_shared<const TriangleMesh>(makeTurbine())) {}
+
+Expected<ReplayPictures> ReplayPictures::create(const std::string& view, ImageSize size, const CutModel& model) {
+    const auto direction = parseView(view);
+    if (!direction) return Unexpected{direction.error()};
+    OrbitCamera camera;
+    if (direction->standard) {
+        camera.setView(*direction->standard);
+    } else {
+        camera.setView(direction->free);
+    }
+    constexpr double kAbove = 8;  // mm: the head of the handpiece
+    camera.fit(crownBox(model.tooth().outer()->tree().box(), kAbove), size.aspect());
+    Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
+    if (!renderer) return Unexpected{renderer.error()};
+    return ReplayPictures(std::move(*renderer), camera, size, model);
+}
+
+Expected<Image> ReplayPictures::draw(const SessionReplay& replay, const Tick& tick, double time) {
+    SceneContents contents;
+    contents.tooth = replay.model().surface();
+    contents.around = around_;
+    contents.camera = camera_.camera();
+    contents.materials = MaterialTable(replay.model().tooth().materials());
+    if (replay.bur()) {
+        const Instrument& instrument = replay.bur()->instrument;
+        if (std::exchange(shape_, instrument.shape) != instrument.shape) bur_ = ReplayBur::of(instrument);
+        contents.materials = replay.bur()->settings.materials;
+        if (tick.number > 0) contents.tool = bur_.at(tick, time, turbine_);
+    }
+    return renderer_.render(makeScene(contents), size_);
+}
+
+}  // namespace tactooth

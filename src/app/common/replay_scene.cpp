@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/replay_scene.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "session/model/spin_envelope_mesh.h"
+
+namespace tactooth {
+
+ReplayBur ReplayBur::of(const Instrument& instrument) {
+    return {std::make_shared<const TriangleMesh>(instrument.shape->mesh()),
+            std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge};
+}
+
+ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    return {.bur = shown,
+            .turbine = std::move(turbine),
+            .material = edge.gritMicrometres > 0 ? BurMaterial::Diamond : BurMaterial::Carbide,
+            .toolInTooth = tick.proxy,
+            .spin = std::remainder(time * tick.speedRpm / 60 * kTurn, kTurn),
+            .speedRpm = tick.speedRpm,
+            .edge = edge,
+            .blurred = blurred};
+}
+
+/// Each body has one material nearly everywhere; it is drawn in that of its first triangle.
+std::vector<ShownBody> bodiesAround(const CutModel& model) {
+    const std::vector<Appearance> appearances = appearancesOf(MaterialTable(model.tooth().materials()));
+    std::vector<ShownBody> bodies;
+    for (const auto& part : model.surroundings()) {
+        const std::size_t material = part->tags().empty() ? 0 : part->tags().front();
+        bodies.push_back({std::make_shared<const TriangleMesh>(part->mesh()),
+                          {},
+                          material < appearances.size() ? appearances[material] : Appearance()});
+    }
+    return bodies;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/common/scene_builder.h"
+#include "session/kernel/session_event.h"
+
+// A moment of a recorded session as a picture.
+
+namespace tactooth {
+
+/// A bur of a recording as it is drawn.
+struct ReplayBur {
+    std::shared_ptr<const TriangleMesh> shown, blurred;
+    BurEdge edge;
+
+    [[nodiscard]] static ReplayBur of(const Instrument& instrument);
+    /// The instrument at a tick; `time`: of the session, s. `turbine`: the handpiece behind the bur, or null.
+    [[nodiscard]] ShownTool at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const;
+};
+
+/// The bodies around a recorded tooth, as they are drawn.
+[[nodiscard]] std::vector<ShownBody> bodiesAround(const CutModel& model);
+
+}  // namespace tactooth

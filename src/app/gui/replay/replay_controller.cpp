@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/replay/replay_controller.h"
+
+#include <QMainWindow>
+#include <QStackedWidget>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/panel_updater.h"
+#include "app/gui/controllers/window_messages.h"
+#include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/panels/device_panel.h"
+#include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/drive_panel.h"
+#include "app/gui/panels/exercise_panel.h"
+#include "app/gui/panels/force_panel.h"
+#include "app/gui/panels/inspection_panel.h"
+#include "app/gui/panels/plot_panel.h"
+#include "app/gui/replay/replay_bar.h"
+#include "app/gui/replay/replay_comment_menu.h"
+#include "app/gui/replay/replay_panel.h"
+#include "app/gui/replay/replay_trace.h"
+#include "app/gui/scene/tooth_view.h"
+#include "app/gui/text/translation.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kStepMs = 16;           // 60 steps a second
+constexpr int kNumbersMs = 100;       // ten times a second
+constexpr double kLongestStep = 0.1;  // s: after a stall the replay goes on where it was
+constexpr double kSameTime = 1e-6;    // s: less than a tick
+
+}  // namespace
+
+ReplayController::ReplayController(QMainWindow& window, SessionModel& model, const WindowPanels& panels,
+                                   WindowMessages& messages, FileDialogs& files, PanelUpdater& updater,
+                                   SoundOutput& sound)
+    : window_(window),
+      model_(model),
+      panels_(panels),
+      messages_(messages),
+      files_(files),
+      updater_(updater),
+      sound_(sound) {
+    connect(&timer_, &QTimer::timeout, this, &ReplayController::step);
+    connect(&numbers_, &QTimer::timeout, this, &ReplayController::showNumbers);
+    connect(panels_.inspection, &InspectionPanel::changed, this, &ReplayController::showInspection);
+}
+
+ReplayController::~ReplayController() {
+    if (panel_ != nullptr) panel_->view().setContents({});  // they are this object's
+}
+
+void ReplayController::askForRecording() {
+    files_.open(tr("Open recording"), tr("Recorded sessions (*.ttsession);;All files (*)"),
+                [this](const QString& file) { open(file); });
+}
+
+void ReplayController::open(const QString& file) {
+    files_.enterFolderOf(file);
+    messages_.setHint(tr("Opening recording %1…").arg(file));
+    opening_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
+    timer_.start(kStepMs);
+}
+
+void ReplayController::openGhost(const QString& file) {
+    files_.enterFolderOf(file);
+    openingGhost_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
+}
+
+void ReplayController::removeGhost() {
+    ghost_.reset();
+    openingGhost_.cancel();
+    if (panel_ != nullptr) panel_->bar().setCompares(false);
+}
+
+void ReplayController::pollOpening() {
+    if (auto opened = opening_.poll()) {
+        if (*opened) {
+            enter(std::move(**opened));
+        } else {
+            messages_.setHint({});
+            messages_.showError(opened->error());
+        }
+    }
+    if (auto opened = openingGhost_.poll(); opened && isActive()) {
+        if (*opened) ghost_ = std::move(**opened);
+        if (!*opened) messages_.showError(opened->error());
+        panel_->bar().setCompares(ghost_ != nullptr);
+    }
+    if (!isActive() && !isLoading()) timer_.stop();
+}
+
+void ReplayController::makePanel() {
+    panel_ = new ReplayPanel(sound_);
+    static_cast<QStackedWidget*>(window_.centralWidget())->addWidget(panel_);
+    comments_ = std::make_unique<ReplayCommentMenu>(panel_->bar().commentMenu(), messages_, window_);
+    panel_->view().setContents([this](bool withTurbine, bool) { return contents(withTurbine); });
+    connectBar();
+}
+
+void ReplayController::connectBar() {
+    const ReplayBar& bar = panel_->bar();
+    connect(&bar, &ReplayBar::playToggled, this, [this] { cursor_->setPlaying(!cursor_->isPlaying()); });
+    connect(&bar, &ReplayBar::timeChosen, this, [this](double time) { cursor_->jumpTo(time); });
+    connect(&bar, &ReplayBar::speedChosen, this, [this](double speed) { cursor_->setSpeed(speed); });
+    connect(&bar, &ReplayBar::stepped, this, [this](int ticks) { cursor_->step(ticks); });
+    connect(&bar, &ReplayBar::nextWanted, this, [this] { cursor_->jumpToNext(markTimes()); });
+    connect(&bar, &ReplayBar::previousWanted, this, [this] { cursor_->jumpToPrevious(markTimes()); });
+    connect(&bar, &ReplayBar::compareToggled, this, &ReplayController::toggleGhost);
+    connect(&bar, &ReplayBar::leaveWanted, this, &ReplayController::leave);
+    connect(&bar, &ReplayBar::commentWanted, this, [this] {
+        cursor_->setPlaying(false);
+        comments_->askFor(cursor_->time());
+    });
+    connect(comments_.get(), &ReplayCommentMenu::changed, this, &ReplayController::showMarks);
+    connect(comments_.get(), &ReplayCommentMenu::timeChosen, this, [this](double time) { cursor_->jumpTo(time); });
+}
+
+void ReplayController::enter(Opened source) {
+    if (panel_ == nullptr) makePanel();
+    if (!isActive()) {
+        panels_.tour->stop();
+        bench_ = model_.tooth() ? model_.tooth()->piece : nullptr;
+        model_.setPaused(true);
+        updater_.setReplaying(true);
+        setLocked(true);
+    }
+    removeGhost();
+    source_ = std::move(source);
+    cursor_.emplace(source_->track());
+    shownEvents_ = 0;
+    reportedEnd_ = false;
+    heardBur_.reset();
+    panel_->setSource(*source_);
+    comments_->open(source_->file());
+    static_cast<QStackedWidget*>(window_.centralWidget())->setCurrentWidget(panel_);
+    showInspection();
+    panel_->view().setFocus();
+    messages_.setHint(tr("Replay: Space plays and pauses, Escape leads back to the tooth."));
+    sinceStep_.start();
+    numbers_.start(kNumbersMs);
+}
+
+void ReplayController::leave() {
+    if (!isActive()) return;
+    numbers_.stop();
+    removeGhost();
+    static_cast<QStackedWidget*>(window_.centralWidget())->setCurrentWidget(panels_.view);
+    cursor_.reset();
+    source_.reset();
+    bench_.reset();
+    setLocked(false);
+    updater_.setReplaying(false);
+    model_.setPaused(false);
+    messages_.setHint(tr("The tooth is as you left it."));
+}
+
+/// What would change the tooth on the bench, or the force.
+void ReplayController::setLocked(bool locked) {
+    const std::array<QWidget*, 4> panels = {panels_.drill, panels_.force, panels_.device, panels_.exercise};
+    for (QWidget* panel : panels) panel->setEnabled(!locked);
+    for (QAction* action : {panels_.drill->touchAction(), panels_.drill->cutAction(), panels_.drill->undoAction(),
+                            panels_.drill->resetAction()}) {
+        action->setEnabled(!locked);
+    }
+}
+
+/// The user has opened one meanwhile, and wants to see it.
+bool ReplayController::isOtherToothOnTheBench() {
+    const std::shared_ptr<CutModel> now = model_.tooth() ? model_.tooth()->piece : nullptr;
+    return std::exchange(bench_, now) != now && now != nullptr;
+}
+
+void ReplayController::step() {
+    const bool hadNoTooth = bench_ == nullptr;  // the first one comes in the background
+    pollOpening();
+    if (!isActive()) return;
+    if (isOtherToothOnTheBench() && !hadNoTooth) return leave();
+    cursor_->advance(std::min(static_cast<double>(sinceStep_.restart()) / 1000, kLongestStep));
+    panel_->view().refresh();
+    panel_->bar().show(*cursor_, source_->track()->seconds());
+    comments_->setTime(cursor_->time());
+    playSound();
+}
+
+SceneContents ReplayController::contents(bool withTurbine) {
+    if (!isActive()) return {};
+    const auto turbine = withTurbine ? panel_->turbine() : nullptr;
+    SceneContents contents = source_->contentsAt(cursor_->moment(), turbine);
+    if (ghost_ == nullptr) return contents;
+    SceneContents other = ghost_->contentsAt(ghost_->track()->momentAt(cursor_->time()), turbine);
+    contents.other = ShownOther{std::move(other.tooth), std::move(other.tool)};
+    return contents;
+}
+
+void ReplayController::showMarks() {
+    std::vector<ReplaySlider::Mark> marks;
+    for (const TrackEvent& event : source_->track()->events()) {
+        marks.push_back({event.time, translated(Message(*event.text)), false});
+    }
+    for (const ReplayComment& comment : comments_->all()) {
+        marks.push_back({comment.time, QString::fromStdString(comment.text), true});
+    }
+    std::ranges::stable_sort(marks, {}, &ReplaySlider::Mark::time);
+    panel_->bar().setMarks(std::move(marks));
+}
+
+std::vector<double> ReplayController::markTimes() const {
+    std::vector<double> times;
+    for (const ReplaySlider::Mark& mark : panel_->bar().marks()) times.push_back(mark.time);
+    return times;
+}
+
+/// The last mark before the cursor; of several at the same time a comment.
+void ReplayController::showNote() {
+    const std::vector<ReplaySlider::Mark>& marks = panel_->bar().marks();
+    const auto later = std::ranges::upper_bound(marks, cursor_->time() + kSameTime, {}, &ReplaySlider::Mark::time);
+    if (later == marks.begin()) return panel_->bar().showNote({});
+    const ReplaySlider::Mark& last = *std::prev(later);
+    panel_->bar().showNote(QString("%1 s: %2").arg(window_.locale().toString(last.time, 'f', 1), last.text));
+}
+
+void ReplayController::showNumbers() {
+    if (!isActive()) return;
+    const SessionTrack& track = *source_->track();
+    if (const std::size_t events = track.events().size(); events != std::exchange(shownEvents_, events)) showMarks();
+    showNote();
+    const std::uint64_t moment = cursor_->moment();
+    panels_.plots->show(traceBefore(track, moment));
+    panels_.drive->show(track.tickBefore(moment).tick());
+    if (track.isFinished() && !std::exchange(reportedEnd_, true)) reportEnd();
+}
+
+void ReplayController::showInspection() {
+    if (!isActive()) return;
+    Inspection inspection = panels_.inspection->inspection(source_->uncut()->tooth().outer()->tree().box(), 1,
+                                                           source_->uncut()->tooth().materials());
+    inspection.distances.reset();  // they belong to the tooth on the bench
+    inspection.ghost.reset();
+    panel_->view().setInspection(inspection, panels_.inspection->stereo());
+}
+
+void ReplayController::reportEnd() {
+    const SessionTrack& track = *source_->track();
+    if (const std::optional<Message> fault = track.fault()) messages_.showError(translated(*fault));
+    if (const std::optional<double> differsAt = track.differsAt()) {
+        messages_.setHint(tr("This program differs from the one that made the recording: from %1 s on the replay is "
+                             "not what happened.")
+                              .arg(window_.locale().toString(*differsAt, 'f', 1)));
+    }
+}
+
+/// At its own speed only: otherwise no drill sounds like that.
+void ReplayController::playSound() {
+    const std::uint64_t moment = cursor_->moment();
+    if (!cursor_->isPlaying() || cursor_->speed() != ReplayCursor::kOwnSpeed || moment == 0) return;
+    const std::shared_ptr<const TrackBur> bur = source_->track()->burAt(moment);
+    if (bur == nullptr) return;
+    if (bur != heardBur_) {
+        tickSound_.emplace(bur->begin.settings.spindle, bur->begin.settings.materials, bur->begin.instrument.edge);
+        heardBur_ = bur;
+    }
+    DrillSoundState heard = tickSound_->at(source_->track()->tickBefore(moment).tick());
+    model_.instruments().muteIdle(heard);
+    sound_.publish(heard);
+}
+
+void ReplayController::toggleGhost() {
+    if (ghost_ != nullptr) return removeGhost();
+    panel_->bar().setCompares(false);  // until it is there
+    files_.open(tr("Compare with another recording"), tr("Recorded sessions (*.ttsession);;All files (*)"),
+                [this](const QString& file) {
+                    if (isActive()) openGhost(file);
+                });
+}
+
+}  // namespace tactooth

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "app/gui/controllers/window_panels.h"
+#include "app/gui/replay/replay_cursor.h"
+#include "app/gui/replay/replay_source.h"
+#include "session/audio/tick_sound.h"
+#include "session/model/session_model.h"
+#include "session/model/task.h"
+
+class QMainWindow;
+
+namespace tactooth {
+
+class FileDialogs;
+class PanelUpdater;
+class ReplayCommentMenu;
+class ReplayPanel;
+class WindowMessages;
+
+/// Replays recordings in the window: opens them, plays them, and leads back to the tooth on the bench, which waits
+/// unchanged. While a recording is shown the simulation stands still, so that no device pushes against a tooth that
+/// nobody sees.
+class ReplayController final : public QObject {
+    Q_OBJECT
+
+public:
+    /// All of them outlive the controller. The middle of the window is a QStackedWidget.
+    ReplayController(QMainWindow& window, SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
+                     FileDialogs& files, PanelUpdater& updater, SoundOutput& sound);
+    ~ReplayController() override;
+
+    void askForRecording();
+    void open(const QString& file);
+    /// Shows another recording as a ghost in this one.
+    void openGhost(const QString& file);
+    void removeGhost();
+    void leave();
+
+    [[nodiscard]] bool isActive() const { return source_ != nullptr; }
+    /// A recording is being opened.
+    [[nodiscard]] bool isLoading() const { return opening_.isBusy() || openingGhost_.isBusy(); }
+    /// While a recording is shown; else null.
+    [[nodiscard]] ReplayPanel* panel() const { return isActive() ? panel_ : nullptr; }
+    [[nodiscard]] ReplaySource* source() const { return source_.get(); }
+    [[nodiscard]] ReplaySource* ghost() const { return ghost_.get(); }
+    /// While a recording is shown.
+    [[nodiscard]] ReplayCursor& cursor() { return *cursor_; }
+
+private:
+    using Opened = std::shared_ptr<ReplaySource>;
+
+    void makePanel();
+    void connectBar();
+    void step();
+    void pollOpening();
+    void enter(Opened source);
+    void setLocked(bool locked);
+    [[nodiscard]] bool isOtherToothOnTheBench();
+    [[nodiscard]] SceneContents contents(bool withTurbine);
+    void showMarks();
+    void showNote();
+    void showNumbers();
+    void showInspection();
+    void reportEnd();
+    void playSound();
+    void toggleGhost();
+    [[nodiscard]] std::vector<double> markTimes() const;
+
+    QMainWindow& window_;
+    SessionModel& model_;
+    WindowPanels panels_;
+    WindowMessages& messages_;
+    FileDialogs& files_;
+    PanelUpdater& updater_;
+    SoundOutput& sound_;
+    Task<Opened> opening_, openingGhost_;
+    ReplayPanel* panel_ = nullptr;  // made when it is needed first; the window owns it
+    std::unique_ptr<ReplayCommentMenu> comments_;
+    Opened source_, ghost_;
+    std::optional<ReplayCursor> cursor_;
+    std::shared_ptr<CutModel> bench_;  // the tooth on the bench when the replay began
+    std::size_t shownEvents_ = 0;
+    bool reportedEnd_ = false;
+    std::shared_ptr<const TrackBur> heardBur_;
+    std::optional<TickSound> tickSound_;
+    QTimer timer_, numbers_;
+    QElapsedTimer sinceStep_;
+};
+
+}  // namespace tactooth

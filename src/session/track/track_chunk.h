@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "session/track/track_tick.h"
+
+namespace tactooth {
+
+/// Bytes that were compressed, if that makes them fewer.
+struct PackedBytes {
+    std::vector<std::byte> bytes;
+    std::size_t rawSize = 0;
+
+    [[nodiscard]] static PackedBytes of(std::vector<std::byte> raw);
+    [[nodiscard]] std::vector<std::byte> unpacked() const;
+};
+
+/// A change of the tooth's surface.
+struct CutStep {
+    std::uint32_t afterTicks = 0;  ///< number of the chunk's ticks before it
+    std::size_t end = 0;           ///< of its difference among those of the chunk, bytes
+};
+
+/// A part of a track: some ticks, and how the tooth changed meanwhile.
+struct TrackChunk {
+    static constexpr std::uint64_t kTicks = 1000;  ///< of each chunk but the last
+
+    std::vector<TrackTick> ticks;
+    std::vector<CutStep> steps;  ///< in their order
+    PackedBytes differences;     ///< of all steps, one behind the other (CutDelta)
+    PackedBytes whole;           ///< from the first to the last moment of the chunk (CutDelta)
+
+    [[nodiscard]] std::size_t bytes() const;
+};
+
+}  // namespace tactooth

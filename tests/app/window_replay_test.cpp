@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A recorded session in the window: opened, played, scrubbed, compared, commented, and left again.
+#include <QApplication>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <fstream>
+
+#include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/plot_panel.h"
+#include "app/gui/replay/replay_bar.h"
+#include "app/gui/replay/replay_panel.h"
+#include "app/gui/settings/window_setup.h"
+#include "app/window_session.h"
+#include "session/track/replay_comments.h"
+#include "track/recorded_strokes.h"
+
+namespace tactooth {
+
+class WindowReplayTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void aDroppedRecordingIsReplayed();
+    void itPlaysAndPauses();
+    void theSliderShowsTheToothOfItsTime();
+    void eventsAreJumpedToAndTicksAreSteppedThrough();
+    void thePlotsFollowTheCursor();
+    void nothingCanBeCutMeanwhile();
+    void aCommentIsPinnedToAMomentBesideTheRecording();
+    void anotherRecordingIsShownAsAGhost();
+    void theBenchIsAsItWasAfterwards();
+    void aFileThatIsNoRecordingHasASentence();
+    void anOpenedToothEndsTheReplay();
+    void cleanupTestCase();
+
+private:
+    [[nodiscard]] ReplayController& replay() const { return window_->replay(); }
+    [[nodiscard]] QString recording(const char* name) const { return QString::fromStdString(folder_ / name); }
+    template <class Widget>
+    [[nodiscard]] Widget& part(const char* name) const {
+        return *window_->findChild<Widget*>(name);
+    }
+    void click(const char* name) const { QTest::mouseClick(&part<QToolButton>(name), Qt::LeftButton); }
+    void open(const QString& file) {
+        window_->teeth().openFile(file);
+        QTRY_VERIFY_WITH_TIMEOUT(replay().isActive() && !replay().isLoading(), kLoadPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(replay().source()->track()->isFinished(), kLoadPatience);
+    }
+    /// The tooth in the picture is that of the cursor.
+    void waitForTooth() const {
+        QTRY_VERIFY_WITH_TIMEOUT(replay().source()->isToothThere(), kPatience);
+        QCoreApplication::processEvents();
+        QTRY_VERIFY_WITH_TIMEOUT(replay().source()->isToothThere(), kPatience);
+    }
+    [[nodiscard]] SceneContents shown() const {
+        return replay().source()->contentsAt(replay().cursor().moment(), nullptr);
+    }
+
+    double benchRemoved_ = 0;
+    std::shared_ptr<const Surface> bench_;
+};
+
+void WindowReplayTest::initTestCase() {
+    (void)test::RecordedStrokes{.seconds = 4, .resetAt = 99}.writeTo(folder_ / "a.ttsession");
+    (void)test::RecordedStrokes{.seconds = 3, .seed = 2, .resetAt = 99}.writeTo(folder_ / "b.ttsession");
+    openWindow();
+    WindowSession::waitForTooth();
+    benchRemoved_ = removed();
+    bench_ = window_->model().runner()->feed().surface();
+}
+
+void WindowReplayTest::cleanupTestCase() { closeWindow(); }
+
+void WindowReplayTest::aDroppedRecordingIsReplayed() {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(recording("a.ttsession"))});
+    QDropEvent drop(QPointF(middle()), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &drop);
+    QTRY_VERIFY_WITH_TIMEOUT(replay().isActive(), kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QWidget>("replayPanel").isVisible(), kPatience);
+    QVERIFY(!view().isVisible());
+    QVERIFY(part<QLabel>("replaySign").text().contains("Replay"));
+    QVERIFY(part<QLabel>("replaySign").text().contains("a.ttsession"));
+    QTRY_VERIFY_WITH_TIMEOUT(part<ToothView>("replayView").pictures() > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(replay().source()->track()->isFinished(), kLoadPatience);
+    QVERIFY(!replay().source()->track()->differsAt());
+}
+
+void WindowReplayTest::itPlaysAndPauses() {
+    if (replay().cursor().isPlaying()) click("replayPlay");
+    QVERIFY(!replay().cursor().isPlaying());
+    replay().cursor().jumpTo(0);
+    key(Qt::Key_Space);
+    QVERIFY(replay().cursor().isPlaying());
+    QTRY_VERIFY_WITH_TIMEOUT(replay().cursor().time() > 0.3, kPatience);
+    auto& speeds = part<QComboBox>("replaySpeed");
+    speeds.setCurrentIndex(speeds.count() - 1);
+    emit speeds.activated(speeds.count() - 1);
+    QCOMPARE(replay().cursor().speed(), 16.0);
+    QTRY_VERIFY_WITH_TIMEOUT(!replay().cursor().isPlaying(), kPatience);  // the end
+    QCOMPARE(replay().cursor().time(), replay().source()->track()->seconds());
+    QTRY_COMPARE_WITH_TIMEOUT(part<QToolButton>("replayPlay").text(), QString("Play"), kPatience);
+}
+
+void WindowReplayTest::theSliderShowsTheToothOfItsTime() {
+    auto& slider = part<ReplaySlider>("replayTime");
+    slider.setValue(3000);
+    QVERIFY(std::abs(replay().cursor().time() - 3) < 1e-9);
+    waitForTooth();
+    const auto late = shown();
+    waitForTooth();
+    slider.setValue(500);
+    waitForTooth();
+    const auto early = shown();
+    QVERIFY(shown().tool.has_value());
+    QVERIFY(late.tooth != early.tooth);
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(slider.width() / 2, slider.height() / 2));
+    QVERIFY2(std::abs(replay().cursor().time() - 2) < 0.1, qPrintable(QString::number(replay().cursor().time())));
+    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>("replayClock").text().startsWith("0:0"), kPatience);
+}
+
+void WindowReplayTest::eventsAreJumpedToAndTicksAreSteppedThrough() {
+    QTRY_VERIFY_WITH_TIMEOUT(part<ReplayBar>("replayBar").marks().size() > 3, kPatience);
+    replay().cursor().jumpTo(1.5);
+    click("replayNext");
+    const double next = replay().cursor().time();
+    QVERIFY(next > 1.5);
+    click("replayPrevious");
+    QVERIFY(replay().cursor().time() < 1.5);
+    QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>("replayNote").text().isEmpty(), kPatience);
+    const std::uint64_t moment = replay().cursor().moment();
+    key(Qt::Key_Period);
+    QCOMPARE(replay().cursor().moment(), moment + 1);
+    key(Qt::Key_Comma);
+    QCOMPARE(replay().cursor().moment(), moment);
+}
+
+void WindowReplayTest::thePlotsFollowTheCursor() {
+    const auto& plots = *window_->findChild<PlotPanel*>();
+    for (const double time : {3.5, 1.0}) {
+        replay().cursor().jumpTo(time);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !plots.shown().points().empty() && std::abs(plots.shown().points().back().time - time) < 0.2, kPatience);
+    }
+}
+
+void WindowReplayTest::nothingCanBeCutMeanwhile() {
+    QVERIFY(!window_->findChild<DrillBar*>()->isEnabled());
+    QVERIFY(window_->model().runner() == nullptr);  // no device pushes against a tooth that nobody sees
+    key(Qt::Key_Z, Qt::ControlModifier);
+    key(Qt::Key_R, Qt::ControlModifier);
+    const OrbitCamera before = part<ToothView>("replayView").orbitCamera();
+    const QPoint centre = part<ToothView>("replayView").rect().center();
+    QTest::mousePress(&part<ToothView>("replayView"), Qt::LeftButton, {}, centre);
+    QTest::mouseMove(&part<ToothView>("replayView"), centre + QPoint(60, 20));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        part<ToothView>("replayView").orbitCamera().direction().azimuth != before.direction().azimuth, kPatience);
+    QTest::mouseRelease(&part<ToothView>("replayView"), Qt::LeftButton, {}, centre + QPoint(60, 20));
+}
+
+void WindowReplayTest::aCommentIsPinnedToAMomentBesideTheRecording() {
+    replay().cursor().jumpTo(2.25);
+    const auto bytes = std::filesystem::file_size(folder_ / "a.ttsession");
+    click("replayComment");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QInputDialog*>("replayCommentText") != nullptr, kPatience);
+    auto* dialog = window_->findChild<QInputDialog*>("replayCommentText");
+    dialog->setTextValue("too steep");
+    dialog->accept();
+    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>("replayNote").text().contains("too steep"), kPatience);
+    const auto comments = ReplayComments::open(folder_ / "a.ttsession");
+    QVERIFY(comments && comments->all().size() == 1);
+    QCOMPARE(comments->all().front(), (ReplayComment{2.25, "too steep"}));
+    QCOMPARE(std::filesystem::file_size(folder_ / "a.ttsession"), bytes);
+    replay().cursor().jumpTo(0.5);
+    auto& menu = part<QMenu>("replayComments");
+    emit menu.aboutToShow();
+    QVERIFY(menu.actions().front()->text().contains("too steep"));
+    menu.actions().front()->trigger();
+    QCOMPARE(replay().cursor().time(), 2.25);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>("replayNote").text().contains("too steep"), kPatience);
+    emit menu.aboutToShow();
+    menu.actions().back()->trigger();
+    QVERIFY(ReplayComments::open(folder_ / "a.ttsession")->all().empty());
+}
+
+void WindowReplayTest::anotherRecordingIsShownAsAGhost() {
+    replay().openGhost(recording("b.ttsession"));
+    QTRY_VERIFY_WITH_TIMEOUT(replay().ghost() != nullptr, kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(part<QToolButton>("replayCompare").isChecked(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(replay().ghost()->track()->isFinished(), kLoadPatience);
+    replay().cursor().jumpTo(2);
+    const std::uint64_t before = part<ToothView>("replayView").pictures();
+    QTRY_VERIFY_WITH_TIMEOUT(part<ToothView>("replayView").pictures() > before, kPatience);
+    click("replayCompare");
+    QVERIFY(replay().ghost() == nullptr);
+}
+
+void WindowReplayTest::theBenchIsAsItWasAfterwards() {
+    key(Qt::Key_Escape);
+    QVERIFY(!replay().isActive());
+    QTRY_VERIFY_WITH_TIMEOUT(view().isVisible() && window_->model().runner() != nullptr, kPatience);
+    QVERIFY(window_->findChild<DrillBar*>()->isEnabled());
+    QVERIFY(window_->model().runner()->feed().surface() == bench_);
+    QCOMPARE(removed(), benchRemoved_);
+    pressBurOn(middle());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);  // it can be felt again
+    liftBur(middle());
+}
+
+void WindowReplayTest::aFileThatIsNoRecordingHasASentence() {
+    std::ofstream(folder_ / "text.ttsession") << "no recording";
+    window_->teeth().openFile(recording("text.ttsession"));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
+    QVERIFY(dismissMessage().contains("text.ttsession"));
+    QVERIFY(!replay().isActive());
+}
+
+void WindowReplayTest::anOpenedToothEndsTheReplay() {
+    open(recording("b.ttsession"));
+    window_->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
+    QTRY_VERIFY_WITH_TIMEOUT(!replay().isActive(), kLoadPatience);
+    WindowSession::waitForTooth();
+    QVERIFY(view().isVisible());
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::WindowReplayTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_replay_test.moc"
