@@ -3,6 +3,7 @@
 #include "session/export/session_moments.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace tactooth {
@@ -10,7 +11,10 @@ namespace {
 
 constexpr double kPauseBetweenCuts = 0.4;  // s, as for the marks of undo
 
-const char* nameOf(Edit edit) { return edit == Edit::Undo ? "undo" : "reset"; }
+const char* nameOf(Edit edit) {
+    static constexpr std::array kNames = {"reset", "undo", "redo"};  // as Edit
+    return kNames[static_cast<std::size_t>(edit)];
+}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/track/make_track.h"
 
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "session/kernel/session_kernel.h"
@@ -27,13 +29,13 @@ public:
 
     /// False if the replay differs from the recording.
     [[nodiscard]] bool apply(const SessionEvent& event) {
-        const auto* const tick = std::get_if<TickEvent>(&event);
-        if (tick != nullptr) {
+        const std::optional<double> elapsed = secondsOf(event);
+        if (elapsed) {
             if (chunks_.isFull()) track_.append(chunks_.take());
-            seconds_ += tick->input.seconds();
+            seconds_ += *elapsed;
         }
         if (!kernel_.apply(event)) return false;
-        if (tick != nullptr) addTick();
+        if (elapsed) addTick();
         if (const std::vector<BrickKey> touched = model_->takeTouched(); !touched.empty()) {
             chunks_.addStep(*model_, touched);
         }
@@ -63,10 +65,8 @@ private:
         track_.add({seconds_, &msg::kTrackBur});
     }
     void addEdit(Edit edit) {
-        const MessageText* text = &msg::kTrackEdit;
-        if (edit == Edit::Reset) text = &msg::kTrackReset;
-        if (edit == Edit::Undo) text = &msg::kTrackUndo;
-        track_.add({seconds_, text});
+        static constexpr std::array kTexts = {&msg::kTrackReset, &msg::kTrackUndo, &msg::kTrackRedo};  // as Edit
+        track_.add({seconds_, kTexts[static_cast<std::size_t>(edit)]});
     }
 
     std::shared_ptr<CutModel> model_;

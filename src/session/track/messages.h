@@ -9,8 +9,8 @@ namespace tactooth::msg {
 
 inline constexpr MessageText kTrackBur{"track_bur", "bur put in", "バーを装着"};
 inline constexpr MessageText kTrackUndo{"track_undo", "undo", "元に戻す"};
+inline constexpr MessageText kTrackRedo{"track_redo", "redo", "やり直し"};
 inline constexpr MessageText kTrackReset{"track_reset", "tooth put back", "歯を元の状態に"};
-inline constexpr MessageText kTrackEdit{"track_edit", "tooth changed by the user", "操作による歯の変更"};
 
 inline constexpr MessageText kCommentsJson{
     "comments_json", "%1: the comments in this file are damaged: they are not JSON; mend it or move it away.",
