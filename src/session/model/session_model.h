@@ -93,7 +93,7 @@ public:
     [[nodiscard]] const std::optional<SessionTooth>& tooth() const { return tooth_; }
     [[nodiscard]] const std::optional<SessionBur>& bur() const { return bur_; }
     /// Whether a runner will begin as soon as its recording has.
-    [[nodiscard]] bool isPreparing() const { return needsRunner_ && tooth_ && bur_; }
+    [[nodiscard]] bool isPreparing() const { return needsRunner_ && !paused_ && tooth_ && bur_; }
     /// Null until there are a tooth and a bur, and while a recording begins.
     [[nodiscard]] LiveRunner* runner() const { return runner_.get(); }
     /// Direction of mesial along x.

@@ -56,7 +56,7 @@ TEST_F(RecordingKill, AtAnyMomentTheFileOpensReplaysAndLacksNoMoreThanItMay) {
         fs::remove(recording);
         const double delay = std::uniform_real_distribution(0.0, 2.5)(random);
         SCOPED_TRACE("kill " + std::to_string(i) + ", " + std::to_string(delay) + " s after the file appeared");
-        RunningTactooth program({"realtime", "--seconds", "60", "--record", recording.string()});
+        RunningTactooth program({"realtime", "--seconds", "12", "--record", recording.string()});
         ASSERT_TRUE(growsBeyond(recording, 0));
         std::this_thread::sleep_for(std::chrono::duration<double>(delay));
         const auto written = fs::last_write_time(recording);
