@@ -26,8 +26,8 @@ std::vector<std::byte> PackedBytes::unpacked() const {
 }
 
 std::size_t TrackChunk::bytes() const {
-    return ticks.capacity() * sizeof(TrackTick) + steps.capacity() * sizeof(CutStep) + differences.bytes.capacity() +
-           whole.bytes.capacity();
+    return ticks.capacity() * sizeof(TrackTick) + steps.capacity() * sizeof(ToothChange) +
+           differences.bytes.capacity() + whole.bytes.capacity();
 }
 
 }  // namespace tactooth

@@ -21,7 +21,7 @@ struct PackedBytes {
 };
 
 /// A change of the tooth's surface.
-struct CutStep {
+struct ToothChange {
     std::uint32_t afterTicks = 0;  ///< number of the chunk's ticks before it
     std::size_t end = 0;           ///< of its difference among those of the chunk, bytes
 };
@@ -31,9 +31,9 @@ struct TrackChunk {
     static constexpr std::uint64_t kTicks = 1000;  ///< of each chunk but the last
 
     std::vector<TrackTick> ticks;
-    std::vector<CutStep> steps;  ///< in their order
-    PackedBytes differences;     ///< of all steps, one behind the other (CutDelta)
-    PackedBytes whole;           ///< from the first to the last moment of the chunk (CutDelta)
+    std::vector<ToothChange> steps;  ///< in their order
+    PackedBytes differences;         ///< of all steps, one behind the other (CutDelta)
+    PackedBytes whole;               ///< from the first to the last moment of the chunk (CutDelta)
 
     [[nodiscard]] std::size_t bytes() const;
 };

@@ -19,7 +19,7 @@ TrackTooth::Place TrackTooth::placeOf(std::uint64_t moment) const {
     const std::uint64_t chunk = (moment - 1) / TrackChunk::kTicks;
     const auto ticks = static_cast<std::uint32_t>((moment - 1) % TrackChunk::kTicks + 1);
     const std::shared_ptr<const TrackChunk> there = track_->chunkAt(chunk);
-    const auto later = std::ranges::upper_bound(there->steps, ticks, {}, &CutStep::afterTicks);
+    const auto later = std::ranges::upper_bound(there->steps, ticks, {}, &ToothChange::afterTicks);
     return {chunk, static_cast<std::size_t>(later - there->steps.begin())};
 }
 
