@@ -111,7 +111,7 @@ void HistoryActions::install(const SessionBur& bur) {
     model_.install(bur);
 }
 
-void HistoryActions::takeSimulator() {
+void HistoryActions::takeRunner() {
     const SessionBur now = *model_.bur();
     const CutModel* const tooth = model_.tooth()->piece.get();
     const bool isOther = seenBur_ && seenBur_->instrument.shape != now.instrument.shape;

@@ -24,7 +24,7 @@ public:
     HistoryActions(SessionModel& model, const WindowPanels& panels, InstrumentMenus& instruments);
 
     /// Another runner has started: maybe with another bur.
-    void takeSimulator();
+    void takeRunner();
     /// Notes what has changed since the last call, and shows the history. Call it some times a second.
     void update();
 
