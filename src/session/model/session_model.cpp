@@ -114,7 +114,8 @@ bool SessionModel::isModified() const {
     if (!tooth_) return false;
     // While a tooth is on its way in, the runner is that of the one before.
     const bool isRunning = runner_ != nullptr && !isToothNew_;
-    return (isRunning ? runner_->feed().removed() : tooth_->piece->removed()) != tooth_->savedAt;
+    const MaterialVolumes removed = isRunning ? runner_->feed().removed() : tooth_->piece->removed();
+    return total(removed) > 0 && removed != tooth_->savedAt;  // a whole tooth is no loss
 }
 
 void SessionModel::markSaved() {
