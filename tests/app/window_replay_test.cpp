@@ -84,6 +84,8 @@ void WindowReplayTest::cleanupTestCase() { closeWindow(); }
 void WindowReplayTest::aDroppedRecordingIsReplayed() {
     QMimeData files;
     files.setUrls({QUrl::fromLocalFile(recording("a.ttsession"))});
+    QDragEnterEvent enter(middle(), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);  // without it Qt drops nothing
     QDropEvent drop(QPointF(middle()), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &drop);
     QTRY_VERIFY_WITH_TIMEOUT(replay().isActive(), kLoadPatience);

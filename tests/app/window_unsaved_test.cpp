@@ -209,6 +209,8 @@ void WindowUnsavedTest::filesThatAreChosenInDialogsAreAskedAbout() {
 void WindowUnsavedTest::drop(const fs::path& file) const {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QDragEnterEvent enter(window_->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window_.get(), &enter);  // without it Qt drops nothing
     QDropEvent event(window_->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(window_.get(), &event);
 }
