@@ -21,7 +21,7 @@ struct RecordedStrokes {
     double seconds = 4;
     unsigned seed = 1;
     double undoEach = 0.9;  ///< s
-    double resetAt = 2.5;   ///< s; after the end: never
+    double resetAt = 3.5;   ///< s, while something is cut; after the end: never
     double voxel = kVoxel;  ///< mm
     double cutShare = 0.8;  ///< of the time, with the pedal down
 
