@@ -180,7 +180,7 @@ void WindowUnsavedTest::chooseInDialog(const fs::path& file) const {
     QFileDialog* dialog = nullptr;
     QTRY_VERIFY_WITH_TIMEOUT((dialog = window_->findChild<QFileDialog*>()) != nullptr, kPatience);
     dialog->setDirectory(QString::fromStdString(file.parent_path().string()));
-    dialog->selectFile(QString::fromStdString(file.string()));
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(file.string()));
     QMetaObject::invokeMethod(dialog, "accept");
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
 }
