@@ -118,8 +118,8 @@ bool SessionModel::isModified() const {
     return total(removed) > 0 && removed != tooth_->savedAt;  // a whole tooth is no loss
 }
 
-void SessionModel::markSaved() {
-    if (tooth_ && runner_ != nullptr) tooth_->savedAt = runner_->feed().removed();
+void SessionModel::markSaved(const MaterialVolumes& removed) {
+    if (tooth_) tooth_->savedAt = removed;
 }
 
 void SessionModel::resetTooth() {

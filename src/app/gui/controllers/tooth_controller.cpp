@@ -119,15 +119,17 @@ void ToothController::openBur(const QString& file) {
 void ToothController::exportTooth(const QString& file) {
     if (model_.runner() == nullptr) return;
     files_.enterFolderOf(file);
+    const MaterialVolumes removed = removedNow(model_);
     const Expected<void> written = writeStl(model_.runner()->feed().exported().mesh, file.toStdString());
     if (!written) return messages_.showError(written.error());
-    model_.markSaved();
+    model_.markSaved(removed);
     messages_.setHint(tr("The tooth was written to %1").arg(file));
 }
 
 bool ToothController::saveTooth(const QString& file) {
     if (model_.runner() == nullptr) return false;
     files_.enterFolderOf(file);
+    const MaterialVolumes removed = removedNow(model_);
     const std::string work = work_ ? workTextWithoutFolders(work_()) : std::string();
     const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance), work);
     const Expected<void> written = writeFile(file.toStdString(), bytes);
@@ -135,7 +137,7 @@ bool ToothController::saveTooth(const QString& file) {
         messages_.showError(written.error());
         return false;
     }
-    model_.markSaved();
+    model_.markSaved(removed);
     messages_.setHint(tr("The tooth was saved to %1").arg(file));
     return true;
 }
