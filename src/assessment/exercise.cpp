@@ -64,9 +64,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
             }
             heights.push_back(*height + plan.outward.dot(place));
         }
-        if (paths.empty()) {
-            for (const double height : heights) floor += height / static_cast<double>(heights.size());
-        }
+        if (paths.empty()) floor = meanOf(heights);
         for (std::size_t i = 0; i < path.size(); ++i) {
             const double height = (plan.isFlat ? floor : heights[i]) - plan.depth;
             path[i] += (height - plan.outward.dot(path[i])) * plan.outward;
@@ -74,6 +72,13 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
         paths.push_back(std::move(path));
     }
     return paths;
+}
+
+/// Mean height of the surface over the places of a stroke.
+double meanOf(const std::vector<double>& heights) {
+    double sum = 0;
+    for (const double height : heights) sum += height;
+    return sum / static_cast<double>(heights.size());
 }
 
 Expected<CuttingTool> burOf(const Exercise& exercise) {
@@ -107,6 +112,18 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 }
 
 }  // namespace
+
+std::optional<Vec3> floorReference(const PreparationPlan& plan, const SurfacePart& outer) {
+    if (plan.strokes.empty()) return std::nullopt;
+    std::vector<double> heights;
+    const std::vector<Vec3> places = placesOf(plan.strokes.front());
+    for (const Vec3& place : places) {
+        const auto height = heightOf(outer, place, plan.outward);
+        if (!height) return std::nullopt;
+        heights.push_back(*height + plan.outward.dot(place));
+    }
+    return places.front() + (meanOf(heights) - plan.outward.dot(places.front())) * plan.outward;
+}
 
 Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise) {
     if (const auto* source = std::get_if<ToothSource>(&exercise.tooth)) {

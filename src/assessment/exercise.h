@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "collision/bvh/surface.h"
 #include "instruments/builtin_tooth.h"
 #include "session/simulation/tooth_source.h"
 
@@ -38,6 +40,10 @@ struct Exercise {
 
 /// Those that are built in (data/exercises/), from easy to hard.
 [[nodiscard]] std::span<const std::shared_ptr<const Exercise>> exercises();
+
+/// The place from whose height, along PreparationPlan::outward, the depth of a flat floor counts. Nothing where the
+/// first stroke misses `outer`, the surface of the uncut tooth.
+[[nodiscard]] std::optional<Vec3> floorReference(const PreparationPlan& plan, const SurfacePart& outer);
 
 /// The uncut tooth of the exercise. Takes a second; fails with one sentence.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);

@@ -2,6 +2,29 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ja_JP" sourcelanguage="en">
 <context>
+    <name>tactooth::AimOverlay</name>
+    <message>
+        <source>Depth %1 of %2 mm</source>
+        <translation>深さ %1 / %2 mm</translation>
+    </message>
+    <message>
+        <source>Depth %1 mm</source>
+        <translation>深さ %1 mm</translation>
+    </message>
+    <message>
+        <source>Over the pulp %1 mm</source>
+        <translation>歯髄まで %1 mm</translation>
+    </message>
+    <message>
+        <source>In the pulp</source>
+        <translation>歯髄の中</translation>
+    </message>
+    <message>
+        <source>Force %1 N</source>
+        <translation>力 %1 N</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::DrillBar</name>
     <message>
         <source>Drill</source>
@@ -241,6 +264,48 @@
 <context>
     <name>tactooth::ForcePanel</name>
     <message>
+        <source>Mouse cuts to a depth</source>
+        <translation>マウスは決めた深さまで削る</translation>
+    </message>
+    <message>
+        <source>Mouse presses by force</source>
+        <translation>マウスは力で押す</translation>
+    </message>
+    <message>
+        <source>How the mouse presses</source>
+        <translation>マウスの押し方</translation>
+    </message>
+    <message>
+        <source>To a depth: the bur stops at the depth that is set here.
+By force: the bur sinks for as long as the button is down.</source>
+        <translation>深さまで：バーはここで決めた深さで止まります。
+力で：ボタンを押している間、バーは沈み続けます。</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
+        <source>Depth of the tip below the uncut surface at which the bur stops.
+The mouse wheel in the picture changes it by 0.1 mm, with Shift by 0.02 mm.</source>
+        <translation>バーが止まる深さ（削る前の表面から先端まで）。
+画面上のマウスホイールで0.1 mm、Shiftと一緒に0.02 mmずつ変わります。</translation>
+    </message>
+    <message>
+        <source>Flat floor</source>
+        <translation>平らな窩底</translation>
+    </message>
+    <message>
+        <source>On: the depth counts from the place where the cavity was begun, and the floor is flat.
+Off: the floor follows the surface.</source>
+        <translation>オン：深さは削り始めた場所から数え、窩底は平らになります。
+オフ：窩底は表面に沿います。</translation>
+    </message>
+    <message>
+        <source>How far the mouse presses beyond the surface: 1 mm is about 1 N on enamel.</source>
+        <translation>マウスが表面より先へ押す距離：エナメル質では1 mmがおよそ1 Nです。</translation>
+    </message>
+    <message>
         <source>Friction</source>
         <translation>摩擦</translation>
     </message>
@@ -313,12 +378,6 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source> mm</source>
         <translation> mm</translation>
-    </message>
-    <message>
-        <source>How deep the mouse hand presses beyond the surface.
-The mouse wheel in the picture changes it too.</source>
-        <translation>マウスの手が表面よりどれだけ深く押すか。
-画面上のマウスホイールでも変えられます。</translation>
     </message>
     <message>
         <source>Defaults</source>
@@ -708,6 +767,22 @@ The mouse wheel in the picture changes it too.</source>
 <context>
     <name>tactooth::HelpMenu</name>
     <message>
+        <source>the bur goes down to the depth that is set; drag to stroke or cut</source>
+        <translation>バーが決めた深さまで下りる；ドラッグでなぞる、削る</translation>
+    </message>
+    <message>
+        <source>that depth, in steps of 0.1 mm, with Shift 0.02 mm; by force: press harder or softer</source>
+        <translation>その深さを0.1 mmずつ、Shiftと一緒に0.02 mmずつ；力で押す場合は強く、弱く</translation>
+    </message>
+    <message>
+        <source>M, H, A</source>
+        <translation>M、H、A</translation>
+    </message>
+    <message>
+        <source>mirror, turbine, aim on and off</source>
+        <translation>ミラー、タービン、照準の表示</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
     </message>
@@ -740,16 +815,8 @@ The mouse wheel in the picture changes it too.</source>
         <translation>左ボタン</translation>
     </message>
     <message>
-        <source>the bur goes down and presses; drag to stroke or cut</source>
-        <translation>バーが下りて押します。ドラッグでなでる・削る</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>ホイール</translation>
-    </message>
-    <message>
-        <source>press harder or softer</source>
-        <translation>強く／弱く押す</translation>
     </message>
     <message>
         <source>Shift + move</source>
@@ -842,14 +909,6 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>turn the handle; stand the bur upright</source>
         <translation>柄を回す；バーを垂直に</translation>
-    </message>
-    <message>
-        <source>M, H</source>
-        <translation>M、H</translation>
-    </message>
-    <message>
-        <source>mirror, turbine on and off</source>
-        <translation>ミラー、タービンの表示切替</translation>
     </message>
     <message>
         <source>G</source>
@@ -1169,6 +1228,14 @@ The mouse wheel in the picture changes it too.</source>
 </context>
 <context>
     <name>tactooth::ViewMenu</name>
+    <message>
+        <source>Aim</source>
+        <translation>照準</translation>
+    </message>
+    <message>
+        <source>Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the force</source>
+        <translation>バーが当たる場所と、先端に深さ、歯髄までの残り、力を表示します</translation>
+    </message>
     <message>
         <source>Dentist&apos;s view</source>
         <translation>術者の視点</translation>

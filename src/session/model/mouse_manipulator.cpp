@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "session/model/instrument_poses.h"
 #include "session/model/surface_ray.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kHover = 1.5;            // mm above the tooth while aiming: the user still sees what will be touched
 constexpr double kApproach = 15;          // mm/s toward the tooth: a careful hand
+constexpr double kSidePull = 2;           // times the press depth: a hand pulls harder than it presses
 constexpr double kMaxPull = 2;            // mm sideways between hand and tool; beyond it the hand slips
 constexpr double kCaught = 0.3;           // mm between the tool and a hand that does not press: the tool is caught
 constexpr double kRetract = 60;           // mm/s along the shaft: as fast as a hand lifts off
@@ -29,7 +31,19 @@ MouseManipulator::MouseManipulator(const Box3& tooth, double mesialX)
       mesialX_(mesialX),
       tip_(tooth.center().x(), tooth.center().y(), tooth.max().z() + 2 * kHover),
       handle_(uprightGrip(mesialX, kHandleRotation)),
+      grip_(handle_),
       aimedAt_(tip_) {}
+
+void MouseManipulator::setSurroundings(const Surroundings& surroundings) {
+    if (surroundings.uncut != surroundings_.uncut) {
+        uncut_.reset();
+        if (surroundings.uncut != nullptr) uncut_ = Surface{.base = surroundings.uncut};
+        depthControl_.setSurface(surroundings.uncut);
+    }
+    surroundings_ = surroundings;
+    travel_.setTool(surroundings.tool);
+    travel_.setSurface(surroundings.touchable);
+}
 
 /// Along the shaft if the user looks down on the tooth; else along the line of sight, so that walls are pressed from
 /// the side.
@@ -46,41 +60,108 @@ Vec3 MouseManipulator::onPlane(const PointerView& picture, const Vec2& pixel) co
     return ray.origin + (tip_ - ray.origin).dot(pressDirection_) / std::max(slope, kFlattest) * ray.direction;
 }
 
+/// A cavity does not move the landing place: the tip goes down at the place of its rim that the user points at.
+void MouseManipulator::noteLanding(const PointerView& picture, const Vec2& pixel, const Surface& surface) {
+    const Ray ray = picture.rayThrough(pixel);
+    std::optional<double> hit = firstHit(surface, ray);
+    if (pressesToDepth()) {
+        const std::optional<double> before = firstHit(*uncut_, ray);
+        if (before && (!hit || *before < *hit)) hit = before;
+    }
+    landing_.reset();
+    if (hit) landing_ = ray.origin + *hit * ray.direction;
+}
+
 void MouseManipulator::aim(const PointerView& picture, const Vec2& pixel, const Surface& surface) {
     choosePressDirection(picture);
-    const Ray ray = picture.rayThrough(pixel);
-    const auto hit = firstHit(surface, ray);
-    const Vec3 wanted =
-        hit ? Vec3(ray.origin + *hit * ray.direction - kHover * pressDirection_) : onPlane(picture, pixel);
-    aimedAt_ = clampedToWorkspace(wanted);
+    noteLanding(picture, pixel, surface);
+    aimedAt_ = clampedToWorkspace(landing_ ? Vec3(*landing_ - kHover * pressDirection_) : onPlane(picture, pixel));
     mayRetract_ = !retracting_;
-    if (!retracting_) tip_ = aimedAt_;
+    if (!retracting_ && !knowsScene()) tip_ = aimedAt_;
 }
 
 void MouseManipulator::press(const PointerView& picture, const Vec2& pixel) {
     choosePressDirection(picture);
     pressing_ = true;
     retracting_ = false;
+    arrived_ = !knowsScene();
+    floorAlong_.reset();
     grabbed_ = pixel;
+    if (!pressesToDepth()) return;
+    noteLanding(picture, pixel, surroundings_.touchable ? *surroundings_.touchable : *uncut_);
+    if (landing_) aimedAt_ = clampedToWorkspace(*landing_ - kHover * pressDirection_);
 }
 
 void MouseManipulator::drag(const PointerView& picture, const Vec2& pixel) {
-    tip_ += onPlane(picture, pixel) - onPlane(picture, grabbed_);
+    if (pressesToDepth()) {
+        const Ray ray = picture.rayThrough(pixel);
+        if (const auto hit = firstHit(*uncut_, ray)) {
+            landing_ = ray.origin + *hit * ray.direction;
+            grabbed_ = pixel;
+            return;
+        }
+    }
+    const Vec3 displacement = onPlane(picture, pixel) - onPlane(picture, grabbed_);
+    if (pressesToDepth() && landing_) {
+        *landing_ += displacement;
+    } else {
+        tip_ += displacement;
+    }
     grabbed_ = pixel;
 }
 
 void MouseManipulator::release() {
     if (!pressing_) return;
     pressing_ = false;
+    mayRetract_ = true;
+    if (knowsScene()) {
+        leaving_ = true;
+        aimedAt_ = clampedToWorkspace((landing_ ? *landing_ : Vec3(tip_ - pressDepth_ * pressDirection_)) -
+                                      kHover * pressDirection_);
+        return;
+    }
     tip_ -= (pressDepth_ + kHover) * pressDirection_;
     aimedAt_ = tip_;
-    mayRetract_ = true;
 }
 
 void MouseManipulator::advance(double dt, const Vec3& toolTip, double depth) {
-    if (pressing_) return advanceContact(dt, toolTip);
+    if (pressing_ && !arrived_) {
+        travel(dt, toolTip, depth);
+        arrived_ = isOverLanding(toolTip);
+        if (arrived_) travel_.stop();
+        if (arrived_) depthControl_.beginAt(landing_.value_or(toolTip), pressDirection_);
+        return;
+    }
+    if (pressing_) {
+        grip_ = handle_;
+        return pressesToDepth() ? advanceToDepth(dt, toolTip) : advanceContact(dt, toolTip);
+    }
+    if (knowsScene()) return travel(dt, toolTip, depth);
     if (depth > kCaught && mayRetract_) retracting_ = true;
     if (retracting_) retract(dt, toolTip);
+}
+
+/// Whether the tool may go down: it is above the landing place, or as near to it as it can be.
+bool MouseManipulator::isOverLanding(const Vec3& toolTip) const {
+    constexpr double kNear = 0.2;  // mm
+    if (travel_.hasArrived()) return (toolTip - tip_).norm() < kNear;
+    if (!landing_) return false;
+    const Vec3 offset = *landing_ - toolTip;
+    const double above = offset.dot(pressDirection_);
+    return above > 0 && (offset - above * pressDirection_).norm() < kNear;
+}
+
+/// Toward the place that the user aims at, clear of everything.
+void MouseManipulator::travel(double dt, const Vec3& toolTip, double depth) {
+    const bool isCaught = depth > kCaught;
+    const bool leaves = std::exchange(leaving_, false);
+    if (leaves || (isCaught && !caught_)) travel_.stop();  // another way is needed
+    caught_ = isCaught;
+    const ClearTravel::Place from{{tip_, grip_}, {toolTip, grip_}, leaves || isCaught};
+    travel_.goTo(from, {aimedAt_, handle_});
+    const Pose next = travel_.advance(from, dt);
+    tip_ = next.position;
+    grip_ = next.rotation;
 }
 
 void MouseManipulator::advanceContact(double dt, const Vec3& toolTip) {
@@ -90,6 +171,28 @@ void MouseManipulator::advanceContact(double dt, const Vec3& toolTip) {
     if (pull.norm() > kMaxPull) pull *= kMaxPull / pull.norm();
     const double deeper = std::min(pressDepth_, sunk + kApproach * dt);
     tip_ = clampedToWorkspace(toolTip + pull + deeper * pressDirection_);
+}
+
+/// Distance along the press direction from the tool to its floor, here and at the place to which it is pulled. Where
+/// the axis of the tool misses the tooth, the floor is as deep as at the last place.
+double MouseManipulator::toFloor(const Vec3& toolTip, const Vec3& aside) {
+    const auto here = depthControl_.toFloor(toolTip, pressDirection_);
+    const auto there = depthControl_.toFloor(toolTip + aside, pressDirection_);
+    if (here) floorAlong_ = toolTip.dot(pressDirection_) + *here;
+    if (here || there) return std::min(here.value_or(*there), there.value_or(*here));
+    return floorAlong_ ? *floorAlong_ - toolTip.dot(pressDirection_) : 0;
+}
+
+/// The hand is the press depth beyond the tool, but never beyond the floor: the tool cannot be pressed deeper. It is
+/// pulled sideways as hard as it is pressed.
+void MouseManipulator::advanceToDepth(double dt, const Vec3& toolTip) {
+    const double sunk = (tip_ - toolTip).dot(pressDirection_);
+    Vec3 aside = (landing_ ? *landing_ : tip_) - toolTip;
+    aside -= aside.dot(pressDirection_) * pressDirection_;
+    const double most = kSidePull * pressDepth_;
+    if (aside.norm() > most) aside *= most / aside.norm();
+    const double deeper = std::min({pressDepth_, sunk + kApproach * dt, toFloor(toolTip, aside)});
+    tip_ = clampedToWorkspace(toolTip + aside + deeper * pressDirection_);
 }
 
 void MouseManipulator::retract(double dt, const Vec3& toolTip) {
@@ -112,13 +215,23 @@ void MouseManipulator::tilt(const PointerView& picture, const Vec2& pixels) {
     const Vec3 axis = shaft.cross(displacement);
     if (axis.norm() == 0) return;
     const Quat tilted = Quat(Eigen::AngleAxisd(kTiltPerPixel * axis.norm(), axis.normalized())) * handle_;
-    if ((tilted * Vec3::UnitZ()).z() >= std::cos(kMaxTilt)) handle_ = tilted.normalized();
+    if ((tilted * Vec3::UnitZ()).z() >= std::cos(kMaxTilt)) hold(tilted.normalized());
 }
 
 void MouseManipulator::rotateHandle(double angle) {
-    handle_ = (Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) * handle_).normalized();
+    hold((Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())) * handle_).normalized());
 }
 
-void MouseManipulator::resetOrientation() { handle_ = uprightGrip(mesialX_, kHandleRotation); }
+void MouseManipulator::resetOrientation() { hold(uprightGrip(mesialX_, kHandleRotation)); }
+
+void MouseManipulator::alignShaft(const Vec3& outward) {
+    hold((shortestRotation(Vec3::UnitZ(), outward) * uprightGrip(mesialX_, kHandleRotation)).normalized());
+}
+
+/// A tool that stands still in known surroundings turns on its way, where it is clear.
+void MouseManipulator::hold(const Quat& handle) {
+    handle_ = handle;
+    if (!knowsScene()) grip_ = handle_;
+}
 
 }  // namespace tactooth

@@ -34,11 +34,24 @@ void SessionModel::install(SessionTooth tooth) {
     needsRunner_ = isToothNew_ = true;
 }
 
-/// The hand starts above the tooth again; its press depth stays.
+/// The hand starts above the tooth again; how it presses stays.
 void SessionModel::resetManipulator() {
-    const double pressDepth = manipulator_.pressDepth();
-    manipulator_ = MouseManipulator(tooth_ ? tooth_->box() : kNoTooth, handleX(*this));
-    manipulator_.setPressDepth(pressDepth);
+    MouseManipulator next(tooth_ ? tooth_->box() : kNoTooth, handleX(*this));
+    next.setPressDepth(manipulator_.pressDepth());
+    next.setPressMode(manipulator_.pressMode());
+    next.depthControl() = manipulator_.depthControl();
+    manipulator_ = std::move(next);
+    seenSurface_.reset();
+}
+
+/// Tells the manipulator what is there now. A device in the hand needs none of it.
+void SessionModel::showSurroundings() {
+    const std::shared_ptr<const Surface> surface = runner_->feed().surface();
+    if (devices_.first() != nullptr || (surface == seenSurface_ && bur_->instrument.shape == seenTool_)) return;
+    if (seenSurface_ == nullptr) uncut_ = tooth_->piece->tooth().ownOuter();
+    seenSurface_ = surface;
+    seenTool_ = bur_->instrument.shape;
+    manipulator_.setSurroundings({touchableSurface(*this), seenTool_, uncut_});
 }
 
 void SessionModel::install(SessionBur bur) {
@@ -249,6 +262,7 @@ SessionModel::StepResult SessionModel::step(double dt) {
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();
+    showSurroundings();
     manipulator_.advance(dt, newest.proxy.position, newest.depth);
     devices_.moveMouse(manipulator_.pose());
     runner_->setControls(currentControls());

@@ -76,7 +76,8 @@ public:
 
     /// Whether the tooth has cuts that were neither saved nor exported.
     [[nodiscard]] bool isModified() const;
-    /// The tooth was saved or exported as it was when `removed` was gone. What is cut while a file is written is unsaved.
+    /// The tooth was saved or exported as it was when `removed` was gone. What is cut while a file is written is
+    /// unsaved.
     void markSaved(const MaterialVolumes& removed);
 
     /// What has changed in a step.
@@ -106,6 +107,7 @@ public:
 
     [[nodiscard]] const HapticSettings& haptics() const { return haptics_; }
     [[nodiscard]] MouseManipulator& manipulator() { return manipulator_; }
+    [[nodiscard]] const MouseManipulator& manipulator() const { return manipulator_; }
     [[nodiscard]] DeviceSlots& devices() { return devices_; }
     [[nodiscard]] const DeviceSlots& devices() const { return devices_; }
     [[nodiscard]] InstrumentSet& instruments() { return instruments_; }
@@ -124,6 +126,7 @@ private:
     void advanceHistory();
     void startRunner();
     void resetManipulator();
+    void showSurroundings();
     void reportOverload(StepResult& stepResult);
     [[nodiscard]] SessionControls currentControls() const;
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
@@ -138,6 +141,9 @@ private:
     bool isToothNew_ = false;
     bool reportedOverload_ = false;
     MouseManipulator manipulator_;
+    std::shared_ptr<const Surface> seenSurface_;  // of the tooth, that the manipulator knows
+    std::shared_ptr<const ToolShape> seenTool_;
+    std::shared_ptr<const SurfacePart> uncut_;  // surface of the tooth before any cut
     DeviceSlots devices_;
     InstrumentSet instruments_;
     TickLog log_;

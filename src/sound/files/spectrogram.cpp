@@ -108,11 +108,11 @@ struct SpectrogramBuilder::State {
     }
 };
 
-SpectrogramBuilder::SpectrogramBuilder(std::size_t frames, std::size_t times)
-    : state_(std::make_unique<State>(
-          State{.made = {times, kWindow / 2, std::vector<float>(times * kWindow / 2, Spectrogram::kSilence)},
-                .fourier = {},
-                .frames = frames})) {
+SpectrogramBuilder::SpectrogramBuilder(std::size_t frames, std::size_t times) : state_(std::make_unique<State>()) {
+    state_->made.times = times;
+    state_->made.bins = kWindow / 2;
+    state_->made.level.assign(times * kWindow / 2, Spectrogram::kSilence);
+    state_->frames = frames;
     TACTOOTH_ASSERT(times > 0);
     state_->begin();
 }

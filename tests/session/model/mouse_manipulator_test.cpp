@@ -175,6 +175,84 @@ TEST_F(MouseManipulatorTest, APlaceThatCannotBeReachedIsTriedOnce) {
     EXPECT_EQ(hand_.pose().position, aimed);
 }
 
+/// A tooth as soft as butter, which the bur enters wherever the hand goes.
+TEST_F(MouseManipulatorTest, APressToADepthEndsThereHoweverSoftTheToothIs) {
+    hand_.setSurroundings({nullptr, nullptr, surface_.base});
+    hand_.depthControl().setDepth(1.3);
+    hand_.aim(picture_, pixelOf(Vec3(2, 1, 5)), surface_);
+    hand_.press(picture_, pixelOf(Vec3(2, 1, 5)));
+    double deepest = 5;
+    for (int i = 0; i < 200; ++i) {
+        hand_.advance(0.016, hand_.pose().position, 0);
+        deepest = std::min(deepest, hand_.pose().position.z());
+    }
+    EXPECT_NEAR(hand_.pose().position.z(), 5 - 1.3, 1e-9);
+    EXPECT_NEAR(deepest, 5 - 1.3, 1e-9) << "not even for a moment";
+    EXPECT_NEAR(hand_.pose().position.x(), 2, 1e-6);
+    hand_.depthControl().setDepth(1.5);
+    for (int i = 0; i < 100; ++i) hand_.advance(0.016, hand_.pose().position, 0);
+    EXPECT_NEAR(hand_.pose().position.z(), 5 - 1.5, 1e-9) << "the wheel sets another depth meanwhile";
+    hand_.depthControl().setDepth(1);
+    hand_.advance(0.016, hand_.pose().position, 0);
+    EXPECT_NEAR(hand_.pose().position.z(), 4, 1e-9);
+}
+
+TEST_F(MouseManipulatorTest, ByForceNothingEndsThePress) {
+    hand_.setSurroundings({nullptr, nullptr, surface_.base});
+    hand_.setPressMode(PressMode::Force);
+    hand_.press(picture_, pixelOf(Vec3(0, 0, 5)));
+    for (int i = 0; i < 400; ++i) hand_.advance(0.016, hand_.pose().position, 0);
+    EXPECT_LT(hand_.pose().position.z(), 0);
+}
+
+TEST_F(MouseManipulatorTest, ADragToADepthPutsTheTipBelowThePlaceUnderThePointer) {
+    hand_.setSurroundings({nullptr, nullptr, surface_.base});
+    hand_.depthControl().setDepth(1);
+    hand_.press(picture_, pixelOf(Vec3(-2, 0, 5)));
+    for (int i = 0; i <= 40; ++i) {
+        hand_.drag(picture_, pixelOf(Vec3(-2 + 0.1 * i, 0.5, 5)));
+        hand_.advance(0.016, hand_.pose().position, 0);
+    }
+    for (int i = 0; i < 100; ++i) hand_.advance(0.016, hand_.pose().position, 0);
+    EXPECT_LT((hand_.pose().position - Vec3(2, 0.5, 4)).norm(), 1e-6);
+}
+
+TEST_F(MouseManipulatorTest, AHeldToolIsPulledNoHarderThanTheHandMay) {
+    hand_.setSurroundings({nullptr, nullptr, surface_.base});
+    hand_.setPressDepth(0.4);
+    hand_.press(picture_, pixelOf(Vec3(-2, 0, 5)));
+    hand_.drag(picture_, pixelOf(Vec3(3, 0, 5)));
+    const Vec3 tool(-2, 0, 4.5);
+    for (int i = 0; i < 50; ++i) hand_.advance(0.016, tool, 0);
+    const Vec3 offset = hand_.pose().position - tool;
+    EXPECT_NEAR(-offset.z(), 0.4, 1e-9);
+    EXPECT_LE(offset.head<2>().norm(), 0.8 + 1e-9);
+    EXPECT_GT(offset.x(), 0.5);
+}
+
+/// Beside the tooth there is no depth: the bur goes on at that of the last place.
+TEST_F(MouseManipulatorTest, BesideTheToothTheToolSinksNoDeeper) {
+    hand_.setSurroundings({nullptr, nullptr, surface_.base});
+    hand_.depthControl().setDepth(1);
+    hand_.press(picture_, pixelOf(Vec3(4.9, 0, 5)));
+    for (int i = 0; i < 100; ++i) hand_.advance(0.016, hand_.pose().position, 0);
+    for (int i = 0; i < 200; ++i) {
+        hand_.drag(picture_, pixelOf(Vec3(4.9 + 0.01 * i, 0, 5)));
+        hand_.advance(0.016, hand_.pose().position, 0);
+        EXPECT_GT(hand_.pose().position.z(), 4 - 1e-6);
+    }
+}
+
+TEST_F(MouseManipulatorTest, TheShaftStandsAsAnExerciseWantsIt) {
+    const Vec3 outward = Vec3(0.1, 0.9, 0.2).normalized();
+    hand_.alignShaft(outward);
+    EXPECT_LT((hand_.pose().rotation * Vec3::UnitZ() - outward).norm(), 1e-12);
+    hand_.alignShaft(Vec3::UnitZ());
+    const Quat upright = hand_.pose().rotation;
+    hand_.resetOrientation();
+    EXPECT_LT(upright.angularDistance(hand_.pose().rotation), 1e-9);
+}
+
 TEST_F(MouseManipulatorTest, StartsAboveTheMiddleOfTheTooth) {
     EXPECT_EQ(hand_.pose().position.head<2>(), kTooth.center().head<2>());
     EXPECT_GT(hand_.pose().position.z(), kTooth.max().z());

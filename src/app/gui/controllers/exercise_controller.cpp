@@ -11,6 +11,7 @@
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/exercise_panel.h"
+#include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
@@ -62,6 +63,7 @@ void ExerciseController::beginExercise() {
         return;
     }
     showCavity();
+    prepareHand();
     loadIdealShape();
 }
 
@@ -90,6 +92,18 @@ void ExerciseController::showCavity() {
     } else if (std::abs(mesial) > outward.z()) {
         panels_.view->setView(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
     }
+}
+
+/// The bur stands as in the plan, and stops at its depth.
+void ExerciseController::prepareHand() {
+    const auto* plan = std::get_if<PreparationPlan>(&active_->ideal);
+    if (plan == nullptr) return;
+    MouseManipulator& hand = model_.manipulator();
+    hand.alignShaft(plan->outward);
+    panels_.force->setDepth(plan->depth);
+    panels_.force->setFlatFloor(plan->isFlat);
+    hand.depthControl().setReference(plan->isFlat ? floorReference(*plan, *model_.tooth()->piece->tooth().ownOuter())
+                                                  : std::nullopt);
 }
 
 void ExerciseController::loadIdealShape() {

@@ -64,6 +64,7 @@ signals:
 
 private:
     void showCavity();
+    void prepareHand();
     void loadIdealShape();
     void setTarget(Target target);
     void clearTarget();

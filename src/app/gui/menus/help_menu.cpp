@@ -35,8 +35,9 @@ void HelpMenu::showMouseAndKeys() {
     };
     QString text = "<table>";
     text += row(tr("Move"), tr("the bur hovers over the point under the mouse"));
-    text += row(tr("Left button"), tr("the bur goes down and presses; drag to stroke or cut"));
-    text += row(tr("Wheel"), tr("press harder or softer"));
+    text += row(tr("Left button"), tr("the bur goes down to the depth that is set; drag to stroke or cut"));
+    text +=
+        row(tr("Wheel"), tr("that depth, in steps of 0.1 mm, with Shift 0.02 mm; by force: press harder or softer"));
     text += row(tr("Shift + move"), tr("lean the bur"));
     text += row(tr("Right button"), tr("turn the tooth"));
     text += row(tr("Middle button"), tr("shift the picture"));
@@ -49,7 +50,7 @@ void HelpMenu::showMouseAndKeys() {
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
     text += row(tr("Ctrl + 0 to 5"), tr("a small picture from that side beside the large one; none"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
-    text += row(tr("M, H"), tr("mirror, turbine on and off"));
+    text += row(tr("M, H, A"), tr("mirror, turbine, aim on and off"));
     text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));
     text += row(tr("B, D"), tr("breath and drops on the mirror"));
     text += row(tr("W, S"), tr("water spray, suction on and off"));

@@ -15,9 +15,12 @@
 namespace tactooth {
 namespace {
 
-/// The press depth belongs to the hand: the wheel turns it while the bur cuts.
-ForceSettings withoutPress(ForceSettings force) {
-    force.press = 0;
+/// How the mouse presses belongs to the hand: the wheel turns it while the bur cuts.
+ForceSettings withMouseOf(ForceSettings force, const ForceSettings& mouse) {
+    force.press = mouse.press;
+    force.mouse = mouse.mouse;
+    force.depth = mouse.depth;
+    force.flatFloor = mouse.flatFloor;
     return force;
 }
 
@@ -55,13 +58,9 @@ void HistoryActions::addAspects() {
          }},
         {tr("Force"),
          [](const Setup& a, const Setup& b) {
-             return withoutPress(a.settings.force) == withoutPress(b.settings.force);
+             return withMouseOf(a.settings.force, b.settings.force) == b.settings.force;
          },
-         [this](const Setup& to) {
-             ForceSettings force = to.settings.force;
-             force.press = panels_.force->settings().press;
-             panels_.force->set(force);
-         }},
+         [this](const Setup& to) { panels_.force->set(withMouseOf(to.settings.force, panels_.force->settings())); }},
         {tr("Look inside"), [](const Setup& a, const Setup& b) { return a.enamel == b.enamel && a.dentin == b.dentin; },
          [this](const Setup& to) {
              InspectionPanel::Choice choice = panels_.inspection->choice();

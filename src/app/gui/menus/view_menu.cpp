@@ -22,6 +22,10 @@ ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), b
     bar_.addSeparator();
     mirror_ = addVisibility(tr("Mirror"), "M", &ToothView::setShowsMirror);
     turbine_ = addVisibility(tr("Turbine"), "H", &ToothView::setShowsTurbine);
+    aim_ = addVisibility(tr("Aim"), "A", &ToothView::setShowsAim);
+    aim_->setToolTip(
+        tr("Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the "
+           "force"));
 }
 
 void ViewMenu::addAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
@@ -85,12 +89,14 @@ void ViewMenu::setSecondView(const QString& name) {
 void ViewMenu::restore(const WindowSettings& settings) {
     mirror_->setChecked(settings.showsMirror);
     turbine_->setChecked(settings.showsTurbine);
+    aim_->setChecked(settings.showsAim);
     setSecondView(QString::fromStdString(settings.secondView));
 }
 
 void ViewMenu::store(WindowSettings& settings) const {
     settings.showsMirror = mirror_->isChecked();
     settings.showsTurbine = turbine_->isChecked();
+    settings.showsAim = aim_->isChecked();
     settings.secondView = secondViews_->checkedAction()->data().toString().toStdString();
 }
 

@@ -40,6 +40,7 @@ private:
     QActionGroup* secondViews_ = nullptr;
     QAction* mirror_;
     QAction* turbine_;
+    QAction* aim_;
 };
 
 }  // namespace tactooth

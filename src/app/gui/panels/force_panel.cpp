@@ -28,10 +28,7 @@ ForcePanel::ForcePanel(QWidget* parent)
     spring_->box().setObjectName("spring");
     scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMaxForceScale, 0.05, 2, tr(" ×")}, 1,
                            tr("Multiplies the whole force"));
-    press_ = new NumberRow(*grid, tr("Mouse presses"), {0, MouseManipulator::kMaxPressDepth, 0.1, 1, tr(" mm")}, 1,
-                           tr("How deep the mouse hand presses beyond the surface.\nThe mouse wheel in the picture "
-                              "changes it too."));
-    press_->box().setObjectName("pressDepth");
+    addMouse(*grid);
     auto* defaults = new QPushButton(tr("Defaults"));
     grid->addWidget(defaults, grid->rowCount(), 2);
     grid->setRowStretch(grid->rowCount(), 1);
@@ -43,9 +40,54 @@ ForcePanel::ForcePanel(QWidget* parent)
     });
     for (NumberRow* row : {spring_, damper_, friction_, scale_})
         connect(row, &NumberRow::changed, this, &ForcePanel::changed);
-    connect(press_, &NumberRow::changed, this, &ForcePanel::pressDepthChanged);
     connect(defaults, &QPushButton::clicked, this, [this] { set({}); });
     fromMaterial_->setChecked(true);
+}
+
+/// How the mouse presses: to a depth, or with a force for as long as the button is down.
+void ForcePanel::addMouse(QGridLayout& grid) {
+    const ForceSettings usual;
+    mouse_ = new QComboBox;
+    mouse_->setObjectName("mouseMode");
+    mouse_->addItem(tr("Mouse cuts to a depth"), QString(kMouseToDepth));
+    mouse_->addItem(tr("Mouse presses by force"), QString(kMouseByForce));
+    mouse_->setAccessibleName(tr("How the mouse presses"));
+    mouse_->setToolTip(tr(
+        "To a depth: the bur stops at the depth that is set here.\nBy force: the bur sinks for as long as the button "
+        "is down."));
+    grid.addWidget(mouse_, grid.rowCount(), 0, 1, 3);
+    depth_ =
+        new NumberRow(grid, tr("Depth"), {0, DepthControl::kMaxDepth, 0.1, 2, tr(" mm")}, usual.depth,
+                      tr("Depth of the tip below the uncut surface at which the bur stops.\nThe mouse wheel in the "
+                         "picture changes it by 0.1 mm, with Shift by 0.02 mm."));
+    depth_->box().setObjectName("mouseDepth");
+    flat_ = new QCheckBox(tr("Flat floor"));
+    flat_->setObjectName("flatFloor");
+    flat_->setToolTip(
+        tr("On: the depth counts from the place where the cavity was begun, and the floor is flat.\nOff: the floor "
+           "follows the surface."));
+    grid.addWidget(flat_, grid.rowCount(), 0, 1, 3);
+    press_ =
+        new NumberRow(grid, tr("Mouse presses"), {0, MouseManipulator::kMaxPressDepth, 0.1, 1, tr(" mm")}, usual.press,
+                      tr("How far the mouse presses beyond the surface: 1 mm is about 1 N on enamel."));
+    press_->box().setObjectName("pressDepth");
+    connect(mouse_, &QComboBox::currentIndexChanged, this, [this] {
+        const bool toDepth = settings().mouse == kMouseToDepth;
+        depth_->setEnabled(toDepth);
+        flat_->setEnabled(toDepth);
+        emit mouseChanged();
+    });
+    connect(depth_, &NumberRow::changed, this, &ForcePanel::mouseChanged);
+    connect(flat_, &QCheckBox::toggled, this, &ForcePanel::mouseChanged);
+    connect(press_, &NumberRow::changed, this, &ForcePanel::mouseChanged);
+}
+
+void ForcePanel::applyTo(MouseManipulator& hand) const {
+    const ForceSettings now = settings();
+    hand.setPressMode(now.mouse == kMouseByForce ? PressMode::Force : PressMode::Depth);
+    hand.setPressDepth(now.press);
+    hand.depthControl().setDepth(now.depth);
+    hand.depthControl().setFloor(now.flatFloor ? CavityFloor::Flat : CavityFloor::FollowsSurface);
 }
 
 ForceOverrides ForcePanel::overrides() const {
@@ -54,8 +96,15 @@ ForceOverrides ForcePanel::overrides() const {
 }
 
 ForceSettings ForcePanel::settings() const {
-    return {fromMaterial_->isChecked(), spring_->value(), damper_->value(), scale_->value(), press_->value(),
-            friction_->value()};
+    return {.fromMaterial = fromMaterial_->isChecked(),
+            .spring = spring_->value(),
+            .damper = damper_->value(),
+            .scale = scale_->value(),
+            .press = press_->value(),
+            .mouse = mouse_->currentData().toString().toStdString(),
+            .depth = depth_->value(),
+            .flatFloor = flat_->isChecked(),
+            .friction = friction_->value()};
 }
 
 void ForcePanel::set(const ForceSettings& settings) {
@@ -64,6 +113,9 @@ void ForcePanel::set(const ForceSettings& settings) {
     damper_->setValue(settings.damper);
     scale_->setValue(settings.scale);
     press_->setValue(settings.press);
+    mouse_->setCurrentIndex(settings.mouse == kMouseByForce ? 1 : 0);
+    depth_->setValue(settings.depth);
+    flat_->setChecked(settings.flatFloor);
     friction_->setValue(settings.friction);
 }
 

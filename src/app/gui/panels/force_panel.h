@@ -27,13 +27,18 @@ public:
     /// Offers these materials: those of the tooth.
     void setMaterials(const MaterialTable& materials);
     void setPressDepth(double depth) { press_->setValue(depth); }
+    void setDepth(double depth) { depth_->setValue(depth); }
+    void setFlatFloor(bool isFlat) { flat_->setChecked(isFlat); }
+    /// How the mouse presses.
+    void applyTo(MouseManipulator& hand) const;
 
 signals:
     void changed();
-    void pressDepthChanged(double depth);
+    void mouseChanged();  ///< see applyTo
 
 private:
     void addPresets(QGridLayout& grid);
+    void addMouse(QGridLayout& grid);
     void applyPreset(MaterialId tissue);
 
     MaterialTable materials_;
@@ -44,6 +49,9 @@ private:
     NumberRow* friction_;
     NumberRow* scale_;
     NumberRow* press_;
+    QComboBox* mouse_;  // its data: ForceSettings::mouse
+    NumberRow* depth_;
+    QCheckBox* flat_;
 };
 
 }  // namespace tactooth

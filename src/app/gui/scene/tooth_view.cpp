@@ -20,7 +20,8 @@ namespace {
 constexpr int kRestMs = 400;        // without a change until the full-quality picture is drawn
 constexpr int kSecondLasts = 4;     // pictures of motion for which the small picture is kept: it hardly slows them
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
-constexpr double kZoomStep = 0.88;  // for one notch, or one press of a key
+constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
+constexpr double kZoomStep = 0.88;                         // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar
 constexpr double kKeyTurn = 6;      // times kKeyStep for a turn of the tooth
 
@@ -44,7 +45,7 @@ bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<Show
 }  // namespace
 
 ToothView::ToothView(SessionModel& model, QWidget* parent)
-    : QOpenGLWidget(parent), model_(model), secondFrame_(new SecondViewFrame(this)) {
+    : QOpenGLWidget(parent), model_(model), aim_(new AimOverlay(this)), secondFrame_(new SecondViewFrame(this)) {
     secondFrame_->hide();
     connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { setView(*second_); });
     setUpdateBehavior(PartialUpdate);  // keeps the last picture
@@ -208,6 +209,7 @@ bool ToothView::seesTip(const SceneContents& now) const {
 
 void ToothView::refresh() {
     secondFrame_->setVisible(drawsSecond());  // a tooth may have come
+    showAim();
     const FramePacer::Change change = changeTo(contents());
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
@@ -262,6 +264,17 @@ void ToothView::setShowsMirror(bool shows) {
     redraw();
 }
 
+void ToothView::setShowsAim(bool shows) {
+    showsAim_ = shows;
+    showAim();
+}
+
+/// Not in stereo, where a flat line would lie in front of everything.
+void ToothView::showAim() {
+    if (!showsAim_ || contents_ || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
+    aim_->show(model_, viewport());
+}
+
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
     inspection_ = inspection;
     stereo_ = stereo;
@@ -281,6 +294,7 @@ void ToothView::resizeEvent(QResizeEvent* event) {
     isStale_ = true;
     QOpenGLWidget::resizeEvent(event);
     secondFrame_->fitTo(imageSize());
+    aim_->setGeometry(rect());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
@@ -382,10 +396,22 @@ void ToothView::wheelEvent(QWheelEvent* event) {
         camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
         redraw();
     } else {
-        model_.manipulator().setPressDepth(model_.manipulator().pressDepth() + kPressStep * notches);
-        emit pressDepthChanged(model_.manipulator().pressDepth());
+        turnWheel(notches, event->modifiers());
     }
     event->accept();
+}
+
+/// The depth at which the bur stops, or, where nothing stops it, how far the hand presses.
+void ToothView::turnWheel(double notches, Qt::KeyboardModifiers with) {
+    MouseManipulator& hand = model_.manipulator();
+    if (hand.pressMode() == PressMode::Depth) {
+        const double step = with & Qt::ShiftModifier ? kFineDepthStep : kDepthStep;
+        hand.depthControl().setDepth(hand.depthControl().depth() + step * notches);
+        emit depthChanged(hand.depthControl().depth());
+    } else {
+        hand.setPressDepth(hand.pressDepth() + kPressStep * notches);
+        emit pressDepthChanged(hand.pressDepth());
+    }
 }
 
 }  // namespace tactooth

@@ -10,6 +10,7 @@
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
 #include "app/gui/input/viewport.h"
+#include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
 #include "session/model/session_model.h"
@@ -53,6 +54,9 @@ public:
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
+    /// Landing ring, plumb line and numbers at the tip.
+    void setShowsAim(bool shows);
+    [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
     /// Section, transparency, colours and ghost, and stereo.
     void setInspection(const Inspection& inspection, Stereo::Mode stereo);
     /// Shows a small picture from another side too; none: no small picture.
@@ -66,6 +70,8 @@ public:
 signals:
     /// The mouse wheel has changed the press depth, mm.
     void pressDepthChanged(double depth);
+    /// The mouse wheel has changed the depth at which a press ends, mm.
+    void depthChanged(double depth);
     /// The graphics system cannot draw; a sentence.
     void failed(const QString& sentence);
 
@@ -92,6 +98,8 @@ private:
     [[nodiscard]] std::optional<SecondView> secondPicture(bool careful);
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
+    void showAim();
+    void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     void endKeyPress();
     void report(const Error& error);
@@ -108,6 +116,8 @@ private:
     Inspection inspection_;
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
+    AimOverlay* aim_;
+    bool showsAim_ = true;
     SecondViewFrame* secondFrame_;
     int secondAge_ = 0;  // number of pictures that have shown it unchanged
     SceneContents drawn_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/util/expected.h"
+#include "session/model/mouse_manipulator.h"
 #include "sound/voices/sound_mixer.h"
 #include "tooth/model/material_registry.h"
 
@@ -22,13 +23,20 @@ namespace tactooth {
     return builtinMaterials()[builtinMaterials().withRole(MaterialRole::Enamel)].numbers;
 }
 
+/// What ends a press of the mouse (PressMode).
+inline constexpr const char* kMouseToDepth = "depth";
+inline constexpr const char* kMouseByForce = "force";
+
 /// The settings of the force panel.
 struct ForceSettings {
     bool fromMaterial = true;
     double spring = enamelNumbers().stiffness;  ///< N/mm
     double damper = enamelNumbers().damping;    ///< N*s/mm
     double scale = 1;
-    double press = 1;  ///< press depth of the mouse, mm
+    double press = MouseManipulator::kUsualPressDepth;  ///< press depth of the mouse, mm
+    std::string mouse = kMouseToDepth;         ///< what ends a press of the mouse: kMouseToDepth or kMouseByForce
+    double depth = DepthControl::kUsualDepth;  ///< at which kMouseToDepth ends, mm
+    bool flatFloor = false;                    ///< the depth counts from one plane
     double friction = enamelNumbers().friction;
 
     bool operator==(const ForceSettings&) const = default;
@@ -84,6 +92,7 @@ struct WindowSettings {
     std::string bur;       ///< number in the catalogue
     std::string spindle;   ///< name
     bool showsTurbine = true;
+    bool showsAim = true;
     bool showsMirror = true;
     ForceSettings force;
     DeviceSettings hand;

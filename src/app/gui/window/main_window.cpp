@@ -75,12 +75,13 @@ void MainWindow::connectDrill() {
         model_.controls.force = panels_.force->overrides();
         model_.controls.forceScale = panels_.force->forceScale();
     });
-    connect(panels_.force, &ForcePanel::pressDepthChanged, this,
-            [this](double mm) { model_.manipulator().setPressDepth(mm); });
+    connect(panels_.force, &ForcePanel::mouseChanged, this, [this] { panels_.force->applyTo(model_.manipulator()); });
+    panels_.force->applyTo(model_.manipulator());
 }
 
 void MainWindow::connectView() {
     connect(panels_.view, &ToothView::pressDepthChanged, panels_.force, &ForcePanel::setPressDepth);
+    connect(panels_.view, &ToothView::depthChanged, panels_.force, &ForcePanel::setDepth);
     connect(panels_.view, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
     connect(panels_.inspection, &InspectionPanel::changed, this, &MainWindow::updateInspection);
     connect(panels_.events, &EventPanel::notified, &messages_, &WindowMessages::setHint);

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPolygonF>
+#include <QWidget>
+#include <vector>
+
+#include "app/gui/input/viewport.h"
+#include "session/model/tip_measure.h"
+
+namespace tactooth {
+
+/// Drawn over the tooth view: where the bur will land, a plumb line from its tip to there, and beside the tip its depth
+/// below the uncut surface, the tooth that is left over the pulp, and the force. What stands behind the tooth is
+/// dashed. The colour warns before it is too late.
+class AimOverlay final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AimOverlay(QWidget* parent);
+
+    /// What is shown; it is drawn anew only if it has changed.
+    void show(const SessionModel& model, const Viewport& picture);
+    /// Shows nothing, for example while a recording is replayed.
+    void showNothing();
+    /// Off: only the ring and the line, without numbers.
+    void setShowsNumbers(bool shows);
+    /// The text beside the tip, line by line.
+    [[nodiscard]] const QStringList& lines() const { return mark_.lines; }
+    [[nodiscard]] TipWarning warning() const { return mark_.warning; }
+    /// The landing ring in the picture, pixels of the widget.
+    [[nodiscard]] QPolygonF ring() const;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    struct Place {
+        QPointF at;
+        bool isHidden = false;
+        bool operator==(const Place&) const = default;
+    };
+    struct Mark {
+        std::vector<Place> ring;
+        std::vector<Place> plumb;  // from the tip to the landing place
+        QPointF tip;
+        QStringList lines;
+        TipWarning warning = TipWarning::None;
+        bool operator==(const Mark&) const = default;
+    };
+
+    [[nodiscard]] Mark markFor(const SessionModel& model, const Viewport& picture) const;
+    [[nodiscard]] QRect textPlace() const;
+    [[nodiscard]] QRect bounds() const;
+    void set(Mark mark);
+
+    Mark mark_;
+    bool showsNumbers_ = true;
+};
+
+}  // namespace tactooth

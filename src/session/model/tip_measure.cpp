@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/tip_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "collision/bvh/closest_point.h"
+#include "session/model/surface_ray.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kFar = 6;         // mm: farther away from the pulp nobody asks
+constexpr double kHeadPart = 2.5;  // mm of the head above the tip that can be nearest to the pulp
+constexpr int kAround = 8;         // places around the axis
+constexpr double kOutside = 60;    // mm, outside of every tooth
+
+/// The direction in which the hand presses, into the tooth.
+Vec3 inwardOf(const SessionModel& model) {
+    if (model.devices().first() == nullptr) return model.manipulator().pressDirection();
+    return model.log().newest().proxy.rotation * -Vec3::UnitZ();
+}
+
+/// Of the head, without the shank, which may be thicker.
+double headRadius(const RevolutionEnvelope& bur) {
+    double radius = 0;
+    for (const RevolutionEnvelope::ProfilePoint& ring : bur.profile()) {
+        if (ring.z > bur.bottom() + kHeadPart) break;
+        radius = std::max(radius, ring.radius);
+    }
+    return radius;
+}
+
+/// Distance of the head of the bur from one layer.
+std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {
+    std::optional<double> least;
+    for (const RevolutionEnvelope::ProfilePoint& ring : head.profile()) {
+        if (ring.z > head.bottom() + kHeadPart) break;
+        const int places = ring.radius > 0 ? kAround : 1;
+        for (int i = 0; i < places; ++i) {
+            const double angle = 2 * std::numbers::pi * i / places;
+            const Vec3 place = pose * Vec3(ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.z);
+            const auto closest = closestPoint(pulp, place, least ? std::abs(*least) : kFar);
+            if (!closest) continue;
+            const bool isIn = closest->distance < kNearPulp && contains(pulp, place);
+            const double distance = isIn ? -closest->distance : closest->distance;
+            least = std::min(least.value_or(distance), distance);
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+TipMeasure tipMeasure(const SessionModel& model) {
+    const Tick& newest = model.log().newest();
+    TipMeasure measure;
+    measure.force = newest.wrench.force.norm();
+    measure.depth = model.manipulator().depthControl().depthOf(newest.proxy.position, inwardOf(model));
+    const LayeredTooth& tooth = model.tooth()->piece->tooth();
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
+        const auto distance = distanceOf(*layer.part, model.bur()->instrument.cutting.envelope, newest.proxy);
+        if (distance) measure.overPulp = std::min(measure.overPulp.value_or(*distance), *distance);
+    }
+    return measure;
+}
+
+TipWarning warningOf(const TipMeasure& measure, const SessionModel& model) {
+    if (measure.overPulp && *measure.overPulp < kAtPulp) return TipWarning::AtPulp;
+    if (measure.overPulp && *measure.overPulp < kNearPulp) return TipWarning::NearPulp;
+    const MouseManipulator& hand = model.manipulator();
+    const Tick& newest = model.log().newest();
+    const auto left = hand.depthControl().toFloor(newest.proxy.position, inwardOf(model));
+    const bool isDeep = hand.pressMode() == PressMode::Depth && left && *left < -kToleratedDepth;
+    return isDeep && newest.contacts > 0 ? TipWarning::Deep : TipWarning::None;
+}
+
+AimMark aimMark(const MouseManipulator& hand, const Instrument& instrument, const Pose& tool) {
+    const MouseManipulator::Surroundings& there = hand.surroundings();
+    AimMark mark;
+    mark.tip = tool.position;
+    if (there.touchable == nullptr || there.uncut == nullptr) return mark;
+    const Vec3& inward = hand.pressDirection();
+    const Surface uncut{.base = there.uncut};
+    // In a cavity: from outside onto the uncut surface. Over the tooth: onto what is there now.
+    const auto depth = hand.depthControl().depthOf(mark.tip, inward);
+    const bool isInside = depth && *depth > 0;
+    const double back = isInside ? kOutside : 0;
+    const Surface& below = isInside ? uncut : *there.touchable;
+    const auto landingOf = [&](const Vec3& place) -> std::optional<Vec3> {
+        const Vec3 start = place - back * inward;
+        const auto hit = firstHit(below, {start, inward});
+        if (!hit) return std::nullopt;
+        return start + *hit * inward;
+    };
+    mark.landing = landingOf(mark.tip);
+    if (!mark.landing) return mark;
+    const double radius = headRadius(instrument.cutting.envelope);
+    const Vec3 u = inward.unitOrthogonal();
+    const Vec3 v = inward.cross(u);
+    for (int i = 0; i < kRingPlaces; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRingPlaces;
+        const auto place = landingOf(mark.tip + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        if (place) mark.ring.push_back(*place);
+    }
+    return mark;
+}
+
+}  // namespace tactooth

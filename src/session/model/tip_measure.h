@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "session/model/session_model.h"
+
+namespace tactooth {
+
+/// What somebody who cuts must know about the tip of the bur.
+struct TipMeasure {
+    std::optional<double> depth;  ///< of the tip below the uncut surface, mm, negative above it; none beside the tooth
+    std::optional<double>
+        overPulp;      ///< mm of tooth between bur and pulp, negative in the pulp; none: far away, no pulp
+    double force = 0;  ///< N
+};
+
+/// How dangerous the place of the bur is.
+enum class TipWarning {
+    None,
+    Deep,      ///< more than kToleratedDepth deeper than was set, in PressMode::Depth
+    NearPulp,  ///< less than kNearPulp over the pulp
+    AtPulp,    ///< less than kAtPulp over the pulp: stop
+};
+inline constexpr double kToleratedDepth = 0.15;  ///< mm
+/// mm: a millimetre of dentin shields the pulp; half of one barely does (Murray et al., "Pulp vitality and remaining
+/// dentin thickness", 2003: reactions grow below 0.5 mm).
+inline constexpr double kNearPulp = 1.0;
+inline constexpr double kAtPulp = 0.5;
+
+/// Of the newest tick. Needs a runner. Fast enough for each picture.
+[[nodiscard]] TipMeasure tipMeasure(const SessionModel& model);
+[[nodiscard]] TipWarning warningOf(const TipMeasure& measure, const SessionModel& model);
+
+/// Where the bur will land, for a picture: the outline of its head on the surface below it.
+struct AimMark {
+    Vec3 tip = Vec3::Zero();
+    std::optional<Vec3> landing;  ///< below the tip along the press direction; none beside the tooth
+    /// The outline, closed; a place that misses the tooth is left out.
+    std::vector<Vec3> ring;
+};
+inline constexpr int kRingPlaces = 32;
+
+/// For a tool that the mouse's hand holds at `tool`. In a cavity the ring lies at the height of its rim.
+[[nodiscard]] AimMark aimMark(const MouseManipulator& hand, const Instrument& instrument, const Pose& tool);
+
+}  // namespace tactooth

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/beginner_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth::test {
+namespace {
+
+constexpr double kRow = 3;  // pixels between two rows: less than the tremor and the eye tell apart
+
+bool isInside(const std::vector<Vec2>& outline, const Vec2& place) {
+    bool inside = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Vec2 &a = outline[i], &b = outline[j];
+        if ((a.y() > place.y()) != (b.y() > place.y()) &&
+            place.x() < (b.x() - a.x()) * (place.y() - a.y()) / (b.y() - a.y()) + a.x())
+            inside = !inside;
+    }
+    return inside;
+}
+
+Vec2 middleOf(const std::vector<Vec2>& points) {
+    Vec2 low = points.front(), high = low;
+    for (const Vec2& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
+    return (low + high) / 2;
+}
+
+}  // namespace
+
+std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const std::vector<Vec2>& ring) {
+    const Vec2 ringMiddle = middleOf(ring);
+    // The longer side: the main axis of the outline.
+    Vec2 mean = Vec2::Zero();
+    for (const Vec2& point : outline) mean += point / static_cast<double>(outline.size());
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (const Vec2& point : outline) spread += (point - mean) * (point - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    const Vec2 along = axes.eigenvectors().col(1), across = axes.eigenvectors().col(0);
+    double low = 0, high = 0, left = 0, right = 0;
+    for (const Vec2& point : outline) {
+        low = std::min(low, along.dot(point - mean)), high = std::max(high, along.dot(point - mean));
+        left = std::min(left, across.dot(point - mean)), right = std::max(right, across.dot(point - mean));
+    }
+    std::vector<Vec2> places;
+    bool forth = true;
+    for (double row = left; row <= right; row += kRow) {
+        std::vector<Vec2> line;
+        for (double column = low; column <= high; column += 1) {
+            const Vec2 place = mean + column * along + row * across;
+            const bool fits = std::ranges::all_of(
+                ring, [&](const Vec2& point) { return isInside(outline, place + point - ringMiddle); });
+            if (fits) line.push_back(place);
+        }
+        if (line.empty()) continue;
+        if (!forth) std::ranges::reverse(line);
+        forth = !forth;
+        places.insert(places.end(), line.begin(), line.end());
+    }
+    if (places.empty()) places.push_back(middleOf(outline));
+    return places;
+}
+
+BeginnerHand::BeginnerHand(unsigned seed, const Habits& habits, double goalDepth, double pixelPitch)
+    : habits_(habits), goalDepth_(goalDepth), pixelPitch_(pixelPitch), random_(seed) {}
+
+Vec2 BeginnerHand::tremble(const Vec2& place) {
+    std::normal_distribution<double> tremor(0, habits_.tremor);
+    const double x = tremor(random_), y = tremor(random_);
+    return {std::round(place.x() + x), std::round(place.y() + y)};  // a mouse has whole pixels
+}
+
+void BeginnerHand::plan(const SeenPicture& seen) {
+    path_ = placesWithin(seen.outline, seen.ring);
+    const std::vector<Vec2> once = path_;
+    for (int pass = 1; pass < habits_.passes; ++pass) {
+        std::vector<Vec2> back = once;
+        if (pass % 2 == 1) std::ranges::reverse(back);
+        path_.insert(path_.end(), back.begin(), back.end());
+    }
+    at_ = path_.front();
+}
+
+BeginnerHand::Action BeginnerHand::next(double dt, const SeenPicture& picture) {
+    time_ += dt;
+    seen_.emplace_back(time_, picture);
+    while (seen_.size() > 1 && seen_[1].first <= time_ - habits_.reaction) seen_.pop_front();
+    if (seen_.front().first > time_ - habits_.reaction) return {tremble(at_), button_, false};  // nothing seen yet
+    const SeenPicture& seen = seen_.front().second;
+    if (path_.empty()) {
+        if (seen.outline.empty()) return {tremble(at_), button_, false};
+        at_ = middleOf(seen.outline);
+        // First to the middle, to see how large the ring is there.
+        if (seen.ring.empty() || (middleOf(seen.ring) - at_).norm() > 8) return {tremble(at_), button_, false};
+        plan(seen);
+        waited_ = 0;
+    }
+    waited_ += dt;
+    if (button_ == Button::Up) {
+        if (waited_ > 2 * habits_.reaction) button_ = Button::Down, waited_ = 0;
+        return {tremble(at_), button_, false};
+    }
+    const bool isDeep = seen.depth && *seen.depth > goalDepth_ - habits_.tolerance;
+    if (!isDeep && waited_ < habits_.patience) return {tremble(at_), button_, false};
+    // On along the path.
+    double left = habits_.speed * dt / pixelPitch_;
+    while (left > 0 && place_ + 1 < path_.size()) {
+        const Vec2 toNext = path_[place_ + 1] - at_;
+        if (toNext.norm() > left) {
+            at_ += toNext.normalized() * left;
+            left = 0;
+        } else {
+            left -= toNext.norm();
+            at_ = path_[++place_];
+        }
+    }
+    if (isDeep) waited_ = 0;
+    const bool isDone = place_ + 1 >= path_.size();
+    if (isDone) button_ = Button::Up;
+    return {tremble(at_), button_, isDone};
+}
+
+}  // namespace tactooth::test

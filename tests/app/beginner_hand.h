@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "session/model/pointer_view.h"
+
+namespace tactooth::test {
+
+/// What somebody at the mouse sees of the picture. Pixels.
+struct SeenPicture {
+    std::vector<Vec2> outline;    ///< of the cavity to be cut, in order
+    std::vector<Vec2> ring;       ///< where the bur lands; empty: it cannot be seen
+    std::optional<double> depth;  ///< the number at the tip, mm
+};
+
+/// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, waits for the
+/// depth that was set, and lets go at the end. Sees everything a reaction time late and trembles by a pixel.
+class BeginnerHand {
+public:
+    struct Habits {
+        double reaction = 0.25;   ///< s
+        double tremor = 1;        ///< pixels, standard deviation
+        double speed = 2.0;       ///< mm/s
+        double tolerance = 0.12;  ///< mm of the depth, within which the hand goes on
+        int passes = 2;
+        double patience = 3;  ///< s at one place
+    };
+    enum class Button { Up, Down };
+    struct Action {
+        Vec2 pixel = Vec2::Zero();
+        Button button = Button::Up;
+        bool isDone = false;
+    };
+
+    /// `goalDepth`: that was set, mm; `pixelPitch`: mm for each pixel.
+    BeginnerHand(unsigned seed, const Habits& habits, double goalDepth, double pixelPitch);
+    BeginnerHand(unsigned seed, double goalDepth, double pixelPitch)
+        : BeginnerHand(seed, Habits(), goalDepth, pixelPitch) {}
+
+    /// The next event of the mouse, `dt` s after the last one.
+    [[nodiscard]] Action next(double dt, const SeenPicture& picture);
+
+private:
+    void plan(const SeenPicture& seen);
+    [[nodiscard]] Vec2 tremble(const Vec2& place);
+
+    Habits habits_;
+    double goalDepth_, pixelPitch_;
+    std::mt19937 random_;
+    std::deque<std::pair<double, SeenPicture>> seen_;  // with their times
+    double time_ = 0, waited_ = 0;
+    std::vector<Vec2> path_;
+    std::size_t place_ = 0;
+    Vec2 at_ = Vec2::Zero();
+    Button button_ = Button::Up;
+};
+
+/// The places at which `ring`, moved there from its middle, lies within `outline`, in rows to and fro along the longer
+/// side. Not empty: at least the middle of the outline.
+[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const std::vector<Vec2>& ring);
+
+}  // namespace tactooth::test

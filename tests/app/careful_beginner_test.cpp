@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a careful beginner reaches with the mouse in the built-in exercises. The hand sees the outline of the cavity,
+// the landing ring and the depth number in the picture, and nothing else. The session has no threads, so it is as exact
+// as a live one and faster.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include "app/beginner_hand.h"
+#include "app/common/inspection.h"
+#include "app/gui/input/viewport.h"
+#include "assessment/cavity_metrics.h"
+#include "assessment/exercise.h"
+#include "devices/mouse/mouse_device.h"
+#include "session/kernel/stepwise_session.h"
+#include "session/model/instrument_poses.h"
+#include "session/model/session_bur.h"
+#include "session/model/tip_measure.h"
+#include "session/simulation/cut_events.h"
+#include "tooth/model/material_definition.h"
+#include "view/camera/orbit_camera.h"
+
+namespace tactooth {
+namespace {
+
+constexpr ImageSize kPicture{900, 700};
+constexpr double kFrame = 1.0 / 60;  // s
+constexpr int kTicksPerCut = 4;
+
+/// An exercise as the window has it after its start.
+struct Scene {
+    explicit Scene(const Exercise& task) : exercise(task), tooth(*exerciseTooth(task)) {
+        const auto ideal = idealShape(task, tooth);
+        EXPECT_TRUE(ideal) << ideal.error().message();
+        const auto outer = tooth->ownOuter();
+        walls = cavityWalls(*ideal, *outer);
+        target = std::make_shared<const SurfacePart>(*ideal);
+        bur = *makeSessionBur(*findBur(std::get<std::string>(task.bur)));
+    }
+    const Exercise& exercise;
+    std::shared_ptr<const LayeredTooth> tooth;
+    std::shared_ptr<const SurfacePart> target;
+    CavityWalls walls;
+    SessionBur bur;
+};
+
+const PreparationPlan& planOf(const Exercise& exercise) { return std::get<PreparationPlan>(exercise.ideal); }
+
+Viewport viewOf(const Scene& scene) {
+    OrbitCamera camera;
+    const ViewDirection usual = dentistView(1);
+    camera.setView({usual.azimuth, usual.elevation});
+    if (std::abs(planOf(scene.exercise).outward.y()) > 0.8) camera.setView(StandardView::Buccal);
+    camera.fit(crownBox(scene.tooth->ownBox(), 2), kPicture.aspect());
+    return {camera.camera(), kPicture};
+}
+
+/// The longest loop of the rim in the picture.
+std::vector<Vec2> outlineOf(const Scene& scene, const Viewport& view) {
+    std::map<std::uint32_t, std::uint32_t> after;
+    for (const auto& [from, to] : scene.walls.rim) after[from] = to;
+    std::vector<std::uint32_t> longest;
+    while (!after.empty()) {
+        std::vector<std::uint32_t> loop;
+        std::uint32_t at = after.begin()->first;
+        while (after.contains(at)) {
+            loop.push_back(at);
+            const std::uint32_t next = after[at];
+            after.erase(at);
+            at = next;
+        }
+        if (loop.size() > longest.size()) longest = loop;
+    }
+    std::vector<Vec2> outline;
+    for (const std::uint32_t vertex : longest) {
+        outline.push_back(*project(view.camera(), view.size(), scene.walls.mesh.vertices[vertex].cast<double>()));
+    }
+    return outline;
+}
+
+struct Outcome {
+    CavityProgress cavity;
+    double seconds = 0;
+    bool opensPulp = false;
+};
+
+Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode) {
+    const PreparationPlan& plan = planOf(scene.exercise);
+    const auto model = std::make_shared<CutModel>(scene.tooth, 0.05);
+    HapticSettings settings;
+    settings.materials = MaterialTable(scene.tooth->materials());
+    StepwiseSession session(model, {scene.bur.instrument, settings, Placement::AtOnce});
+    MouseManipulator hand(scene.tooth->ownBox(), 1);
+    const auto uncut = scene.tooth->ownOuter();
+    hand.setSurroundings({model->surface(), scene.bur.instrument.shape, uncut});
+    hand.alignShaft(plan.outward);
+    hand.setPressMode(mode);
+    hand.depthControl().setDepth(plan.depth);
+    hand.depthControl().setFloor(plan.isFlat ? CavityFloor::Flat : CavityFloor::FollowsSurface);
+    if (plan.isFlat) hand.depthControl().setReference(floorReference(plan, *uncut));
+    MouseDevice mouse(hand.pose());
+
+    const Viewport view = viewOf(scene);
+    const std::vector<Vec2> outline = outlineOf(scene, view);
+    const double pitch = 1 / ((*project(view.camera(), kPicture, Vec3(1, 0, scene.tooth->ownBox().max().z())) -
+                               *project(view.camera(), kPicture, Vec3(0, 0, scene.tooth->ownBox().max().z())))
+                                  .norm());
+    std::mt19937 random(seed);
+    const double eventPeriod = 1 / std::uniform_real_distribution<double>(30, 125)(random);
+    test::BeginnerHand beginner(seed, plan.depth, pitch);
+    Tick tick;
+    tick.proxy = tick.hand = hand.pose();
+    double time = 0, eventAt = 0;
+    Outcome outcome;
+    CutEvents events(scene.tooth->materials());
+    bool isDown = false, isDone = false;
+    constexpr double kLongest = 240;  // s
+    double doneAt = kLongest;
+    int ticks = 0;
+    while (time < std::min(kLongest, doneAt + 1)) {
+        while (eventAt <= time && !isDone) {
+            eventAt += eventPeriod;
+            test::SeenPicture seen{outline, {}, {}};
+            const AimMark mark = aimMark(hand, scene.bur.instrument, tick.proxy);
+            for (const Vec3& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place));
+            seen.depth = hand.depthControl().depthOf(tick.proxy.position, hand.pressDirection());
+            if (plan.isFlat)
+                seen.depth =
+                    plan.depth - hand.depthControl().toFloor(tick.proxy.position, hand.pressDirection()).value_or(0);
+            const auto action = beginner.next(eventPeriod, seen);
+            const bool wantsDown = action.button == test::BeginnerHand::Button::Down;
+            if (wantsDown && !isDown) {
+                hand.press(view, action.pixel);
+            } else if (wantsDown) {
+                hand.drag(view, action.pixel);
+            } else if (isDown) {
+                hand.release();
+            } else {
+                hand.aim(view, action.pixel, *model->surface());
+            }
+            isDown = wantsDown;
+            if (action.isDone) isDone = true, doneAt = time;
+        }
+        hand.setSurroundings({model->surface(), scene.bur.instrument.shape, uncut});
+        hand.advance(kFrame, tick.proxy.position, tick.depth);
+        mouse.moveTo({hand.pose(), 0, 0, true});
+        for (const double end = time + kFrame; time < end; time += 0.001) {
+            tick = session.step({mouse.read(0.001).hand, 1, true}, 0.001, time);
+            events.update(tick.time, tick, model->loss());
+            if (++ticks % kTicksPerCut == 0) (void)session.carve();
+            session.list();
+        }
+    }
+    session.finish(false);
+    outcome.seconds = isDone ? doneAt : kLongest;
+    CavityMetrics metrics(scene.target, *uncut, scene.walls);
+    outcome.cavity = metrics.of(*model->surface(), total(model->removed()));
+    for (const CutEvent& event : events.all()) outcome.opensPulp |= event.kind == CutEventKind::PulpExposed;
+    return outcome;
+}
+
+int seeds() {
+    const char* const wanted = std::getenv("TACTOOTH_BEGINNERS");
+    return wanted != nullptr ? std::max(1, std::atoi(wanted)) : 2;
+}
+
+class CarefulBeginner : public testing::TestWithParam<int> {};
+
+TEST_P(CarefulBeginner, CutsTheCavityToItsDepth) {
+    const Exercise& exercise = *exercises()[static_cast<std::size_t>(GetParam())];
+    const Scene scene(exercise);
+    for (int seed = 1; seed <= seeds(); ++seed) {
+        const Outcome outcome = cutBy(scene, static_cast<unsigned>(seed), PressMode::Depth);
+        const CavityProgress& cavity = outcome.cavity;
+        std::printf("%s, seed %d: over %.2f mm, cleared %.0f %%, Dice %.2f, %.0f s\n", exercise.name.c_str(), seed,
+                    cavity.maxOverPreparation, 100 * cavity.clearedFraction(), cavity.dice(), outcome.seconds);
+        EXPECT_LE(cavity.maxOverPreparation, 0.30);
+        EXPECT_GE(cavity.clearedFraction(), 0.90);
+        EXPECT_GE(cavity.dice(), 0.85);
+        EXPECT_LE(outcome.seconds, 180);
+        EXPECT_FALSE(outcome.opensPulp);
+    }
+}
+
+/// For comparison: the same hand with a steady force.
+TEST_P(CarefulBeginner, ByForceCutsDeeper) {
+    const Exercise& exercise = *exercises()[static_cast<std::size_t>(GetParam())];
+    const Scene scene(exercise);
+    const Outcome outcome = cutBy(scene, 1, PressMode::Force);
+    std::printf("%s by force: over %.2f mm, Dice %.2f, %.0f s\n", exercise.name.c_str(),
+                outcome.cavity.maxOverPreparation, outcome.cavity.dice(), outcome.seconds);
+    EXPECT_GT(outcome.cavity.maxOverPreparation, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(InEveryExercise, CarefulBeginner, testing::Values(0, 1, 2));
+
+}  // namespace
+}  // namespace tactooth
