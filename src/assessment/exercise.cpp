@@ -50,6 +50,13 @@ std::vector<Vec3> placesOf(const PreparationPlan::Stroke& stroke) {
     return places;
 }
 
+/// Mean height of the surface over the places of a stroke.
+double meanOf(const std::vector<double>& heights) {
+    double sum = 0;
+    for (const double height : heights) sum += height;
+    return sum / static_cast<double>(heights.size());
+}
+
 /// The paths of the bur's tip, one for each stroke.
 Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const SurfacePart& outer) {
     std::vector<std::vector<Vec3>> paths;
@@ -72,13 +79,6 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
         paths.push_back(std::move(path));
     }
     return paths;
-}
-
-/// Mean height of the surface over the places of a stroke.
-double meanOf(const std::vector<double>& heights) {
-    double sum = 0;
-    for (const double height : heights) sum += height;
-    return sum / static_cast<double>(heights.size());
 }
 
 Expected<CuttingTool> burOf(const Exercise& exercise) {

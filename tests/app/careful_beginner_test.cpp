@@ -33,13 +33,15 @@ constexpr int kTicksPerCut = 4;
 
 /// An exercise as the window has it after its start.
 struct Scene {
-    explicit Scene(const Exercise& task) : exercise(task), tooth(*exerciseTooth(task)) {
+    explicit Scene(const Exercise& task)
+        : exercise(task),
+          tooth(*exerciseTooth(task)),
+          bur(*makeSessionBur(*findBur(std::get<std::string>(task.bur)))) {
         const auto ideal = idealShape(task, tooth);
         EXPECT_TRUE(ideal) << ideal.error().message();
         const auto outer = tooth->ownOuter();
         walls = cavityWalls(*ideal, *outer);
         target = std::make_shared<const SurfacePart>(*ideal);
-        bur = *makeSessionBur(*findBur(std::get<std::string>(task.bur)));
     }
     const Exercise& exercise;
     std::shared_ptr<const LayeredTooth> tooth;
