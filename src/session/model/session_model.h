@@ -76,7 +76,8 @@ public:
 
     /// Whether the tooth has cuts that were neither saved nor exported.
     [[nodiscard]] bool isModified() const;
-    /// The tooth was saved or exported as it was when `removed` was gone. What is cut while a file is written is unsaved.
+    /// The tooth was saved or exported as it was when `removed` was gone. What is cut while a file is written is
+    /// unsaved.
     void markSaved(const MaterialVolumes& removed);
 
     /// What has changed in a step.
