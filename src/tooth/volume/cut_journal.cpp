@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tooth/volume/cut_journal.h"
 
+#include <utility>
+
 #include "geometry/util/assert.h"
 
 namespace tactooth {
-namespace {
 
-std::size_t bytesOf(const std::vector<std::pair<BrickKey, FieldChange>>& step) {
-    std::size_t bytes = 0;
-    for (const auto& [key, change] : step) bytes += sizeof key + change.bytes();
-    return bytes;
+void CutJournal::Step::add(const BrickKey& key, FieldChange change) {
+    bytes += sizeof key + change.bytes();
+    changes.emplace_back(key, std::move(change));
 }
-
-}  // namespace
 
 void CutJournal::mark(const BrickMap& bricks) {
     finish(bricks);
@@ -23,17 +21,17 @@ void CutJournal::mark(const BrickMap& bricks) {
 void CutJournal::finish(const BrickMap& bricks) {
     if (open_.empty()) return;
     Step step;
-    step.reserve(open_.size());
+    step.changes.reserve(open_.size());
     for (const auto& [key, before] : open_) {
         TACTOOTH_ASSERT(bricks.find(key) != nullptr);
-        step.emplace_back(key, FieldChange::between(*bricks.find(key), before, spacing_));
+        step.add(key, FieldChange::between(*bricks.find(key), before, spacing_));
     }
     open_.clear();
     undo_.push_back(std::move(step));
     std::size_t total = 0;
-    for (const Step& kept : undo_) total += bytesOf(kept);
+    for (const Step& kept : undo_) total += kept.bytes;
     while (total > maxBytes_ && undo_.size() > 1) {
-        total -= bytesOf(undo_.front());
+        total -= undo_.front().bytes;
         undo_.erase(undo_.begin());
     }
 }
@@ -43,12 +41,12 @@ CutJournal::Fields CutJournal::exchange(std::vector<Step>& from, std::vector<Ste
     TACTOOTH_ASSERT(!from.empty());
     Fields fields;
     Step opposite;
-    for (const auto& [key, change] : from.back()) {
+    for (const auto& [key, change] : from.back().changes) {
         TACTOOTH_ASSERT(bricks.find(key) != nullptr);
         const CutField& now = *bricks.find(key);
         CutField& then = fields.emplace_back(key, now).second;
         change.apply(then, spacing_);
-        opposite.emplace_back(key, FieldChange::between(then, now, spacing_));
+        opposite.add(key, FieldChange::between(then, now, spacing_));
     }
     from.pop_back();
     to.push_back(std::move(opposite));
@@ -74,7 +72,7 @@ void CutJournal::validate(const BrickMap& bricks) const {
     // The last step tells how the bricks were before it, the last undone step how they were after it.
     for (const std::vector<Step>* steps : {&undo_, &redo_}) {
         if (steps->empty()) continue;
-        for (const auto& [key, change] : steps->back()) {
+        for (const auto& [key, change] : steps->back().changes) {
             TACTOOTH_ASSERT(bricks.find(key) != nullptr);
             const auto open = open_.find(key);
             CutField field = open != open_.end() ? open->second : *bricks.find(key);
@@ -87,7 +85,7 @@ void CutJournal::validate(const BrickMap& bricks) const {
 std::size_t CutJournal::bytes() const {
     std::size_t bytes = open_.size() * (sizeof(BrickKey) + sizeof(CutField));
     for (const std::vector<Step>* steps : {&undo_, &redo_}) {
-        for (const Step& step : *steps) bytes += bytesOf(step);
+        for (const Step& step : *steps) bytes += step.bytes;
     }
     return bytes;
 }

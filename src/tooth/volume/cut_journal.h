@@ -50,7 +50,11 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    using Step = std::vector<std::pair<BrickKey, FieldChange>>;
+    struct Step {
+        std::vector<std::pair<BrickKey, FieldChange>> changes;
+        std::size_t bytes = 0;
+        void add(const BrickKey& key, FieldChange change);
+    };
 
     void finish(const BrickMap& bricks);
     [[nodiscard]] Fields exchange(std::vector<Step>& from, std::vector<Step>& to, const BrickMap& bricks) const;

@@ -58,7 +58,7 @@ TEST_F(RecordingKill, AtAnyMomentTheFileOpensReplaysAndLacksNoMoreThanItMay) {
         SCOPED_TRACE("kill " + std::to_string(i) + ", " + std::to_string(delay) + " s after the file appeared");
         RunningTactooth program({"realtime", "--seconds", "60", "--record", recording.string()});
         ASSERT_TRUE(growsBeyond(recording, 0));
-        std::this_thread::sleep_for(std::chrono::duration<double>(delay));
+        std::this_thread::sleep_for(std::chrono::duration<double>(delay));  // the moment itself, not a wait for it
         const auto written = fs::last_write_time(recording);
         ::kill(program.number(), SIGKILL);
         const auto killed = fs::file_time_type::clock::now();

@@ -120,6 +120,7 @@ private:
                 if (random_() % 4 == 0) {
                     simulator.request(std::array{Edit::Undo, Edit::Undo, Edit::Redo, Edit::Reset}[random_() % 4]);
                 }
+                // The pace of the user, who waits for nothing.
                 std::this_thread::sleep_for(std::chrono::duration<double>(between(0.02, 0.15)));
             }
         }
