@@ -368,7 +368,7 @@ void WindowUnsavedTest::aSignalSavesAndTheNextStartRestores() {
 void WindowUnsavedTest::recordingsAreSwitchedInTheMenu() {
     const auto* sign = window_->findChild<QLabel*>("recordingSign");
     QTRY_VERIFY_WITH_TIMEOUT(sign->isVisible(), kPatience);
-    auto* record = window_->findChild<QAction*>("recordSessions");
+    auto* record = window_->recordings().findChild<QAction*>("recordSessions");
     QVERIFY(record->isChecked());
     record->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!window_->model().isRecording() && !sign->isVisible(), kPatience);
@@ -377,7 +377,7 @@ void WindowUnsavedTest::recordingsAreSwitchedInTheMenu() {
     record->trigger();
     loadMolar();
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().isRecording(), kPatience);
-    window_->findChild<QAction*>("openRecordings")->trigger();
+    window_->recordings().findChild<QAction*>("openRecordings")->trigger();
     QCOMPARE(opened_.toLocalFile().toStdString(), (folder_ / "recordings").string());
 }
 

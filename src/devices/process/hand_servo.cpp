@@ -96,9 +96,9 @@ void HandServo::read(double now) {
     const DeviceSample sample = device_.read(elapsed);
     if (sample.connected) {
         const PoseReading reading{sample.hand.position, sample.hand.rotation, sample.age, sample.isFresh};
-        // The looser limits of a tool in free space: here nobody knows whether it touches. The program applies the
-        // others.
-        moment_.isPoseValid = validator_.take(reading, elapsed, false) == PoseFault::None;
+        // Where a force pushes the hand the tool touches something, and the narrow limits apply. Without a force a late
+        // fault harms nobody; the program knows about the contact and applies its own limits.
+        moment_.isPoseValid = validator_.take(reading, elapsed, !watchdog_.isSilent()) == PoseFault::None;
     } else {
         validator_.forget();
         moment_.isPoseValid = false;

@@ -210,6 +210,19 @@ TEST(HandServo, APoseThatNoHandCanHaveEndsTheForceInTheSameTurn) {
     EXPECT_TRUE(bench.device.force.isZero(0)) << "a lost device, too";
 }
 
+/// 3 mm in a tick: a hand in free space may move so, one that presses cannot.
+TEST(HandServo, AJumpEndsAForceButIsNoFaultWithoutOne) {
+    Bench bench(true);
+    for (int i = 0; i < 700; ++i) bench.tick(0);
+    bench.device.sample.hand.position.x() += 3;
+    for (int i = 0; i < 700; ++i) bench.tick(3);
+    EXPECT_FALSE(bench.device.force.isZero(0));
+    bench.device.sample.hand.position.x() -= 3;
+    bench.device.deliver();
+    bench.turn();
+    EXPECT_TRUE(bench.device.force.isZero(0));
+}
+
 TEST(HandServo, ARequestToEndFadesTheForceHoldsZeroAndIsNoFault) {
     Bench bench(true);
     for (int i = 0; i < 700; ++i) bench.tick(3);
