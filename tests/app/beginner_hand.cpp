@@ -5,11 +5,15 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace tactooth::test {
 namespace {
 
-constexpr double kRow = 3;  // pixels between two rows: less than the tremor and the eye tell apart
+constexpr double kFollowing = 15;    // pixels between bur and pointer that are no concern
+constexpr double kSeenProgress = 1;  // pixels
+constexpr double kRow = 3;           // pixels between two rows: less than the tremor and the eye tell apart
 
 bool isInside(const std::vector<Vec2>& outline, const Vec2& place) {
     bool inside = false;
@@ -30,8 +34,13 @@ Vec2 middleOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const std::vector<Vec2>& ring) {
-    const Vec2 ringMiddle = middleOf(ring);
+std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const Vec2& halfAxes) {
+    constexpr int kAround = 24;
+    std::vector<Vec2> ring;
+    for (int i = 0; i < kAround; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kAround;
+        ring.emplace_back(halfAxes.x() * std::cos(angle), halfAxes.y() * std::sin(angle));
+    }
     // The longer side: the main axis of the outline.
     Vec2 mean = Vec2::Zero();
     for (const Vec2& point : outline) mean += point / static_cast<double>(outline.size());
@@ -50,8 +59,8 @@ std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const std::vect
         std::vector<Vec2> line;
         for (double column = low; column <= high; column += 1) {
             const Vec2 place = mean + column * along + row * across;
-            const bool fits = std::ranges::all_of(
-                ring, [&](const Vec2& point) { return isInside(outline, place + point - ringMiddle); });
+            const bool fits =
+                std::ranges::all_of(ring, [&](const Vec2& point) { return isInside(outline, place + point); });
             if (fits) line.push_back(place);
         }
         if (line.empty()) continue;
@@ -73,7 +82,12 @@ Vec2 BeginnerHand::tremble(const Vec2& place) {
 }
 
 void BeginnerHand::plan(const SeenPicture& seen) {
-    path_ = placesWithin(seen.outline, seen.ring);
+    const Vec2 ringMiddle = middleOf(seen.ring);
+    Vec2 halfAxes = Vec2::Zero();
+    for (const Vec2& point : seen.ring) halfAxes = halfAxes.cwiseMax((point - ringMiddle).cwiseAbs());
+    constexpr double kBlur = 1.5;  // pixels that the eye does not tell apart
+    path_ = placesWithin(seen.outline, halfAxes - Vec2::Constant(kBlur));
+    for (Vec2& place : path_) place += seen.landing - ringMiddle;  // the pointer is at the landing place
     const std::vector<Vec2> once = path_;
     for (int pass = 1; pass < habits_.passes; ++pass) {
         std::vector<Vec2> back = once;
@@ -102,8 +116,13 @@ BeginnerHand::Action BeginnerHand::next(double dt, const SeenPicture& picture) {
         if (waited_ > 2 * habits_.reaction) button_ = Button::Down, waited_ = 0;
         return {tremble(at_), button_, false};
     }
+    // Waits for the bur as long as it gets on.
     const bool isDeep = seen.depth && *seen.depth > goalDepth_ - habits_.tolerance;
-    if (!isDeep && waited_ < habits_.patience) return {tremble(at_), button_, false};
+    const double behind = seen.ring.empty() ? 0 : (seen.landing - at_).norm();
+    const double toDo = (isDeep ? 0 : goalDepth_ - seen.depth.value_or(0)) / pixelPitch_ + behind;
+    if (toDo < leastToDo_ - kSeenProgress) leastToDo_ = toDo, waited_ = 0;
+    if ((!isDeep || behind > kFollowing) && waited_ < habits_.patience) return {tremble(at_), button_, false};
+    leastToDo_ = std::numeric_limits<double>::infinity();
     // On along the path.
     double left = habits_.speed * dt / pixelPitch_;
     while (left > 0 && place_ + 1 < path_.size()) {

@@ -16,6 +16,7 @@ namespace tactooth::test {
 struct SeenPicture {
     std::vector<Vec2> outline;    ///< of the cavity to be cut, in order
     std::vector<Vec2> ring;       ///< where the bur lands; empty: it cannot be seen
+    Vec2 landing = Vec2::Zero();  ///< end of the plumb line
     std::optional<double> depth;  ///< the number at the tip, mm
 };
 
@@ -27,9 +28,9 @@ public:
         double reaction = 0.25;   ///< s
         double tremor = 1;        ///< pixels, standard deviation
         double speed = 2.0;       ///< mm/s
-        double tolerance = 0.12;  ///< mm of the depth, within which the hand goes on
+        double tolerance = 0.06;  ///< mm of the depth, within which the hand goes on
         int passes = 2;
-        double patience = 3;  ///< s at one place
+        double patience = 1.5;  ///< s without progress
     };
     enum class Button { Up, Down };
     struct Action {
@@ -57,12 +58,13 @@ private:
     double time_ = 0, waited_ = 0;
     std::vector<Vec2> path_;
     std::size_t place_ = 0;
+    double leastToDo_ = 1e9;  // pixels, since the hand has moved on
     Vec2 at_ = Vec2::Zero();
     Button button_ = Button::Up;
 };
 
-/// The places at which `ring`, moved there from its middle, lies within `outline`, in rows to and fro along the longer
+/// The middles of ellipses with these half axes (pixels) that lie within `outline`, in rows to and fro along its longer
 /// side. Not empty: at least the middle of the outline.
-[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const std::vector<Vec2>& ring);
+[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const Vec2& halfAxes);
 
 }  // namespace tactooth::test

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
 
@@ -14,6 +15,7 @@
 #include "app/common/inspection.h"
 #include "app/gui/input/viewport.h"
 #include "assessment/cavity_metrics.h"
+#include "assessment/cavity_view.h"
 #include "assessment/exercise.h"
 #include "devices/mouse/mouse_device.h"
 #include "session/kernel/stepwise_session.h"
@@ -34,9 +36,7 @@ constexpr int kTicksPerCut = 4;
 /// An exercise as the window has it after its start.
 struct Scene {
     explicit Scene(const Exercise& task)
-        : exercise(task),
-          tooth(*exerciseTooth(task)),
-          bur(*makeSessionBur(*findBur(std::get<std::string>(task.bur)))) {
+        : exercise(task), tooth(*exerciseTooth(task)), bur(*makeSessionBur(*findBur(std::get<std::string>(task.bur)))) {
         const auto ideal = idealShape(task, tooth);
         EXPECT_TRUE(ideal) << ideal.error().message();
         const auto outer = tooth->ownOuter();
@@ -54,9 +54,8 @@ const PreparationPlan& planOf(const Exercise& exercise) { return std::get<Prepar
 
 Viewport viewOf(const Scene& scene) {
     OrbitCamera camera;
-    const ViewDirection usual = dentistView(1);
-    camera.setView({usual.azimuth, usual.elevation});
-    if (std::abs(planOf(scene.exercise).outward.y()) > 0.8) camera.setView(StandardView::Buccal);
+    const ViewDirection direction = viewOnto(planOf(scene.exercise), *scene.tooth->ownOuter(), 1);
+    camera.setView(OrbitCamera::Direction{direction.azimuth, direction.elevation});
     camera.fit(crownBox(scene.tooth->ownBox(), 2), kPicture.aspect());
     return {camera.camera(), kPicture};
 }
@@ -126,9 +125,11 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode) {
     while (time < std::min(kLongest, doneAt + 1)) {
         while (eventAt <= time && !isDone) {
             eventAt += eventPeriod;
-            test::SeenPicture seen{outline, {}, {}};
+            test::SeenPicture seen;
+            seen.outline = outline;
             const AimMark mark = aimMark(hand, scene.bur.instrument, tick.proxy);
             for (const Vec3& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place));
+            if (mark.landing) seen.landing = *project(view.camera(), kPicture, *mark.landing);
             seen.depth = hand.depthControl().depthOf(tick.proxy.position, hand.pressDirection());
             if (plan.isFlat)
                 seen.depth =
@@ -170,19 +171,26 @@ int seeds() {
     return wanted != nullptr ? std::max(1, std::atoi(wanted)) : 2;
 }
 
+/// Shares of the cavity that each exercise has to reach.
+struct Wanted {
+    double cleared, dice;
+};
+constexpr std::array kWanted = {Wanted{0.90, 0.85}, Wanted{0.90, 0.85}, Wanted{0.90, 0.85}};
+
 class CarefulBeginner : public testing::TestWithParam<int> {};
 
 TEST_P(CarefulBeginner, CutsTheCavityToItsDepth) {
     const Exercise& exercise = *exercises()[static_cast<std::size_t>(GetParam())];
     const Scene scene(exercise);
+    const Wanted& wanted = kWanted[static_cast<std::size_t>(GetParam())];
     for (int seed = 1; seed <= seeds(); ++seed) {
         const Outcome outcome = cutBy(scene, static_cast<unsigned>(seed), PressMode::Depth);
         const CavityProgress& cavity = outcome.cavity;
         std::printf("%s, seed %d: over %.2f mm, cleared %.0f %%, Dice %.2f, %.0f s\n", exercise.name.c_str(), seed,
                     cavity.maxOverPreparation, 100 * cavity.clearedFraction(), cavity.dice(), outcome.seconds);
         EXPECT_LE(cavity.maxOverPreparation, 0.30);
-        EXPECT_GE(cavity.clearedFraction(), 0.90);
-        EXPECT_GE(cavity.dice(), 0.85);
+        EXPECT_GE(cavity.clearedFraction(), wanted.cleared);
+        EXPECT_GE(cavity.dice(), wanted.dice);
         EXPECT_LE(outcome.seconds, 180);
         EXPECT_FALSE(outcome.opensPulp);
     }

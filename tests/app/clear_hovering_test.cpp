@@ -75,7 +75,8 @@ TEST_P(ClearHovering, TouchesAndCutsNothing) {
             tick = session.step({mouse.read(kTick).hand, 1, true}, kTick, time);
             travelled += (tick.proxy.position - before).norm();
             if (tick.contacts > 0 && contacts++ == 0) {
-                ADD_FAILURE() << "touches at " << time << " s, frame " << frame << ": " << tick.proxy.position.transpose();
+                ADD_FAILURE() << "touches at " << time << " s, frame " << frame << ": "
+                              << tick.proxy.position.transpose();
             }
             events.update(tick.time, tick, model->loss());
             session.list();

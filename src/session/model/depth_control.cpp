@@ -12,6 +12,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kOutside = 60;     // mm: from there every line meets the outside of a tooth first
+constexpr double kBeside = 1e-5;    // mm
 constexpr double kInCavity = 0.15;  // mm: a tip deeper than this is in a cavity
 
 }  // namespace
@@ -42,7 +43,10 @@ void DepthControl::beginAt(const Vec3& tip, const Vec3& inward) {
 std::optional<double> DepthControl::depthOf(const Vec3& tip, const Vec3& inward) const {
     TACTOOTH_ASSERT(isUnit(inward));
     if (!uncut_) return std::nullopt;
-    const std::optional<double> hit = firstHit(*uncut_, {tip - kOutside * inward, inward});
+    const Vec3 start = tip - kOutside * inward;
+    std::optional<double> hit = firstHit(*uncut_, {start, inward});
+    // A line right through a corner may pass between the triangles.
+    if (!hit) hit = firstHit(*uncut_, {start + kBeside * Vec3(inward.unitOrthogonal()), inward});
     if (!hit) return std::nullopt;
     return kOutside - *hit;
 }

@@ -13,9 +13,12 @@
 namespace tactooth {
 namespace {
 
-constexpr double kHover = 1.5;            // mm above the tooth while aiming: the user still sees what will be touched
-constexpr double kApproach = 15;          // mm/s toward the tooth: a careful hand
-constexpr double kSidePull = 2;           // times the press depth: a hand pulls harder than it presses
+constexpr double kHover = 1.5;    // mm above the tooth while aiming: the user still sees what will be touched
+constexpr double kApproach = 15;  // mm/s toward the tooth: a careful hand
+// mm beyond the floor until the tool is there: else the force would fade with the distance. No more can be cut too
+// deep, whatever the window does meanwhile.
+constexpr double kFinish = 0.08;
+constexpr double kAtFloor = 0.015;        // mm: there
 constexpr double kMaxPull = 2;            // mm sideways between hand and tool; beyond it the hand slips
 constexpr double kCaught = 0.3;           // mm between the tool and a hand that does not press: the tool is caught
 constexpr double kRetract = 60;           // mm/s along the shaft: as fast as a hand lifts off
@@ -183,15 +186,14 @@ double MouseManipulator::toFloor(const Vec3& toolTip, const Vec3& aside) {
     return floorAlong_ ? *floorAlong_ - toolTip.dot(pressDirection_) : 0;
 }
 
-/// The hand is the press depth beyond the tool, but never beyond the floor: the tool cannot be pressed deeper. It is
-/// pulled sideways as hard as it is pressed.
+/// The hand is the press depth beyond the tool, but not beyond the floor: the tool cannot be pressed deeper.
 void MouseManipulator::advanceToDepth(double dt, const Vec3& toolTip) {
     const double sunk = (tip_ - toolTip).dot(pressDirection_);
     Vec3 aside = (landing_ ? *landing_ : tip_) - toolTip;
     aside -= aside.dot(pressDirection_) * pressDirection_;
-    const double most = kSidePull * pressDepth_;
-    if (aside.norm() > most) aside *= most / aside.norm();
-    const double deeper = std::min({pressDepth_, sunk + kApproach * dt, toFloor(toolTip, aside)});
+    if (aside.norm() > kMaxPull) aside *= kMaxPull / aside.norm();
+    const double left = toFloor(toolTip, aside);
+    const double deeper = std::min({pressDepth_, sunk + kApproach * dt, left > kAtFloor ? left + kFinish : left});
     tip_ = clampedToWorkspace(toolTip + aside + deeper * pressDirection_);
 }
 

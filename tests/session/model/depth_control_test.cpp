@@ -87,7 +87,7 @@ TEST_F(DepthControlTest, AnotherToothForgetsThePlaceTheSameOneDoesNot) {
     depth_.setDepth(1);
     depth_.setReference(Vec3(0, 0, 0.5));
     depth_.setSurface(tooth);
-    EXPECT_NEAR(*depth_.toFloor(Vec3(0, 0, 1), kDown), 0.5, 1e-12);
+    EXPECT_NEAR(*depth_.toFloor(Vec3(0, 0, 1), kDown), 1.5, 1e-12);
     depth_.setSurface(partOf(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1))));
     EXPECT_NEAR(*depth_.toFloor(Vec3(0, 0, 1), kDown), 1, 1e-9) << "without a place the floor follows the surface";
 }

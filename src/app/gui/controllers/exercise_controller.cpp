@@ -15,6 +15,7 @@
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
+#include "assessment/cavity_view.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/practice_report.h"
@@ -81,17 +82,12 @@ void ExerciseController::restore(TargetState state) {
 
 void ExerciseController::showActive() { panels_.exercise->show(active_); }
 
-/// Turns the picture to the side of the cavity.
+/// Turns the picture so that nothing hides the cavity.
 void ExerciseController::showCavity() {
     const auto* plan = std::get_if<PreparationPlan>(&active_->ideal);
     if (plan == nullptr) return;
-    const Vec3& outward = plan->outward;
-    const double mesial = model_.mesialX() * outward.x();
-    if (std::abs(outward.y()) > std::max(outward.z(), std::abs(mesial))) {
-        panels_.view->setView(outward.y() > 0 ? StandardView::Buccal : StandardView::Lingual);
-    } else if (std::abs(mesial) > outward.z()) {
-        panels_.view->setView(mesial > 0 ? StandardView::Mesial : StandardView::Distal);
-    }
+    const ViewDirection view = viewOnto(*plan, *model_.tooth()->piece->tooth().ownOuter(), model_.mesialX());
+    panels_.view->setView(OrbitCamera::Direction{view.azimuth, view.elevation});
 }
 
 /// The bur stands as in the plan, and stops at its depth.

@@ -244,6 +244,11 @@ void ToothView::setView(StandardView view) {
     redraw();
 }
 
+void ToothView::setView(OrbitCamera::Direction direction) {
+    camera_.setView(direction);
+    redraw();
+}
+
 void ToothView::centreOn(const Vec3& place) {
     camera_.centreOn(place);
     redraw();

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] bool isAtRest() const;
     void fit();
     void setView(StandardView view);
+    void setView(OrbitCamera::Direction direction);
     /// Brings this place of the tooth to the middle.
     void centreOn(const Vec3& place);
     /// Direction, centre and distance of the view.
