@@ -83,9 +83,10 @@ void SessionModel::stop() {
     keeper_->end();
 }
 
-void SessionModel::recordTo(const RecordingFolder& folder) {
-    keeper_->setFolder(folder);
-    if (!tooth_ || isTouched_ || keeper_->isRecording()) return;
+void SessionModel::recordTo(const RecordingFolder& folder, std::shared_ptr<const SigningKey> seal) {
+    const bool isSealed = seal != nullptr;
+    keeper_->setFolder(folder, std::move(seal));
+    if (!tooth_ || isTouched_ || (keeper_->isRecording() && keeper_->isSealing() == isSealed)) return;
     stop();
     needsRunner_ = true;
     keeper_->forget();
@@ -123,7 +124,7 @@ void SessionModel::markSaved() {
 }
 
 void SessionModel::resetTooth() {
-    if (runner_ == nullptr) return;
+    if (runner_ == nullptr || !editsAllowed_) return;
     runner_->request(Edit::Reset);
     // Otherwise the history takes back what belongs to the cuts, when the tooth is whole again.
     constexpr double kAll = std::numeric_limits<double>::infinity();
