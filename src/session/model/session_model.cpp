@@ -231,9 +231,9 @@ SessionModel::StepResult SessionModel::step(double dt) {
         stepResult.newTooth = std::exchange(isToothNew_, false);
         if (stepResult.newTooth) {
             log_.clearEvents(haptics_.materials.registry(), tooth_->work);
-            isTouched_ = false;
             history_.clear();
             if (adoptedHistory_) history_ = *std::exchange(adoptedHistory_, std::nullopt);
+            isTouched_ = !history_.steps().empty();  // in another window
         }
         history_.restart();
     }

@@ -48,8 +48,8 @@ protected:
 TEST_F(Sealed, TheKeyIsMadeOnceAndItsSecretIsNeverShown) {
     const json first = runJson({"session", "key"}, 0), second = runJson({"session", "key"}, 0);
     EXPECT_EQ(first["public_key"], second["public_key"]);
-    EXPECT_TRUE(first["new"]);
-    EXPECT_FALSE(second["new"]);
+    EXPECT_TRUE(first["new"].get<bool>());
+    EXPECT_FALSE(second["new"].get<bool>());
     EXPECT_EQ(first["public_key"].get<std::string>().size(), 64U);
     const fs::path stored = file("station/tactooth/station.key");
     struct stat status {};
@@ -82,16 +82,16 @@ TEST_F(Sealed, ARecordingIsProvenByItsKey) {
     const json found = runJson({"session", "verify", session}, 0);
     EXPECT_EQ(found["seal"]["verdict"], "intact");
     EXPECT_EQ(found["seal"]["public_key"], key);
-    EXPECT_TRUE(found["seal"]["this_station"]);
-    EXPECT_TRUE(found["same"]);
+    EXPECT_TRUE(found["seal"]["this_station"].get<bool>());
+    EXPECT_TRUE(found["same"].get<bool>());
     EXPECT_NEAR(found["seal"]["signed_s"].get<double>(), 1.5, 0.1);
-    EXPECT_FALSE(runJson({"session", "verify", session}, 0, "another")["seal"]["this_station"]);
+    EXPECT_FALSE(runJson({"session", "verify", session}, 0, "another")["seal"]["this_station"].get<bool>());
     EXPECT_EQ(run({"session", "verify", session, "--key", key}).exitCode, 0);
     const ProgramRun plain = run({"session", "verify", session});
     EXPECT_THAT(plain.out, HasSubstr("no byte was changed"));
     EXPECT_THAT(plain.out, HasSubstr("(this station)"));
     const json info = runJson({"session", "info", session}, 0);
-    EXPECT_TRUE(info["sealed"]);
+    EXPECT_TRUE(info["sealed"].get<bool>());
     EXPECT_EQ(info["public_key"], key);
     EXPECT_THAT(run({"session", "info", session}).out, HasSubstr("sealed by: " + key));
 }
@@ -110,7 +110,7 @@ TEST_F(Sealed, AnUnsealedRecordingPassesOnlyWithoutAKey) {
     const std::string session = recorded({});
     EXPECT_EQ(runJson({"session", "verify", session}, 0)["seal"]["verdict"], "not_sealed");
     EXPECT_EQ(runJson({"session", "verify", session, "--key", publicKey()}, 1)["seal"]["verdict"], "not_sealed");
-    EXPECT_FALSE(runJson({"session", "info", session}, 0)["sealed"]);
+    EXPECT_FALSE(runJson({"session", "info", session}, 0)["sealed"].get<bool>());
 }
 
 TEST_F(Sealed, AChangedByteIsFoundAndItsSecondNamed) {
@@ -121,9 +121,9 @@ TEST_F(Sealed, AChangedByteIsFoundAndItsSecondNamed) {
     writeText(file("changed.ttsession"), bytes);
     const json found = runJson({"session", "verify", file("changed.ttsession")}, 1);
     EXPECT_EQ(found["seal"]["verdict"], "changed");
-    EXPECT_LE(found["seal"]["changed_from_byte"], place);
-    EXPECT_GT(found["seal"]["changed_before_byte"], place);
-    EXPECT_GT(found["seal"]["changed_from_s"], 0.3);
+    EXPECT_LE(found["seal"]["changed_from_byte"].get<std::size_t>(), place);
+    EXPECT_GT(found["seal"]["changed_before_byte"].get<std::size_t>(), place);
+    EXPECT_GT(found["seal"]["changed_from_s"].get<double>(), 0.3);
     EXPECT_THAT(run({"session", "verify", file("changed.ttsession")}).out, HasSubstr("changed after "));
 }
 
@@ -133,7 +133,7 @@ TEST_F(Sealed, ACutOffRecordingIsProvenUpToItsLastSignature) {
     writeText(file("cut.ttsession"), bytes.substr(0, bytes.size() - 30));
     const json found = runJson({"session", "verify", file("cut.ttsession")}, 1);
     EXPECT_EQ(found["seal"]["verdict"], "cut_off");
-    EXPECT_TRUE(found["same"]);
+    EXPECT_TRUE(found["same"].get<bool>());
     EXPECT_THAT(run({"session", "verify", file("cut.ttsession")}).out, HasSubstr("The end is missing"));
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include "fake_journal_file.h"
@@ -33,9 +34,9 @@ protected:
     [[nodiscard]] std::optional<SealCheck> check(Bytes bytes) const {
         const auto journal = JournalReader::parse(bytes, "sample");
         if (!journal) return std::nullopt;
-        const auto check = checkSeal(*journal, key_->publicKey());
-        EXPECT_TRUE(check) << check.error().message();
-        return *check;
+        const auto found = checkSeal(*journal, key_->publicKey());
+        EXPECT_TRUE(found) << found.error().message();
+        return *found;
     }
     [[nodiscard]] State stateOf(Bytes bytes) const { return check(bytes).value().state; }
 

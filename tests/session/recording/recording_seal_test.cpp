@@ -45,9 +45,9 @@ protected:
     [[nodiscard]] SealReport report(const std::string& name, const std::optional<PublicKey>& wanted = {}) const {
         const auto recording = SessionRecording::open(folder_ / name);
         EXPECT_TRUE(recording) << recording.error().message();
-        const auto report = checkRecordingSeal(*recording, wanted);
-        EXPECT_TRUE(report) << report.error().message();
-        return *report;
+        const auto found = checkRecordingSeal(*recording, wanted);
+        EXPECT_TRUE(found) << found.error().message();
+        return *found;
     }
     [[nodiscard]] std::vector<std::byte> bytesOfFile(const std::string& name) const {
         const auto bytes = readFile(folder_ / name);
