@@ -2121,12 +2121,12 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
 <context>
     <name>tactooth::ExaminationController</name>
     <message>
-        <source>Begin e&amp;xamination</source>
-        <translation>試験を始める(&amp;X)</translation>
+        <source>Begin exa&amp;mination</source>
+        <translation>試験を始める(&amp;M)</translation>
     </message>
     <message>
-        <source>Finish e&amp;xamination…</source>
-        <translation>試験を終える(&amp;X)…</translation>
+        <source>Finish exa&amp;mination…</source>
+        <translation>試験を終える(&amp;M)…</translation>
     </message>
     <message>
         <source>An examination is recorded, and this window keeps no recordings: start Tactooth without --no-record.</source>

@@ -47,7 +47,7 @@ ExaminationController::ExaminationController(ExaminationMode& mode, SessionModel
       recordings_(recordings),
       messages_(messages),
       window_(window),
-      entry_(new QAction(tr("Begin e&xamination"), this)) {
+      entry_(new QAction(tr("Begin exa&mination"), this)) {
     entry_->setObjectName("examination");
     connect(entry_, &QAction::triggered, this, [this] { mode_.isOn() ? askToFinish() : askToBegin(); });
     connect(&mode_, &ExaminationMode::changed, this, &ExaminationController::apply);
@@ -104,7 +104,7 @@ void ExaminationController::showDocks(bool visible) const {
 }
 
 void ExaminationController::apply() {
-    entry_->setText(mode_.isOn() ? tr("Finish e&xamination…") : tr("Begin e&xamination"));
+    entry_->setText(mode_.isOn() ? tr("Finish exa&mination…") : tr("Begin exa&mination"));
     WindowSettings now;
     docks_.store(now);
     if (mode_.isOn()) docksBefore_ = now.docks;
