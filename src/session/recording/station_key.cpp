@@ -135,7 +135,7 @@ int writeKey(const fs::path& file, const SigningKey& key) {
     return failure;
 }
 
-bool exists(const fs::path& file) {
+bool isThere(const fs::path& file) {
     std::error_code ignored;
     return fs::exists(fs::symlink_status(file, ignored));
 }
@@ -149,7 +149,7 @@ fs::path stationKeyFile() {
 
 Expected<StationKey> openStationKey(const fs::path& file) {
     if (file.empty()) return unexpected(msg::kStationKeyNowhere);
-    if (exists(file)) return readKey(file);
+    if (isThere(file)) return readKey(file);
     std::error_code failure;
     fs::create_directories(file.parent_path(), failure);
     if (failure) return cannotWrite(file, failure.value());
@@ -161,7 +161,7 @@ Expected<StationKey> openStationKey(const fs::path& file) {
 }
 
 std::optional<PublicKey> knownStationKey(const fs::path& file) {
-    if (file.empty() || !exists(file)) return std::nullopt;
+    if (file.empty() || !isThere(file)) return std::nullopt;
     const Expected<StationKey> known = readKey(file);
     return known ? std::optional(known->key->publicKey()) : std::nullopt;
 }
