@@ -8,6 +8,8 @@ Usage: read_session.py [--brief] FILE...
 It proves the document: the tests compare what it prints with what the program wrote. It needs the program zstd. Exit code
 77: zstd is missing.
 """
+import hashlib
+import json
 import shutil
 import struct
 import subprocess
@@ -18,7 +20,7 @@ MAGIC = b"\x89TTS\r\n\x1a\n"
 VERSION = 1
 BLOCK = struct.Struct("<4sHHQIIIII")
 MAX_HEADER, MAX_STORED, MAX_RAW, MAX_TICK = 1 << 20, 1 << 24, 1 << 26, 1 << 63
-EVENTS, ATTACHMENT, INDEX, RECOVERED, CLOSED, LOST, TRIMMED = 1, 4, 5, 6, 7, 9, 10
+EVENTS, ATTACHMENT, INDEX, RECOVERED, CLOSED, LOST, TRIMMED, SIGNATURE = 1, 4, 5, 6, 7, 9, 10, 11
 SKIPPED = 77
 
 
@@ -108,6 +110,90 @@ def read_blocks(data, offset):
     return blocks
 
 
+P = 2**255 - 19  # Ed25519, as RFC 8032 defines it, in the plainest way
+D = -121665 * pow(121666, P - 2, P) % P
+ORDER = 2**252 + 27742317777372353535851937790883648493
+I = pow(2, (P - 1) // 4, P)
+
+
+def x_of(y, odd):
+    square = (y * y - 1) * pow(D * y * y + 1, P - 2, P) % P
+    x = pow(square, (P + 3) // 8, P)
+    if (x * x - square) % P:
+        x = x * I % P
+    if (x * x - square) % P or (x == 0 and odd):
+        return None
+    return P - x if x & 1 != odd else x
+
+
+def point_of(data):
+    number = int.from_bytes(data, "little")
+    y = number & ((1 << 255) - 1)
+    x = x_of(y, number >> 255) if y < P else None
+    return None if x is None else (x, y, 1, x * y % P)
+
+
+def add(a, b):
+    e, f = (a[1] - a[0]) * (b[1] - b[0]) % P, (a[1] + a[0]) * (b[1] + b[0]) % P
+    g, h = 2 * a[3] * b[3] * D % P, 2 * a[2] * b[2] % P
+    e, f, g, h = f - e, h - g, h + g, f + e
+    return e * f % P, g * h % P, f * g % P, e * h % P
+
+
+def times(factor, point):
+    result = (0, 1, 1, 0)
+    while factor:
+        if factor & 1:
+            result = add(result, point)
+        point, factor = add(point, point), factor >> 1
+    return result
+
+
+BASE_Y = 4 * pow(5, P - 2, P) % P
+BASE = (x_of(BASE_Y, 0), BASE_Y, 1, x_of(BASE_Y, 0) * BASE_Y % P)
+
+
+def is_signed_by(key, message, signature):
+    a, r, s = point_of(key), point_of(signature[:32]), int.from_bytes(signature[32:], "little")
+    if a is None or r is None or s >= ORDER:
+        return False
+    h = int.from_bytes(hashlib.sha512(signature[:32] + key + message).digest(), "little") % ORDER
+    left, right = times(s, BASE), add(r, times(h, a))
+    return (left[0] * right[2] - right[0] * left[2]) % P == 0 and (left[1] * right[2] - right[1] * left[2]) % P == 0
+
+
+def sealed_by(header):
+    """The public key that the header names, or nothing."""
+    try:
+        return bytes.fromhex(json.loads(header)["sealed"]["public_key"])
+    except (KeyError, TypeError, ValueError):
+        return None
+
+
+def check_seal(data, blocks, key):
+    """Whether the seal is 'intact', 'cut off' or 'changed', and the byte up to which the signatures are right."""
+    digest, digested, signed, last = hashlib.blake2b(digest_size=32), 0, 0, None
+    for number, block in enumerate(blocks):
+        if block.type != SIGNATURE:
+            continue
+        digest.update(data[digested : block.offset])
+        digested = block.offset
+        point = struct.unpack_from("<I", block.stored)[0] if len(block.stored) == 68 else 2
+        message = b"Tactooth sealed recording 1" + struct.pack("<QQI", block.offset, block.tick, point) + digest.digest()
+        has_form = block.flags == 0 and block.ticks == 0 and point < 2 and last != 1
+        if not has_form or not is_signed_by(key, message, block.stored[4:]):
+            return "changed", signed
+        signed, last, at = block.end, point, number
+    if last == 1:
+        lost = sum(words(block.payload())[0] for block in blocks if block.type == LOST)
+        facts = struct.pack("<QQQ", blocks[at - 1].offset, at + 1, lost)
+        head = BLOCK.pack(b"TBLK", CLOSED, 0, blocks[at].tick, 0, 24, 24, blocks[at].crc, 0)[:-4]
+        wanted = head + struct.pack("<I", crc32c(facts, crc32c(head))) + facts
+        rest = data[signed:]
+        return ("intact" if rest == wanted else "cut off" if wanted.startswith(rest) else "changed"), signed
+    return ("changed" if blocks and blocks[-1].type == CLOSED else "cut off"), signed
+
+
 def varint(data, at):
     value = shift = 0
     while True:
@@ -167,6 +253,8 @@ def show(name, brief):
         print(f"header {header}")
         for block in blocks:
             print(f"block {block.offset} {block.type} {block.tick} {block.ticks} {block.raw_bytes} {describe(block)}".rstrip())
+    if not brief and sealed_by(header) is not None:
+        print("seal %s, signed to byte %d" % check_seal(data, blocks, sealed_by(header)))
     is_complete = bool(blocks) and blocks[-1].type == CLOSED
     print(f"{len(blocks)} blocks to byte {end}, {'complete' if is_complete else 'not closed'}")
 

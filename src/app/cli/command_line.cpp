@@ -65,13 +65,20 @@ void addWorkOn(CLI::App& command, std::string& name) {
 }
 
 /// The option that feel, cut and demo share.
-void addRecord(CLI::App& command, std::filesystem::path& file, const std::string& more = {}) {
-    command
+CLI::Option* addRecord(CLI::App& command, std::filesystem::path& file, const std::string& more = {}) {
+    return command
         .add_option("--record", file,
                     "File (*.ttsession) to record the run to, so that 'replay' reaches the same numbers; an older "
                     "recording of that name is replaced" +
                         more)
         ->type_name("FILE");
+}
+
+/// Goes with --record. `record`: the option that it needs; null: none.
+void addSeal(CLI::App& command, bool& seal, CLI::Option* record) {
+    CLI::Option* option =
+        command.add_flag("--seal", seal, "Signs the recording with the key of this station, which 'session key' shows");
+    if (record != nullptr) option->needs(record);
 }
 
 void addContact(CLI::App& program, CommandAction& chosen) {
@@ -115,7 +122,7 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->required()
         ->type_name("FILE");
     addMaterials(*command, options->materials);
-    addRecord(*command, options->record);
+    addSeal(*command, options->seal, addRecord(*command, options->record));
     command
         ->add_option(
             "--mode", options->mode,
@@ -199,7 +206,7 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->add_option("--save", options->save,
                      "File (*.tactooth) to save the tooth to, with its layers and cuts; --tooth opens it to continue")
         ->type_name("FILE");
-    addRecord(*command, options->record);
+    addSeal(*command, options->seal, addRecord(*command, options->record));
     command->add_option("--forces", options->forces, "CSV file to write, one row for each tick, as by 'feel'")
         ->type_name("FILE");
     command
@@ -264,7 +271,8 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
     command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
         ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
-    addRecord(*command, options->record, " (the folder has session.ttsession in any case)");
+    (void)addRecord(*command, options->record, " (the folder has session.ttsession in any case)");
+    addSeal(*command, options->seal, nullptr);
     addMaterials(*command, options->materials);
     command
         ->add_option("--tooth,--case", options->tooth,

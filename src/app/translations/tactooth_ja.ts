@@ -225,6 +225,10 @@
         <source>Compare with another recording</source>
         <translation>別の記録と比較</translation>
     </message>
+    <message>
+        <source>Recordings can be opened when the examination is over</source>
+        <translation>記録は試験が終わってから開けます</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::DrivePanel</name>
@@ -1225,6 +1229,10 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>Saved teeth (*.tactooth);;All files (*)</source>
         <translation>保存した歯 (*.tactooth);;すべてのファイル (*)</translation>
     </message>
+    <message>
+        <source>The examination has begun with this tooth: finish it before you take another one</source>
+        <translation>この歯で試験が始まっています。別の歯に替える前に試験を終えてください</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::ViewMenu</name>
@@ -2110,6 +2118,10 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
         <source>Recording begins with the next tooth</source>
         <translation>次の歯から記録を始めます</translation>
     </message>
+    <message>
+        <source>● Examination, signed</source>
+        <translation>● 試験（署名付き）</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::RestoreController</name>
@@ -2171,6 +2183,53 @@ More than 1 % is felt: close other programs, or take a tooth with fewer triangle
     <message>
         <source>The tooth has cuts that are not saved. Save it first?</source>
         <translation>この歯には保存していない切削があります。先に保存しますか？</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ExaminationController</name>
+    <message>
+        <source>Begin exa&amp;mination</source>
+        <translation>試験を始める(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Finish exa&amp;mination…</source>
+        <translation>試験を終える(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>An examination is recorded, and this window keeps no recordings: start Tactooth without --no-record.</source>
+        <translation>試験は記録されますが、このウィンドウは記録を残しません。--no-record を付けずに Tactooth を起動してください。</translation>
+    </message>
+    <message>
+        <source>An examination begins with a tooth that nobody has touched: choose the exercise once more, or open the tooth again.</source>
+        <translation>試験は、まだ触れられていない歯で始めます。課題を選び直すか、歯を開き直してください。</translation>
+    </message>
+    <message>
+        <source>Examination</source>
+        <translation>試験</translation>
+    </message>
+    <message>
+        <source>Finish the examination?</source>
+        <translation>試験を終えますか？</translation>
+    </message>
+    <message>
+        <source>The recording is signed and closed; nothing can be added to it afterwards.</source>
+        <translation>記録に署名して閉じます。その後は何も追加できません。</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>終える(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>続ける(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Examination: what you do is recorded and signed. There is no undo.</source>
+        <translation>試験中：操作は記録され、署名されます。元に戻すことはできません。</translation>
+    </message>
+    <message>
+        <source>The examination is over: its recording is signed and closed</source>
+        <translation>試験が終わりました。記録は署名され、閉じられています</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "journal/file/journal_appender.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -41,7 +42,7 @@ int syncWhole(JournalFile& file) {
 }  // namespace
 
 Expected<JournalAppender> JournalAppender::begin(std::unique_ptr<JournalFile> file, std::string name,
-                                                 std::string_view headerJson) {
+                                                 std::string_view headerJson, std::shared_ptr<const SigningKey> seal) {
     TACTOOTH_ASSERT(file != nullptr);
     const std::vector<std::byte> header = fileHeaderBytes(headerJson);
     int failure = writeAll(*file, header);
@@ -51,6 +52,7 @@ Expected<JournalAppender> JournalAppender::begin(std::unique_ptr<JournalFile> fi
     if (failure != 0) return unexpected(msg::kOutputNotWritten, name, systemReason(failure));
     JournalAppender appender(std::move(file), std::move(name), fileHeaderCrc(header));
     appender.bytes_ = header.size();
+    if (seal != nullptr) appender.sealer_.emplace(std::move(seal)).noteWritten(header);
     return appender;
 }
 
@@ -60,7 +62,7 @@ JournalAppender::JournalAppender(std::unique_ptr<JournalFile> file, std::string 
 bool JournalAppender::append(const JournalBlock& block) {
     if (!canWrite()) return false;
     const std::optional<std::vector<std::byte>> bytes = encoder_.encode(block);
-    if (bytes) return writeBlock(block.type, block.firstTick, *bytes);
+    if (bytes) return writeBlock(block.type, block.firstTick, block.ticks, *bytes);
     LostFacts tooLarge;
     tooLarge.add(block);
     appendLost(tooLarge);
@@ -68,7 +70,7 @@ bool JournalAppender::append(const JournalBlock& block) {
 }
 
 bool JournalAppender::appendStored(const BlockHeader& header, std::span<const std::byte> stored) {
-    return canWrite() && writeBlock(header.type, header.firstTick, encoder_.chain(header, stored));
+    return canWrite() && writeBlock(header.type, header.firstTick, header.ticks, encoder_.chain(header, stored));
 }
 
 bool JournalAppender::appendLost(const LostFacts& facts) {
@@ -79,6 +81,7 @@ bool JournalAppender::appendLost(const LostFacts& facts) {
 bool JournalAppender::sync() {
     if (fault_) return false;
     if (!isDirty_) return true;
+    if (!seal(endTick_, SealPoint::Running)) return false;
     // After a failed sync nobody knows what is on the disk, and a second one may succeed without it.
     if (const int failure = syncWhole(*file_); failure != 0) return stop(failure);
     isDirty_ = false;
@@ -88,10 +91,20 @@ bool JournalAppender::sync() {
 bool JournalAppender::end(std::uint64_t tick) {
     ClosedFacts facts;
     facts.indexOffset = bytes_;
-    if (!append(indexBlock(tick, keyframes_))) return false;
+    if (!append(indexBlock(tick, keyframes_)) || !seal(tick, SealPoint::End)) return false;
     facts.blocks = blocks_;
     facts.lostBlocks = lostBlocks_;
-    return append(closedBlock(tick, facts)) && sync();
+    if (!append(closedBlock(tick, facts))) return false;
+    if (sealer_) sealer_->noteSigned();  // the signature before it leaves only one form to this block
+    return sync();
+}
+
+/// Signs what no signature covers yet, if the recording is sealed.
+bool JournalAppender::seal(std::uint64_t tick, SealPoint point) {
+    if (!sealer_ || !sealer_->hasUnsigned()) return true;
+    if (!append(sealer_->sign(tick, point))) return false;
+    sealer_->noteSigned();
+    return true;
 }
 
 bool JournalAppender::canWrite() {
@@ -99,12 +112,14 @@ bool JournalAppender::canWrite() {
     return !fault_;
 }
 
-bool JournalAppender::writeBlock(BlockType type, std::uint64_t firstTick, std::span<const std::byte> bytes) {
+bool JournalAppender::writeBlock(BlockType type, std::uint64_t firstTick, std::uint32_t ticks,
+                                 std::span<const std::byte> bytes) {
     TACTOOTH_ASSERT(bytes.size() >= kBlockHeaderBytes);
     const std::uint64_t offset = bytes_;
     if (!write(bytes)) return false;
     if (type == BlockType::Keyframe) keyframes_.push_back({firstTick, offset});
     ++blocks_;
+    endTick_ = std::max(endTick_, firstTick + ticks);
     TACTOOTH_ASSERT(bytes_ == offset + bytes.size());
     return true;
 }
@@ -113,6 +128,7 @@ bool JournalAppender::write(std::span<const std::byte> bytes) {
     isDirty_ = true;
     if (const int failure = writeAll(*file_, bytes); failure != 0) return stop(failure);
     bytes_ += bytes.size();
+    if (sealer_) sealer_->noteWritten(bytes);
     return true;
 }
 

@@ -13,6 +13,7 @@
 
 #include "geometry/util/expected.h"
 #include "journal/file/journal_file.h"
+#include "journal/file/journal_sealer.h"
 #include "journal/format/block_encoder.h"
 #include "journal/format/container_blocks.h"
 
@@ -22,9 +23,11 @@ namespace tactooth {
 /// more: a half block may be the last thing in a file, and no block follows it. For one thread.
 class JournalAppender {
 public:
-    /// Writes the header, brings it to the disk and names the file. `name`: of the file, for messages.
+    /// Writes the header, brings it to the disk and names the file. `name`: of the file, for messages. `seal`: signs
+    /// the recording at each sync and at its end; the header then says so, and names the public key. Null: unsealed.
     [[nodiscard]] static Expected<JournalAppender> begin(std::unique_ptr<JournalFile> file, std::string name,
-                                                         std::string_view headerJson);
+                                                         std::string_view headerJson,
+                                                         std::shared_ptr<const SigningKey> seal = {});
 
     /// Each returns whether the block is written as a whole. A block that is too large for the format is lost, and the
     /// next one is written all the same.
@@ -50,7 +53,8 @@ private:
     JournalAppender(std::unique_ptr<JournalFile> file, std::string name, std::uint32_t headerCrc);
 
     [[nodiscard]] bool canWrite();
-    bool writeBlock(BlockType type, std::uint64_t firstTick, std::span<const std::byte> bytes);
+    bool seal(std::uint64_t tick, SealPoint point);
+    bool writeBlock(BlockType type, std::uint64_t firstTick, std::uint32_t ticks, std::span<const std::byte> bytes);
     bool write(std::span<const std::byte> bytes);
     bool stop(int failure);
     bool stop(Message why);
@@ -58,9 +62,11 @@ private:
     std::unique_ptr<JournalFile> file_;
     std::string name_;
     BlockEncoder encoder_;
+    std::optional<JournalSealer> sealer_;
     std::vector<KeyframePlace> keyframes_;
     std::optional<Message> fault_;
     std::uint64_t bytes_ = 0, blocks_ = 0, lostBlocks_ = 0;
+    std::uint64_t endTick_ = 0;  // of all blocks
     bool isDirty_ = false;
 };
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "geometry/util/expected.h"
 
@@ -19,7 +21,9 @@ struct JournalRepair {
 
 /// Writes the whole blocks of a recording that was cut off, byte for byte, and a Recovered block behind them. A
 /// recording with an end (Closed or Recovered) is copied. `out` is written as a whole or not at all (AtomicFile). Fails
-/// with one sentence as JournalReader::open and AtomicFile do.
-[[nodiscard]] Expected<JournalRepair> repairJournal(const std::filesystem::path& in, const std::filesystem::path& out);
+/// with one sentence as JournalReader::open and AtomicFile do. `header`: another JSON text for the header; then the
+/// blocks are chained anew, and signatures, which would be wrong, are left out.
+[[nodiscard]] Expected<JournalRepair> repairJournal(const std::filesystem::path& in, const std::filesystem::path& out,
+                                                    const std::optional<std::string>& header = {});
 
 }  // namespace tactooth

@@ -28,8 +28,8 @@ bool meets(const BlockHeader& header, const TickRange& range) {
 
 bool isKept(const BlockHeader& header, const TickRange& range) {
     if (isTimeless(header.type)) return true;
-    const bool isWrittenAnew =
-        header.type == BlockType::Index || header.type == BlockType::Closed || header.type == BlockType::Trimmed;
+    const bool isWrittenAnew = header.type == BlockType::Index || header.type == BlockType::Closed ||
+                               header.type == BlockType::Trimmed || header.type == BlockType::Signature;
     return !isWrittenAnew && meets(header, range);
 }
 
@@ -52,7 +52,8 @@ std::optional<TickRange> coveredTicks(const JournalReader& journal, const TickRa
 }  // namespace
 
 Expected<JournalTrim> trimJournal(const std::filesystem::path& in, const std::filesystem::path& out,
-                                  std::uint64_t fromTick, std::uint64_t toTick) {
+                                  std::uint64_t fromTick, std::uint64_t toTick,
+                                  const std::optional<std::string>& header) {
     TACTOOTH_ASSERT(fromTick <= toTick && toTick <= kMaxTick);
     const Expected<JournalReader> journal = JournalReader::open(in);
     if (!journal) return Unexpected{journal.error()};
@@ -63,8 +64,8 @@ Expected<JournalTrim> trimJournal(const std::filesystem::path& in, const std::fi
 
     Expected<AtomicFile> file = AtomicFile::create(out);
     if (!file) return Unexpected{file.error()};
-    auto appender =
-        JournalAppender::begin(std::make_unique<AtomicJournalFile>(*file), displayName(out), journal->headerJson());
+    auto appender = JournalAppender::begin(std::make_unique<AtomicJournalFile>(*file), displayName(out),
+                                           header.value_or(journal->headerJson()));
     if (!appender) return Unexpected{appender.error()};
     JournalTrim trim{*covered, 0};
     appender->append(trimmedBlock({fromTick, toTick}));

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "geometry/util/expected.h"
 #include "journal/file/journal_reader.h"
@@ -21,8 +23,9 @@ struct JournalTrim {
 /// whole, so the part may begin and end a little outside of these ticks; its Trimmed block says what was asked for. The
 /// header, attachments and blocks of unknown types are kept. `out` is written as a whole or not at all. Fails with one
 /// sentence as JournalReader::open and AtomicFile do, or if nothing was recorded in these ticks. `fromTick` <=
-/// `toTick`.
+/// `toTick`. Signatures are left out; `header`: another JSON text for the header, in place of one that names them.
 [[nodiscard]] Expected<JournalTrim> trimJournal(const std::filesystem::path& in, const std::filesystem::path& out,
-                                                std::uint64_t fromTick, std::uint64_t toTick);
+                                                std::uint64_t fromTick, std::uint64_t toTick,
+                                                const std::optional<std::string>& header = {});
 
 }  // namespace tactooth

@@ -23,7 +23,8 @@ Expected<std::unique_ptr<JournalWriter>> JournalWriter::create(const std::filesy
 
 Expected<std::unique_ptr<JournalWriter>> JournalWriter::start(std::unique_ptr<JournalFile> file, std::string name,
                                                               std::string_view headerJson, const Options& options) {
-    Expected<JournalAppender> appender = JournalAppender::begin(std::move(file), std::move(name), headerJson);
+    Expected<JournalAppender> appender =
+        JournalAppender::begin(std::move(file), std::move(name), headerJson, options.seal);
     if (!appender) return Unexpected{appender.error()};
     return std::unique_ptr<JournalWriter>(new JournalWriter(std::move(*appender), options));
 }

@@ -35,6 +35,8 @@ public:
         BlockQueue::Limits queue{.blocks = 1024, .bytes = std::size_t{64} << 20};
         /// As long as a block of events, so that each is on the disk before the next one is full.
         std::chrono::milliseconds syncPeriod{500};
+        /// Signs the recording, at each sync and at its end; null: unsealed.
+        std::shared_ptr<const SigningKey> seal = {};
     };
 
     /// Makes the file, with its header on the disk. Fails with one sentence as createJournalFile does, or if the disk

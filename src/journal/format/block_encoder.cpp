@@ -17,7 +17,8 @@ std::optional<std::vector<std::byte>> BlockEncoder::encode(const JournalBlock& b
     TACTOOTH_ASSERT(block.firstTick <= kMaxTick - block.ticks);
     if (block.payload.size() > kMaxRawBytes) return std::nullopt;
     std::optional<std::vector<std::byte>> frame;
-    if (block.payload.size() >= kLeastCompressed) frame = compressor_.compress(block.payload);
+    const bool mayShrink = block.payload.size() >= kLeastCompressed && block.type != BlockType::Signature;
+    if (mayShrink) frame = compressor_.compress(block.payload);
     const std::vector<std::byte>& stored = frame ? *frame : block.payload;
     if (stored.size() > kMaxStoredBytes) return std::nullopt;
     BlockHeader header;

@@ -23,15 +23,18 @@ enum class BlockType : std::uint16_t {
     Note = 8,        ///< what else the session has to say
     Lost = 9,        ///< blocks are missing here: the queue was full
     Trimmed = 10,    ///< the file is a part of a longer recording
+    Signature = 11,  ///< all before it is signed: the recording is sealed (signature_block.h)
 };
 
 /// Whether this version knows the type.
-[[nodiscard]] constexpr bool isKnown(BlockType type) { return type >= BlockType::Events && type <= BlockType::Trimmed; }
+[[nodiscard]] constexpr bool isKnown(BlockType type) {
+    return type >= BlockType::Events && type <= BlockType::Signature;
+}
 
 /// Whether the container itself writes and reads blocks of this type.
 [[nodiscard]] constexpr bool isOfContainer(BlockType type) {
     return type == BlockType::Index || type == BlockType::Recovered || type == BlockType::Closed ||
-           type == BlockType::Lost || type == BlockType::Trimmed;
+           type == BlockType::Lost || type == BlockType::Trimmed || type == BlockType::Signature;
 }
 
 /// A block before it is written. `payload` is not compressed.

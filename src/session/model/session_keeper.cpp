@@ -8,8 +8,9 @@ namespace tactooth {
 
 SessionKeeper::~SessionKeeper() { finish(); }
 
-void SessionKeeper::setFolder(std::optional<RecordingFolder> folder) {
+void SessionKeeper::setFolder(std::optional<RecordingFolder> folder, std::shared_ptr<const SigningKey> seal) {
     folder_ = std::move(folder);
+    seal_ = std::move(seal);
     if (folder_) return;
     beginning_.cancel();
     endRecording();
@@ -30,8 +31,9 @@ void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const 
     beginning_.cancel();
     endRecording();
     if (!folder_) return;
-    beginning_.start(
-        [folder = *folder_, tooth, title, work = work_] { return KeptRecording::begin(folder, tooth, title, work); });
+    beginning_.start([folder = *folder_, tooth, title, work = work_, seal = seal_] {
+        return KeptRecording::begin(folder, tooth, title, work, seal);
+    });
 }
 
 /// Takes over a recording that has begun.

@@ -23,8 +23,8 @@ public:
     SessionKeeper& operator=(const SessionKeeper&) = delete;
 
     /// Where the recordings of the next teeth go; none: nothing is recorded, and a recording that runs ends. No thread
-    /// works on the tooth then.
-    void setFolder(std::optional<RecordingFolder> folder);
+    /// works on the tooth then. `seal`: signs the recordings; null: nobody does.
+    void setFolder(std::optional<RecordingFolder> folder, std::shared_ptr<const SigningKey> seal = {});
     [[nodiscard]] const std::optional<RecordingFolder>& folder() const { return folder_; }
     /// What somebody is doing (workText), if it has changed: recordings hold it.
     void describe(const std::string& work);
@@ -48,6 +48,8 @@ public:
     void finish();
 
     [[nodiscard]] bool isRecording() const { return recording_ != nullptr && !hasStopped_; }
+    /// Whether a recording runs that is signed.
+    [[nodiscard]] bool isSealing() const { return isRecording() && recording_->isSealed(); }
     /// One sentence why recording has stopped or could not begin, once.
     [[nodiscard]] std::optional<Message> takeFault();
 
@@ -64,6 +66,7 @@ private:
 
     TaskExecutor executor_;
     std::optional<RecordingFolder> folder_;
+    std::shared_ptr<const SigningKey> seal_;
     std::string work_;
     std::shared_ptr<const CutModel> tooth_;  // that was prepared
     Recording recording_;                    // null: none

@@ -96,9 +96,10 @@ void SessionModel::stop() {
     keeper_->end();
 }
 
-void SessionModel::recordTo(const RecordingFolder& folder) {
-    keeper_->setFolder(folder);
-    if (!tooth_ || isTouched_ || keeper_->isRecording()) return;
+void SessionModel::recordTo(const RecordingFolder& folder, std::shared_ptr<const SigningKey> seal) {
+    const bool isSealed = seal != nullptr;
+    keeper_->setFolder(folder, std::move(seal));
+    if (!tooth_ || isTouched_ || (keeper_->isRecording() && keeper_->isSealing() == isSealed)) return;
     stop();
     needsRunner_ = true;
     keeper_->forget();
@@ -136,7 +137,7 @@ void SessionModel::markSaved(const MaterialVolumes& removed) {
 }
 
 void SessionModel::resetTooth() {
-    if (runner_ == nullptr) return;
+    if (runner_ == nullptr || !editsAllowed_) return;
     runner_->request(Edit::Reset);
     // Otherwise the history takes back what belongs to the cuts, when the tooth is whole again.
     constexpr double kAll = std::numeric_limits<double>::infinity();
@@ -243,9 +244,9 @@ SessionModel::StepResult SessionModel::step(double dt) {
         stepResult.newTooth = std::exchange(isToothNew_, false);
         if (stepResult.newTooth) {
             log_.clearEvents(haptics_.materials.registry(), tooth_->work);
-            isTouched_ = false;
             history_.clear();
             if (adoptedHistory_) history_ = *std::exchange(adoptedHistory_, std::nullopt);
+            isTouched_ = !history_.steps().empty();  // in another window
         }
         history_.restart();
     }

@@ -54,17 +54,23 @@ public:
     /// The next tooth that is installed comes with this history, from another model.
     void adopt(WorkHistory history) { adoptedHistory_ = std::move(history); }
     /// Undo, redo and jumps take effect in the next steps, in their order.
-    void undo() { history_.undo(); }
-    void redo() { history_.redo(); }
-    void goTo(std::size_t position) { history_.goTo(position); }
+    void undo() { editsAllowed_ ? history_.undo() : void(); }
+    void redo() { editsAllowed_ ? history_.redo() : void(); }
+    void goTo(std::size_t position) { editsAllowed_ ? history_.goTo(position) : void(); }
+    /// Whether anything can be taken back: undo, redo, jumps and resetTooth have an effect. Not so in an examination.
+    void setEditsAllowed(bool allowed) { editsAllowed_ = allowed; }
+    [[nodiscard]] bool editsAllowed() const { return editsAllowed_; }
     /// A change that is no cut was made; its functions undo and redo it.
     void noteChange(WorkStep step);
 
-    /// Records the session from the next tooth on; a tooth that nobody has touched yet is recorded at once.
-    void recordTo(const RecordingFolder& folder);
+    /// Records the session from the next tooth on; a tooth that nobody has touched yet is recorded at once. `seal`:
+    /// signs the recordings; null: nobody does.
+    void recordTo(const RecordingFolder& folder, std::shared_ptr<const SigningKey> seal = {});
     /// Records nothing any more; what was recorded is kept.
     void stopRecording();
     [[nodiscard]] bool isRecording() const { return keeper_->isRecording(); }
+    /// Whether the recording that runs is signed.
+    [[nodiscard]] bool isSealing() const { return keeper_->isSealing(); }
     /// What somebody is doing, for the recording (workText).
     void describeWork(const std::string& work) { keeper_->describe(work); }
     /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.
@@ -74,6 +80,8 @@ public:
     /// Goes on with the recording of another model. Call it before the tooth is installed.
     void adopt(std::unique_ptr<SessionKeeper> keeper) { keeper_ = std::move(keeper); }
 
+    /// Whether an instrument has touched the tooth since it came.
+    [[nodiscard]] bool isTouched() const { return tooth_ && isTouched_; }
     /// Whether the tooth has cuts that were neither saved nor exported.
     [[nodiscard]] bool isModified() const;
     /// The tooth was saved or exported as it was when `removed` was gone. What is cut while a file is written is
@@ -149,6 +157,7 @@ private:
     TickLog log_;
     SceneAnimation animation_;
     bool paused_ = false;
+    bool editsAllowed_ = true;
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument

@@ -17,14 +17,17 @@ KeptRecording::~KeptRecording() {
 
 Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFolder& folder,
                                                               std::shared_ptr<const CutModel> tooth,
-                                                              const std::string& title, const std::string& work) {
+                                                              const std::string& title, const std::string& work,
+                                                              std::shared_ptr<const SigningKey> seal) {
     folder.tidy();
     Expected<std::filesystem::path> file = folder.liveName();
     if (!file) return Unexpected{file.error()};
-    auto recorder = SessionRecorder::create(*file, *tooth, title);
+    const bool isSealed = seal != nullptr;
+    auto recorder = SessionRecorder::create(*file, *tooth, title, std::move(seal));
     if (!recorder) return Unexpected{recorder.error()};
     std::shared_ptr<KeptRecording> made(new KeptRecording(folder, std::move(tooth), title));
     made->file_ = std::move(*file);
+    made->isSealed_ = isSealed;
     made->recorder_ = std::move(*recorder);
     made->recorder_->describe(work);
     return made;

@@ -15,11 +15,13 @@ namespace tactooth {
 class KeptRecording {
 public:
     /// Makes room in the folder and begins with the tooth as it is now; nothing was cut since it was opened. It writes
-    /// the tooth, which takes a moment. `work`: see workText. Fails with one sentence if the folder cannot be used.
+    /// the tooth, which takes a moment. `work`: see workText. `seal`: signs it; null: nobody does. Fails with one
+    /// sentence if the folder cannot be used.
     [[nodiscard]] static Expected<std::shared_ptr<KeptRecording>> begin(const RecordingFolder& folder,
                                                                         std::shared_ptr<const CutModel> tooth,
                                                                         const std::string& title,
-                                                                        const std::string& work);
+                                                                        const std::string& work,
+                                                                        std::shared_ptr<const SigningKey> seal = {});
 
     /// Without `finish` the file stays as after a crash, unless nothing was touched.
     ~KeptRecording();
@@ -30,6 +32,7 @@ public:
     [[nodiscard]] const SessionRecorder& recorder() const { return *recorder_; }
     /// Of which tooth.
     [[nodiscard]] const CutModel* tooth() const { return tooth_.get(); }
+    [[nodiscard]] bool isSealed() const { return isSealed_; }
     /// The instrument has touched something: the recording is worth keeping.
     void noteTouch() { isTouched_ = true; }
 
@@ -48,6 +51,7 @@ private:
     std::filesystem::path file_;
     std::unique_ptr<SessionRecorder> recorder_;
     bool isTouched_ = false;
+    bool isSealed_ = false;
 };
 
 }  // namespace tactooth

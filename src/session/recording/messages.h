@@ -51,6 +51,19 @@ inline constexpr MessageText kRestoredInPart{
     "restored_in_part",
     "The session was restored up to %1 s of %2 s, where its replay differs from the recording; the recording is kept.",
     "セッションを %2 秒のうち %1 秒まで復元しました。その先は再生が記録と一致しません。記録は残っています。"};
+inline constexpr MessageText kStationKeyDamaged{
+    "station_key_damaged",
+    "%1: the key of this station is damaged; put a copy of the file in its place, or move it away so that a new key is "
+    "made.",
+    "%1：この端末の鍵が壊れています。ファイルの控えを元の場所に戻すか、ファイルを移して新しい鍵を作らせてください。"};
+inline constexpr MessageText kStationKeyReadable{
+    "station_key_readable",
+    "%1: other users of this computer may read the key of this station, so it proves nothing; run chmod 600 on the "
+    "file.",
+    "%1：この端末の鍵をほかの利用者も読めるため、証明になりません。ファイルに chmod 600 を実行してください。"};
+inline constexpr MessageText kStationKeyNowhere{
+    "station_key_nowhere", "There is no folder for the key of this station; set HOME or XDG_DATA_HOME.",
+    "この端末の鍵を置くフォルダーがありません。HOME か XDG_DATA_HOME を設定してください。"};
 inline constexpr MessageText kRecordingBurRefused{"recording_bur_refused", "%1: the bur of this recording: %2",
                                                   "%1：この記録のバー：%2"};
 

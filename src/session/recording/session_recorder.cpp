@@ -8,6 +8,7 @@
 #include <condition_variable>
 #include <utility>
 
+#include "geometry/files/file_bytes.h"
 #include "geometry/util/assert.h"
 #include "journal/format/attachment.h"
 #include "session/recording/event_codec.h"
@@ -37,19 +38,21 @@ SessionRecorder::SessionRecorder(std::unique_ptr<JournalWriter> writer)
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::create(const std::filesystem::path& path,
-                                                                   const CutModel& model, const std::string& title) {
-    Expected<std::unique_ptr<JournalWriter>> writer = JournalWriter::create(path, recordingHeader(model, title));
-    if (!writer) return Unexpected{writer.error()};
-    auto recorder = std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(*writer)));
-    recorder->attachTooth(model);
-    return recorder;
+                                                                   const CutModel& model, const std::string& title,
+                                                                   std::shared_ptr<const SigningKey> seal) {
+    Expected<std::unique_ptr<JournalFile>> file = createJournalFile(path);
+    if (!file) return Unexpected{file.error()};
+    return start(std::move(*file), displayName(path), model, title, std::move(seal));
 }
 
 Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::start(std::unique_ptr<JournalFile> file,
                                                                   const std::string& name, const CutModel& model,
-                                                                  const std::string& title) {
-    Expected<std::unique_ptr<JournalWriter>> writer =
-        JournalWriter::start(std::move(file), name, recordingHeader(model, title), JournalWriter::Options());
+                                                                  const std::string& title,
+                                                                  std::shared_ptr<const SigningKey> seal) {
+    const std::string header = recordingHeader(model, title, seal != nullptr ? &seal->publicKey() : nullptr);
+    JournalWriter::Options options;
+    options.seal = std::move(seal);
+    Expected<std::unique_ptr<JournalWriter>> writer = JournalWriter::start(std::move(file), name, header, options);
     if (!writer) return Unexpected{writer.error()};
     auto recorder = std::unique_ptr<SessionRecorder>(new SessionRecorder(std::move(*writer)));
     recorder->attachTooth(model);

@@ -29,15 +29,18 @@ inline constexpr std::string_view kSessionFileEnding = ".ttsession";
 class SessionRecorder {
 public:
     /// `model`: the tooth as it is now. For an exact replay nothing was cut since it was opened. `title`: of the tooth,
-    /// for people. Fails with one sentence if the file cannot be made.
+    /// for people. `seal`: signs the recording (docs/session-file.md); null: unsealed. Fails with one sentence if the
+    /// file cannot be made.
     [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> create(const std::filesystem::path& path,
                                                                            const CutModel& model,
-                                                                           const std::string& title);
+                                                                           const std::string& title,
+                                                                           std::shared_ptr<const SigningKey> seal = {});
     /// The same in a file that the caller has opened (createJournalFile); `name` stands for it in messages.
     [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> start(std::unique_ptr<JournalFile> file,
                                                                           const std::string& name,
                                                                           const CutModel& model,
-                                                                          const std::string& title);
+                                                                          const std::string& title,
+                                                                          std::shared_ptr<const SigningKey> seal = {});
     /// As after a crash, if `close` was not called: what has come is written, without a clean end.
     ~SessionRecorder();
     SessionRecorder(const SessionRecorder&) = delete;

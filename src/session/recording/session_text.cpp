@@ -20,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxSurroundings = 1000;
+constexpr const char* kSealed = "sealed";
 constexpr std::array kRoles = {
     std::pair(MaterialRole::None, "none"),     std::pair(MaterialRole::Enamel, "enamel"),
     std::pair(MaterialRole::Dentin, "dentin"), std::pair(MaterialRole::Pulp, "pulp"),
@@ -129,26 +130,39 @@ std::optional<LayeredTooth> touchedOf(std::span<const std::byte> content, const 
     return LayeredTooth::touchOnly(std::move(surface), closed == 1, materials);
 }
 
-std::string recordingHeader(const CutModel& model, const std::string& title) {
+std::string recordingHeader(const CutModel& model, const std::string& title, const PublicKey* seal) {
     const RunMetadata run = currentRunMetadata();
     Json materials = Json::array();
     for (const MaterialDefinition& material : model.tooth().materials().definitions()) {
         materials.push_back(jsonOf(material));
     }
-    return Json{{"format", "Tactooth session"},
-                {"title", title},
-                {"build", {{"commit", run.commit}, {"compiler", run.compiler}}},
-                {"machine", run.machine},
-                {"date", run.date},
-                {"grid",
-                 {{"position_mm", TickInput::kPositionStep},
-                  {"rotation", TickInput::kRotationStep},
-                  {"pedal", TickInput::kPedalStep},
-                  {"time_s", TickInput::kTimeStep}}},
-                {"touches_only", model.tooth().isTouchOnly()},
-                {"surroundings", model.surroundings().size()},
-                {"materials", materials}}
-        .dump();
+    Json json = {{"format", "Tactooth session"},
+                 {"title", title},
+                 {"build", {{"commit", run.commit}, {"compiler", run.compiler}}},
+                 {"machine", run.machine},
+                 {"date", run.date},
+                 {"grid",
+                  {{"position_mm", TickInput::kPositionStep},
+                   {"rotation", TickInput::kRotationStep},
+                   {"pedal", TickInput::kPedalStep},
+                   {"time_s", TickInput::kTimeStep}}},
+                 {"touches_only", model.tooth().isTouchOnly()},
+                 {"surroundings", model.surroundings().size()},
+                 {"materials", materials}};
+    if (seal != nullptr) {
+        json[kSealed] = {{"public_key", keyText(*seal)}, {"signature", "Ed25519"}, {"digest", "BLAKE2b-256"}};
+    }
+    return json.dump();
+}
+
+std::optional<std::string> unsealedHeader(const std::string& text) {
+    Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+    const auto sealed = json.is_object() ? json.find(kSealed) : json.end();
+    if (sealed == json.end()) return std::nullopt;
+    const std::string key = textOf(*sealed, "public_key");
+    json.erase(kSealed);
+    json["copy_of_sealed_by"] = key;
+    return json.dump();
 }
 
 Expected<RecordingFacts> parseHeader(const std::string& text, const std::string& file) {
@@ -162,6 +176,8 @@ Expected<RecordingFacts> parseHeader(const std::string& text, const std::string&
     facts.date = textOf(json, "date");
     const auto touchesOnly = json.find("touches_only");
     facts.touchesOnly = touchesOnly != json.end() && touchesOnly->is_boolean() && touchesOnly->get<bool>();
+    facts.isSealed = json.contains(kSealed);
+    if (facts.isSealed) facts.sealKey = parseKey(textOf(json[kSealed], "public_key"));
     const auto surroundings = numberOf(json, "surroundings", kMaxSurroundings);
     if (!surroundings) return unexpected(msg::kRecordingSetupKey, file, "surroundings");
     facts.surroundings = *surroundings;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/util/expected.h"
+#include "journal/codec/signing_key.h"
 #include "session/simulation/tooth_file.h"
 
 // What a recording says besides events and settings: the header, the bodies around the tooth, and the end.
@@ -43,9 +44,15 @@ struct RecordingFacts {
     bool touchesOnly = false;                     ///< the surface is attached, and no tooth that can be cut
     std::size_t surroundings = 0;                 ///< number of bodies around the tooth
     const MaterialRegistry* materials = nullptr;  ///< of the tooth
+    bool isSealed = false;                        ///< the header says that the recording is signed
+    std::optional<PublicKey> sealKey;             ///< by the owner of this key; none if that is damaged
 };
-/// The header's JSON text.
-[[nodiscard]] std::string recordingHeader(const CutModel& model, const std::string& title);
+/// The header's JSON text. `seal`: of the key that signs the recording; null: it is not sealed.
+[[nodiscard]] std::string recordingHeader(const CutModel& model, const std::string& title,
+                                          const PublicKey* seal = nullptr);
+/// The header of a changed copy of a sealed recording: nobody has signed that, and it names the key in another place.
+/// Nothing if the recording is not sealed.
+[[nodiscard]] std::optional<std::string> unsealedHeader(const std::string& json);
 /// Fails with one sentence; `file` stands for the recording in it.
 [[nodiscard]] Expected<RecordingFacts> parseHeader(const std::string& json, const std::string& file);
 

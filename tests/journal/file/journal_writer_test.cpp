@@ -55,7 +55,7 @@ TEST(JournalWriter, RecordsIntoAFile) {
 }
 
 TEST(JournalWriter, SyncsAtLeastOnceASecond) {
-    static_assert(Options().syncPeriod <= std::chrono::seconds(1));
+    EXPECT_LE(Options().syncPeriod, std::chrono::seconds(1));
     const auto disk = std::make_shared<FakeDisk>();
     const auto writer = writerOn(disk, {.syncPeriod = std::chrono::milliseconds(1)});
     for (int i = 0; i < 5; ++i) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iomanip>
 #include <sstream>
@@ -13,9 +15,12 @@
 #include "journal/file/journal_reader.h"
 #include "journal/file/journal_repair.h"
 #include "journal/file/journal_trim.h"
+#include "journal/file/seal_check.h"
 #include "journal/format/attachment.h"
 #include "journal/format/container_blocks.h"
 #include "journal_samples.h"
+#include "resealed_journal.h"
+#include "sealed_samples.h"
 #include "support/test_data.h"
 
 namespace tactooth {
@@ -70,12 +75,21 @@ std::string describe(BlockType type, Bytes payload) {
         return piece.name + " " + std::to_string(piece.totalBytes) + " " + std::to_string(piece.offset) + " " +
                hex(piece.content);
     }
-    return isOfContainer(type) ? wordsText(payload) : hex(payload);
+    const bool isWords = isOfContainer(type) && type != BlockType::Signature;
+    return isWords ? wordsText(payload) : hex(payload);
 }
 
 std::string summary(const JournalReader& journal) {
     return std::to_string(journal.blocks().size()) + " blocks to byte " + std::to_string(journal.scan().end) + ", " +
            (journal.isComplete() ? "complete" : "not closed") + "\n";
+}
+
+std::string sealLine(const JournalReader& journal, const SigningKey& key) {
+    if (journal.headerJson() != test::sealedHeader(key)) return "";
+    const SealCheck check = checkSeal(journal, key.publicKey()).value();
+    const std::array words = {"intact", "cut off", "changed"};
+    return "seal " + std::string(words[static_cast<std::size_t>(check.state)]) + ", signed to byte " +
+           std::to_string(check.signedBytes) + "\n";
 }
 
 /// What our own reader says of a file, as the second one prints it.
@@ -92,7 +106,7 @@ std::string ours(const std::filesystem::path& path) {
         while (line.ends_with(' ')) line.pop_back();
         text += line + "\n";
     }
-    return text + summary(*journal);
+    return text + sealLine(*journal, *test::sampleKey(1)) + summary(*journal);
 }
 
 class SecondReader : public testing::Test {
@@ -117,6 +131,21 @@ TEST_F(SecondReader, ReadsWhatWasRepairedAndTrimmed) {
     ASSERT_TRUE(repairJournal(folder_ / "cut", folder_ / "repaired"));
     ASSERT_TRUE(trimJournal(folder_ / "repaired", folder_ / "trimmed", 250, 300));
     for (const char* name : {"cut", "repaired", "trimmed"}) expectSame(name);
+}
+
+TEST_F(SecondReader, ChecksSealsAsWeDo) {
+    const std::vector<std::byte> sealed = test::sealedBytes(test::sampleBlocks(94, 1), true, test::sampleKey(1));
+    ASSERT_TRUE(writeFile(folder_ / "sealed", Bytes(sealed)));
+    ASSERT_TRUE(writeFile(folder_ / "cut", Bytes(sealed).first(sealed.size() - 70)));
+    const auto journal = JournalReader::parse(sealed, "sealed");
+    const auto hash =
+        std::ranges::find(journal->blocks(), BlockType::Hash, [](const auto& b) { return b.header.type; });
+    std::vector<std::byte> forged = sealed;
+    forged[hash->offset + kBlockHeaderBytes] ^= std::byte{1};
+    test::reseal(forged);
+    ASSERT_TRUE(writeFile(folder_ / "forged", Bytes(forged)));
+    for (const char* name : {"sealed", "cut", "forged"}) expectSame(name);
+    EXPECT_TRUE(sealLine(*journal, *test::sampleKey(1)).starts_with("seal intact"));
 }
 
 TEST_F(SecondReader, ReadsNumbersOfAnySizeInColumns) {

@@ -187,11 +187,17 @@ void addRealtime(CLI::App& program, CommandAction& chosen) {
         ->type_name("S");
     addRate(*command, options->rateHz);
     command->add_flag("--load", options->load, "Keeps all other cores busy meanwhile");
+    CLI::Option* record =
+        command
+            ->add_option(
+                "--record", options->record,
+                "File (*.ttsession) to record the session to; see 'replay'; an older recording of that name is "
+                "replaced")
+            ->type_name("FILE");
     command
-        ->add_option("--record", options->record,
-                     "File (*.ttsession) to record the session to; see 'replay'; an older recording of that name is "
-                     "replaced")
-        ->type_name("FILE");
+        ->add_flag("--seal", options->seal,
+                   "Signs the recording with the key of this station, which 'session key' shows")
+        ->needs(record);
     command
         ->add_option("--stream", options->stream,
                      "Sends the newest tick up to 1000 times a second to udp://HOST:PORT (docs/live-stream.md)")

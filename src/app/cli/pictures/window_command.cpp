@@ -107,6 +107,12 @@ void addRecordings(CLI::App& program, WindowArguments& arguments) {
     program.add_flag("--no-record", arguments.noRecord, "Keeps nothing of this session and offers nothing to restore")
         ->excludes("--recordings")
         ->group(kGroup);
+    program
+        .add_flag("--sealed", arguments.sealed,
+                  "Examination: no undo, no ghost, no numbers, and the recording is signed with the key of this "
+                  "station ('session key'). File > Finish examination ends it")
+        ->excludes("--no-record")
+        ->group(kGroup);
 }
 
 /// One option for each stored setting.
@@ -185,6 +191,7 @@ int runWindowCommand(const WindowArguments& arguments) {
     if (!arguments.bur.empty()) options.bur = arguments.bur;
     options.recordings = arguments.recordings;
     options.records = !arguments.noRecord;
+    options.sealed = arguments.sealed;
     options.settings = arguments.settings;
     options.device = arguments.device;
     return runWindow(options);

@@ -201,7 +201,8 @@ int runCut(const CutOptions& options) {
     CutFiles files;
     if (const auto opened = files.open(options); !opened) return reportError(opened.error());
     RunRecording recording;
-    if (const auto opened = recording.open(options.record, &files.all()); !opened) return reportError(opened.error());
+    if (const auto opened = recording.open(options.record, options.seal, &files.all()); !opened)
+        return reportError(opened.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return reportError(path.error());
     const auto tooth = loadModelOrCase(*source, options.workOn, options.voxel, kUsualVoxel);

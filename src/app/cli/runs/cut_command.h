@@ -28,6 +28,7 @@ struct CutOptions {
     std::filesystem::path layersOut;  ///< a folder; empty: not written
     std::filesystem::path vdb;        ///< empty: not written
     std::filesystem::path record;     ///< empty: not recorded
+    bool seal = false;                ///< signs the recording with the key of this station
 };
 
 /// Cuts a tooth with a spinning bur along a trajectory.

@@ -184,7 +184,8 @@ int runDemo(const DemoOptions& options) {
     FileTransaction files;
     if (const auto done = openFiles(options, files); !done) return reportError(done.error());
     RunRecording recording;
-    if (const auto opened = recording.open(options.record, &files); !opened) return reportError(opened.error());
+    if (const auto opened = recording.open(options.record, options.seal, &files); !opened)
+        return reportError(opened.error());
     DemoInputs cast;
     const auto materials = materialsFrom(options.materials);
     if (!materials) return reportError(materials.error());
@@ -202,7 +203,7 @@ int runDemo(const DemoOptions& options) {
     auto file = AtomicFile::create(options.out / kRecording);
     if (!file) return reportError(file.error());
     auto own = SessionRecorder::start(std::make_unique<AtomicJournalFile>(*file), displayName(options.out / kRecording),
-                                      piece, cast.toothName);
+                                      piece, cast.toothName, recording.seal());
     if (!own) return reportError(own.error());
     const auto sink = [&](const SessionEvent& event) {
         (*own)->append(event);

@@ -17,6 +17,7 @@ struct DemoOptions {
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
     bool mouth = false;               ///< the built-in tooth in its mouth
     std::filesystem::path record;     ///< recorded also to this file; empty: only to `out`
+    bool seal = false;                ///< signs the recording with the key of this station
     std::filesystem::path bur;        ///< empty: the built-in round bur
 };
 

@@ -56,7 +56,8 @@ int runFeel(const FeelOptions& options) {
     for (const auto& input : {options.trajectory, options.tooth, options.tool, options.materials}) files.reads(input);
     if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     RunRecording recording;
-    if (const auto opened = recording.open(options.record, &files); !opened) return reportError(opened.error());
+    if (const auto opened = recording.open(options.record, options.seal, &files); !opened)
+        return reportError(opened.error());
     const auto trajectory = readTrajectory(options.trajectory);
     if (!trajectory) return reportError(trajectory.error());
     std::vector<ImportNote> importNotes;

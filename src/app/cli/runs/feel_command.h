@@ -20,6 +20,7 @@ struct FeelOptions {
     double friction = 0;              ///< Coulomb coefficient
     std::filesystem::path materials;  ///< TOML; empty: the built-in table
     std::filesystem::path record;     ///< empty: not recorded
+    bool seal = false;                ///< signs the recording with the key of this station
     std::string workOn;               ///< tooth of a case; empty: the first
 };
 

@@ -160,7 +160,7 @@ void printAdvice(const ServoTiming& timing, double rateHz) {
 
 int runRealtime(const RealtimeOptions& options) {
     RunRecording recording;
-    if (const auto opened = recording.open(options.record); !opened) return reportError(opened.error());
+    if (const auto opened = recording.open(options.record, options.seal); !opened) return reportError(opened.error());
     std::unique_ptr<LiveStream> stream;
     if (!options.stream.empty()) {
         auto opened = LiveStream::open(options.stream);

@@ -13,6 +13,7 @@ struct RealtimeOptions {
     bool load = false;  ///< keep all other cores busy during the run
     bool json = false;
     std::filesystem::path record;  ///< recorded session to write; empty: none
+    bool seal = false;             ///< signs the recording with the key of this station
     std::string stream;            ///< address of a live stream (StreamAddress::parse); empty: none
 };
 

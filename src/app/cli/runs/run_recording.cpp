@@ -5,10 +5,16 @@
 #include <utility>
 
 #include "geometry/files/file_bytes.h"
+#include "session/recording/station_key.h"
 
 namespace tactooth {
 
-Expected<void> RunRecording::open(const std::filesystem::path& path, const FileTransaction* others) {
+Expected<void> RunRecording::open(const std::filesystem::path& path, bool seals, const FileTransaction* others) {
+    if (seals) {
+        Expected<StationKey> station = openStationKey();
+        if (!station) return Unexpected{station.error()};
+        seal_ = std::move(station->key);
+    }
     if (path.empty()) return {};
     if (others != nullptr) {
         if (auto free = others->checkFree(path); !free) return free;
@@ -23,7 +29,7 @@ Expected<void> RunRecording::open(const std::filesystem::path& path, const FileT
 
 Expected<void> RunRecording::begin(const CutModel& model, const std::string& title) {
     if (file_ == nullptr) return {};
-    auto recorder = SessionRecorder::start(std::move(file_), displayName(path_), model, title);
+    auto recorder = SessionRecorder::start(std::move(file_), displayName(path_), model, title, seal_);
     if (!recorder) return Unexpected{recorder.error()};
     recorder_ = std::move(*recorder);
     return {};

@@ -21,14 +21,17 @@ namespace tactooth {
 class RunRecording {
 public:
     /// Opens the file; an empty path means no recording. Call it before the inputs are read, so that an obstacle is
-    /// reported at once. `others`: the other files of the run, or null. Fails with one sentence, also if something has
-    /// the name that is neither a recording nor an empty file.
-    [[nodiscard]] Expected<void> open(const std::filesystem::path& path, const FileTransaction* others = nullptr);
+    /// reported at once. `seals`: it is signed with the key of this station. `others`: the other files of the run, or
+    /// null. Fails with one sentence, also if something has the name that is neither a recording nor an empty file.
+    [[nodiscard]] Expected<void> open(const std::filesystem::path& path, bool seals,
+                                      const FileTransaction* others = nullptr);
     /// `model`: the tooth before the run. Without a file nothing happens.
     [[nodiscard]] Expected<void> begin(const CutModel& model, const std::string& title);
 
     /// Null without a recording.
     [[nodiscard]] SessionRecorder* recorder() { return recorder_.get(); }
+    /// The key that signs it; null without `seals`.
+    [[nodiscard]] const std::shared_ptr<const SigningKey>& seal() const { return seal_; }
     /// Empty without a recording.
     [[nodiscard]] StepwiseSession::EventSink sink();
     /// Asks for the end once a signal has come.
@@ -39,6 +42,7 @@ public:
 
 private:
     std::filesystem::path path_;
+    std::shared_ptr<const SigningKey> seal_;
     std::unique_ptr<JournalFile> file_;
     std::unique_ptr<SessionRecorder> recorder_;
     std::stop_source stop_;

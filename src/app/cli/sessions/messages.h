@@ -19,6 +19,12 @@ inline constexpr MessageText kTrimNoKeyframe{
     "s; "
     "leave out --from.",
     "%1：%2 秒以前にキーフレームがないため、この記録の一部は先頭からしか再生できません。--from を省いてください。"};
+inline constexpr MessageText kSealKeyForm{
+    "seal_key_form",
+    "--key %1 is no public key, which has 64 hexadecimal digits; take the one that 'tactooth session key' shows on the "
+    "station.",
+    "--key %1 は公開鍵ではありません。公開鍵は 16 進数で 64 桁です。その端末で 'tactooth session key' "
+    "が示す鍵を使ってください。"};
 inline constexpr MessageText kFilmNotStarted{
     "film_not_started", "%1: the film cannot be made, because ffmpeg (%2) does not start; reinstall ffmpeg.",
     "%1：ffmpeg（%2）を起動できないため、動画を作れません。ffmpeg を入れ直してください。"};

@@ -9,6 +9,7 @@
 
 #include "app/cli/pictures/render_arguments.h"
 #include "app/cli/sessions/replay_pictures.h"
+#include "app/cli/sessions/seal_text.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "geometry/files/atomic_file.h"
@@ -195,13 +196,16 @@ int runReplay(const ReplayOptions& options) {
     if (const auto played = replay->playUntil(options.until, row); !played) return reportError(played.error());
     if (const auto shown = show.finish(*replay); !shown) return reportError(shown.error());
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const Json summary = summaryOf(*replay, *recording, wall);
+    Json summary = summaryOf(*replay, *recording, wall);
+    if (options.seal) summary["seal"] = sealJson(*options.seal);
     if (const auto written = files.finish(options, replay->model(), summary); !written) {
         return reportError(written.error());
     }
     if (options.json) {
         print("{}\n", summary.dump(2));
     } else {
+        if (options.seal && options.seal->verdict != SealReport::Verdict::NotSealed)
+            print("{}\n", sealText(*options.seal));
         printSummary(summary, recording->facts().commit + ", " + recording->facts().compiler);
         if (!options.film.file.empty()) printFilm(options, show.filmPictures(), files.ffmpeg().has_value());
     }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/cli/sessions/replay_film.h"
+#include "session/recording/recording_seal.h"
 
 namespace tactooth {
 
@@ -16,7 +17,8 @@ struct ReplayOptions {
     std::optional<double> until;  ///< s of the session
     bool verify = false;          ///< only compares
     bool json = false;
-    int pictures = 0;  ///< in `out`, evenly over the session
+    std::optional<SealReport> seal;  ///< what is known of the seal of the recording, for the summary
+    int pictures = 0;                ///< in `out`, evenly over the session
     FilmOptions film;
     std::string size = "1280x720";  ///< of pictures and film, as for `tactooth render`
     std::string view = "dentist";   ///< the same

@@ -42,6 +42,8 @@ Json infoOf(const SessionRecording& recording, const EventCounts& counts) {
                  {"bytes", journal.bytes()},
                  {"complete", journal.isComplete()},
                  {"cut_off_at", nullptr},
+                 {"sealed", recording.facts().isSealed},
+                 {"public_key", nullptr},
                  {"build", recording.facts().commit},
                  {"compiler", recording.facts().compiler},
                  {"machine", recording.facts().machine},
@@ -52,6 +54,7 @@ Json infoOf(const SessionRecording& recording, const EventCounts& counts) {
                    {"redos", counts.redos},
                    {"resets", counts.resets}}}};
     if (journal.cutOffAt()) json["cut_off_at"] = *journal.cutOffAt();
+    if (recording.facts().sealKey) json["public_key"] = keyText(*recording.facts().sealKey);
     return json;
 }
 
@@ -68,6 +71,11 @@ void printInfo(const Json& json) {
           events["burs"].get<std::uint64_t>(), events["cuts"].get<std::uint64_t>(),
           events["undos"].get<std::uint64_t>(), events["redos"].get<std::uint64_t>(),
           events["resets"].get<std::uint64_t>());
+    if (json["public_key"].is_string()) {
+        print("sealed by: {}; 'tactooth session verify' checks it\n", json["public_key"].get<std::string>());
+    } else if (json["sealed"].get<bool>()) {
+        print("sealed by: no valid key\n");
+    }
     if (json["complete"].get<bool>()) {
         print("complete:  yes\n");
     } else if (json["cut_off_at"].is_null()) {
@@ -96,10 +104,14 @@ int runSessionInfo(const SessionInfoOptions& options) {
 }
 
 int runSessionRepair(const SessionRepairOptions& options) {
-    const Expected<JournalRepair> repaired = repairJournal(options.session, options.out);
+    const Expected<JournalReader> journal = JournalReader::open(options.session);
+    if (!journal) return reportError(journal.error());
+    const std::optional<std::string> header = unsealedHeader(journal->headerJson());
+    const Expected<JournalRepair> repaired = repairJournal(options.session, options.out, header);
     if (!repaired) return reportError(repaired.error());
     print("{}: {} bytes kept, {} bytes dropped{}\n", displayName(options.out), repaired->keptBytes,
           repaired->droppedBytes, repaired->hadEnd ? "; there was nothing to repair" : "");
+    if (header) print("The copy is not sealed: keep the recording, too.\n");
     return kExitOk;
 }
 

@@ -4,7 +4,9 @@
 #include "app/cli/sessions/session_command.h"
 #include "app/cli/sessions/session_events_command.h"
 #include "app/cli/sessions/session_export_command.h"
+#include "app/cli/sessions/session_key_command.h"
 #include "app/cli/sessions/session_trim_command.h"
+#include "app/cli/sessions/session_verify_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
 
@@ -119,6 +121,30 @@ void addTrim(CLI::App& session, CommandAction& chosen) {
     command->add_option("--out", trim->out, "File to write (*.ttsession)")->required()->type_name("FILE");
 }
 
+void addVerify(CLI::App& session, CommandAction& chosen) {
+    const auto verify = std::make_shared<SessionVerifyOptions>();
+    CLI::App* command = addForOneSession(
+        session, chosen, "verify",
+        "Checks the signatures of a sealed recording; then replays it and tells whether it reaches the recorded tooth: "
+        "exit code 1 if not, if a byte was changed, or if the end of a sealed recording is missing.",
+        verify, runSessionVerify);
+    command
+        ->add_option("--key", verify->key,
+                     "Public key that must have signed it, as 'session key' shows it on the station. Without it, any "
+                     "key counts, and so does a recording that nobody has signed")
+        ->type_name("PUBLIC");
+    command->add_flag("--json", verify->json, "Writes one JSON object");
+}
+
+void addKey(CLI::App& session, CommandAction& chosen) {
+    const auto key = std::make_shared<SessionKeyOptions>();
+    CLI::App* command = addCommand(session, chosen, "key",
+                                   "Shows the public key with which this station seals recordings. Makes it at the "
+                                   "first call, in the user's folder for data.",
+                                   key, runSessionKey);
+    command->add_flag("--json", key->json, "Writes one JSON object");
+}
+
 }  // namespace
 
 void addSessionCommands(CLI::App& program, CommandAction& chosen) {
@@ -134,12 +160,8 @@ void addSessionCommands(CLI::App& program, CommandAction& chosen) {
                                "Writes what is whole of a recording that was cut off, as a recording that ends there.",
                                repair, runSessionRepair);
     command->add_option("--out", repair->out, "File to write (*.ttsession)")->required()->type_name("FILE");
-    const auto verify = std::make_shared<ReplayOptions>();
-    verify->verify = true;
-    command = addForOneSession(
-        *session, chosen, "verify",
-        "Replays a recording and tells whether it reaches the recorded tooth: exit code 1 if not.", verify, runReplay);
-    command->add_flag("--json", verify->json, "Writes one JSON object");
+    addVerify(*session, chosen);
+    addKey(*session, chosen);
     addEvents(*session, chosen);
     addExport(*session, chosen);
     addTrim(*session, chosen);

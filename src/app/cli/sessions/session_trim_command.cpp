@@ -61,11 +61,13 @@ int runSessionTrim(const SessionTrimOptions& options) {
     if (options.from > 0 && recording->journal().keyframeBefore(begin) == nullptr) {
         return reportError({msg::kTrimNoKeyframe, name, numberText(options.from)});
     }
+    const std::optional<std::string> header = unsealedHeader(recording->journal().headerJson());
     const Expected<JournalTrim> trim =
-        trimJournal(options.session, options.out, begin, std::max(begin + 1, asked->range.end));
+        trimJournal(options.session, options.out, begin, std::max(begin + 1, asked->range.end), header);
     if (!trim) return reportError(trim.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
     print("{}: {} ticks in {} blocks\n", displayName(options.out), trim->ticks.end - trim->ticks.begin, trim->blocks);
+    if (header) print("The copy is not sealed: keep the recording, too.\n");
     return kExitOk;
 }
 

@@ -9,6 +9,7 @@
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
@@ -23,9 +24,9 @@
 
 namespace tactooth {
 
-ExerciseController::ExerciseController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
-                                       FileDialogs& files, ToothController& teeth)
-    : model_(model), panels_(panels), messages_(messages), files_(files), teeth_(teeth) {
+ExerciseController::ExerciseController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                                       WindowMessages& messages, FileDialogs& files, ToothController& teeth)
+    : model_(model), mode_(mode), panels_(panels), messages_(messages), files_(files), teeth_(teeth) {
     connect(panels_.inspection, &InspectionPanel::targetRequested, this, &ExerciseController::askForTarget);
     connect(panels_.exercise, &ExercisePanel::chosen, this, &ExerciseController::start);
     connect(panels_.exercise, &ExercisePanel::openRequested, this, &ExerciseController::askForExercise);
@@ -137,7 +138,13 @@ void ExerciseController::clearTarget() {
 void ExerciseController::setTarget(Target target) {
     target_ = std::move(target);
     progress_.restart(target_.metrics);
+    showTarget();
+}
+
+void ExerciseController::showTarget() {
+    if (!mode_.showsTarget()) return panels_.inspection->setTarget({});
     panels_.inspection->setTarget(target_);
+    if (active_ != nullptr && target_.metrics != nullptr) panels_.inspection->ghostAction()->setChecked(true);
 }
 
 void ExerciseController::collectTarget() {
@@ -149,10 +156,11 @@ void ExerciseController::collectTarget() {
     }
     setTarget(std::move(**target));
     if (active_ == nullptr) {
-        messages_.setHint(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+        if (mode_.showsTarget())
+            messages_.setHint(
+                tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
         return;
     }
-    panels_.inspection->ghostAction()->setChecked(true);
     messages_.setHint(translated(active_->task));
 }
 

@@ -12,6 +12,7 @@
 
 namespace tactooth {
 
+class ExaminationMode;
 class FileDialogs;
 class ToothController;
 class WindowMessages;
@@ -22,8 +23,8 @@ class ExerciseController final : public QObject {
 
 public:
     /// All of them outlive the controller.
-    ExerciseController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages, FileDialogs& files,
-                       ToothController& teeth);
+    ExerciseController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                       WindowMessages& messages, FileDialogs& files, ToothController& teeth);
 
     /// Loads tooth, bur and target of an exercise; null: free practice, on the tooth as it is.
     void start(const std::shared_ptr<const Exercise>& exercise);
@@ -58,6 +59,8 @@ public:
     /// Takes over what is ready and measures the progress. Call it after each step of the model.
     void poll();
     void showProgress();
+    /// Shows the target, unless an examination hides it.
+    void showTarget();
 
 signals:
     void fileOpened(const QString& file);
@@ -73,6 +76,7 @@ private:
     void askForReportFile();
 
     SessionModel& model_;
+    const ExaminationMode& mode_;
     WindowPanels panels_;
     WindowMessages& messages_;
     FileDialogs& files_;

@@ -13,6 +13,7 @@
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/model/current_work.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/text/translation.h"
 #include "geometry/files/atomic_file.h"
@@ -25,9 +26,10 @@ constexpr double kGigabyte = 1e9;
 
 }  // namespace
 
-RecordingController::RecordingController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
-                                         ExerciseController& exercise)
+RecordingController::RecordingController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                                         WindowMessages& messages, ExerciseController& exercise)
     : model_(model),
+      mode_(mode),
       messages_(messages),
       exercise_(exercise),
       sign_(new QLabel(tr("● Recording"))),
@@ -42,6 +44,7 @@ RecordingController::RecordingController(SessionModel& model, const WindowPanels
     switch_->setCheckable(true);
     switch_->setChecked(true);
     connect(switch_, &QAction::toggled, this, &RecordingController::apply);
+    connect(&mode_, &ExaminationMode::changed, this, &RecordingController::followExamination);
     place_->setEnabled(false);
     open_->setObjectName("openRecordings");
     connect(open_, &QAction::triggered, this, &RecordingController::openFolder);
@@ -63,7 +66,7 @@ void RecordingController::fillMenu() {
         place_->setText(tr("%1 in %2").arg(size, QString::fromStdString(folder_.string())));
     }
     open_->setEnabled(hasFolder());
-    switch_->setEnabled(hasFolder());
+    switch_->setEnabled(hasFolder() && !mode_.isOn());  // an examination is always recorded
 }
 
 void RecordingController::openFolder() {
@@ -87,14 +90,22 @@ void RecordingController::setFolder(const std::filesystem::path& folder) {
 
 void RecordingController::apply() {
     if (!hasFolder()) return;
-    if (!switch_->isChecked()) {
+    if (!switch_->isChecked() && !mode_.isOn()) {
         model_.stopRecording();
         return update();
     }
-    model_.recordTo(folder());
+    model_.recordTo(folder(), mode_.seal());
     if (model_.tooth() && !model_.isRecording() && !model_.isPreparing()) {
         messages_.setHint(tr("Recording begins with the next tooth"));
     }
+}
+
+/// The recording of an examination ends with it, so that nothing of what comes later is signed.
+void RecordingController::followExamination() {
+    fillMenu();
+    if (!mode_.isOn() && hasFolder()) model_.stopRecording();
+    apply();
+    update();
 }
 
 void RecordingController::restore(const WindowSettings& settings) {
@@ -110,6 +121,7 @@ void RecordingController::store(WindowSettings& settings) const {
 }
 
 void RecordingController::update() {
+    sign_->setText(model_.isSealing() ? tr("● Examination, signed") : tr("● Recording"));
     sign_->setVisible(model_.isRecording());
     if (!model_.tooth()) return;
     SessionWork work = currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString());
@@ -121,7 +133,11 @@ void RecordingController::update() {
 }
 
 void RecordingController::showFault(const Message& fault) {
-    messages_.setHint(translated(fault));
+    if (mode_.isOn()) {
+        messages_.showError(fault);  // without its recording an examination is worth nothing
+    } else {
+        messages_.setHint(translated(fault));
+    }
     update();
 }
 

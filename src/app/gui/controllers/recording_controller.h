@@ -15,6 +15,7 @@ class QMenu;
 
 namespace tactooth {
 
+class ExaminationMode;
 class ExerciseController;
 class WindowMessages;
 
@@ -25,8 +26,8 @@ class RecordingController final : public QObject {
 
 public:
     /// All of them outlive the controller. Nothing is recorded before `setFolder`.
-    RecordingController(SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
-                        ExerciseController& exercise);
+    RecordingController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                        WindowMessages& messages, ExerciseController& exercise);
 
     /// Where recordings are kept; empty: nowhere.
     void setFolder(const std::filesystem::path& folder);
@@ -50,10 +51,12 @@ public:
 
 private:
     void apply();
+    void followExamination();
     void fillMenu();
     void openFolder();
 
     SessionModel& model_;
+    const ExaminationMode& mode_;
     WindowMessages& messages_;
     ExerciseController& exercise_;
     QLabel* sign_;

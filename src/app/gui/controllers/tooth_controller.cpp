@@ -10,6 +10,7 @@
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/open_tooth_dialog.h"
 #include "app/gui/model/current_work.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/text/translation.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
@@ -31,14 +32,20 @@ MaterialVolumes removedNow(const SessionModel& model) {
 
 }  // namespace
 
-ToothController::ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files,
-                                 UnsavedWork& unsaved, QWidget& window)
-    : model_(model), messages_(messages), files_(files), unsaved_(unsaved), window_(window), loader_(model) {
+ToothController::ToothController(SessionModel& model, const ExaminationMode& mode, WindowMessages& messages,
+                                 FileDialogs& files, UnsavedWork& unsaved, QWidget& window)
+    : model_(model),
+      mode_(mode),
+      messages_(messages),
+      files_(files),
+      unsaved_(unsaved),
+      window_(window),
+      loader_(model) {
     unsaved_.setSaver([this](const std::function<void()>& saved) { askForSave(saved); });
     connect(&importer_, &ScanImporter::failed, this,
             [this](const QString& sentence) { messages_.showError(sentence); });
     connect(&importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth) {
-        if (removedNow(model_) == importedAt_) return install(tooth);
+        if (mode_.allowsAnotherTooth() && removedNow(model_) == importedAt_) return install(tooth);
         replaceTooth([this, tooth] { install(tooth); });  // something was cut meanwhile
     });
 }
@@ -49,6 +56,11 @@ void ToothController::install(const SessionTooth& imported) {
 }
 
 void ToothController::replaceTooth(const std::function<void()>& load) {
+    if (!mode_.allowsAnotherTooth()) {
+        messages_.setHint(tr("The examination has begun with this tooth: finish it before you take another one"));
+        emit loadingDeclined();
+        return;
+    }
     unsaved_.confirmDiscard(load, [this] { emit loadingDeclined(); });
 }
 

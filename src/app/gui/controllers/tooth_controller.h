@@ -12,6 +12,7 @@
 
 namespace tactooth {
 
+class ExaminationMode;
 class FileDialogs;
 class UnsavedWork;
 class WindowMessages;
@@ -23,8 +24,8 @@ class ToothController final : public QObject {
 
 public:
     /// All of them outlive the controller; `window` is the parent of its dialogs.
-    ToothController(SessionModel& model, WindowMessages& messages, FileDialogs& files, UnsavedWork& unsaved,
-                    QWidget& window);
+    ToothController(SessionModel& model, const ExaminationMode& mode, WindowMessages& messages, FileDialogs& files,
+                    UnsavedWork& unsaved, QWidget& window);
 
     void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
@@ -73,7 +74,7 @@ signals:
     void exerciseFileChosen(const QString& file);
     void recordingChosen(const QString& file);
     void loadingFailed();
-    /// The user keeps the tooth, whose cuts are not saved.
+    /// The tooth stays: the user keeps its cuts, which are not saved, or an examination goes on with it.
     void loadingDeclined();
 
 private:
@@ -82,6 +83,7 @@ private:
     [[nodiscard]] bool isReplaying() const;
 
     SessionModel& model_;
+    const ExaminationMode& mode_;
     WindowMessages& messages_;
     FileDialogs& files_;
     UnsavedWork& unsaved_;

@@ -32,7 +32,7 @@ GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, Dr
 }
 
 void GuidedTour::start() {
-    if (model_.runner() == nullptr) return;
+    if (model_.runner() == nullptr || !model_.editsAllowed()) return;  // it takes its cut back
     view_.resetView();
     view_.fit();
     step_ = 0;

@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <array>
 
+#include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
@@ -18,14 +19,15 @@
 namespace tactooth {
 
 FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
-                   ExerciseController& exercise, RecordingController& recordings)
+                   ExerciseController& exercise, RecordingController& recordings, ExaminationController& examinations)
     : model_(model), teeth_(teeth), exercise_(exercise) {
-    build(window, bar, recordings);
+    build(window, bar, recordings, examinations);
     connect(&teeth_, &ToothController::fileOpened, this, &FileMenu::remember);
     connect(&exercise_, &ExerciseController::fileOpened, this, &FileMenu::remember);
 }
 
-void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& recordings) {
+void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,
+                     ExaminationController& examinations) {
     QMenu* menu = window.menuBar()->addMenu(tr("&File"));
     const QStyle& style = *window.style();
     QAction* open = menu->addAction(style.standardIcon(QStyle::SP_DialogOpenButton), tr("&Open tooth…"), &teeth_,
@@ -49,6 +51,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
                                     &ToothController::askForExport);
     save->setShortcut(QKeySequence::SaveAs);
     recordings.addTo(*menu);
+    examinations.addTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
     bar.addAction(open);

@@ -13,6 +13,7 @@ class QToolBar;
 
 namespace tactooth {
 
+class ExaminationController;
 class ExerciseController;
 class RecordingController;
 class SessionModel;
@@ -25,7 +26,7 @@ class FileMenu final : public QObject {
 public:
     /// All of them outlive the menu.
     FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
-             ExerciseController& exercise, RecordingController& recordings);
+             ExerciseController& exercise, RecordingController& recordings, ExaminationController& examinations);
 
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
@@ -35,7 +36,8 @@ signals:
     void recordingWanted();
 
 private:
-    void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings);
+    void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,
+               ExaminationController& examinations);
     void addBuiltinTeeth(QMenu& menu);
     void addMouth(QMenu& menu);
     void remember(const QString& file);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/gui/menus/instrument_menus.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/history_panel.h"
@@ -26,8 +27,9 @@ ForceSettings withMouseOf(ForceSettings force, const ForceSettings& mouse) {
 
 }  // namespace
 
-HistoryActions::HistoryActions(SessionModel& model, const WindowPanels& panels, InstrumentMenus& instruments)
-    : model_(model), panels_(panels), instruments_(instruments) {
+HistoryActions::HistoryActions(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                               InstrumentMenus& instruments)
+    : model_(model), mode_(mode), panels_(panels), instruments_(instruments) {
     addAspects();
     connect(panels_.drill->undoAction(), &QAction::triggered, this, [this] { model_.undo(); });
     connect(panels_.drill->redoAction(), &QAction::triggered, this, [this] { model_.redo(); });
@@ -101,8 +103,8 @@ void HistoryActions::update() {
     seen_ = now;
     const WorkHistory& history = model_.history();
     panels_.history->show(history);
-    panels_.drill->undoAction()->setEnabled(history.position() > 0);
-    panels_.drill->redoAction()->setEnabled(history.position() < history.steps().size());
+    panels_.drill->undoAction()->setEnabled(mode_.allowsTakingBack() && history.position() > 0);
+    panels_.drill->redoAction()->setEnabled(mode_.allowsTakingBack() && history.position() < history.steps().size());
 }
 
 void HistoryActions::install(const SessionBur& bur) {

@@ -12,6 +12,7 @@
 
 namespace tactooth {
 
+class ExaminationMode;
 class InstrumentMenus;
 
 /// Undo, Redo and the history panel. Notes what the user changes besides cutting: bur, drive, water, suction, mirror,
@@ -21,7 +22,8 @@ class HistoryActions final : public QObject {
 
 public:
     /// All of them outlive the controller.
-    HistoryActions(SessionModel& model, const WindowPanels& panels, InstrumentMenus& instruments);
+    HistoryActions(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                   InstrumentMenus& instruments);
 
     /// Another runner has started: maybe with another bur.
     void takeRunner();
@@ -47,6 +49,7 @@ private:
     void install(const SessionBur& bur);
 
     SessionModel& model_;
+    const ExaminationMode& mode_;
     WindowPanels panels_;
     InstrumentMenus& instruments_;
     std::vector<Aspect> aspects_;

@@ -15,9 +15,9 @@ namespace tactooth {
 
 WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                          ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                         WindowMessages& messages)
+                         ExaminationController& examinations, WindowMessages& messages)
     : model_(model),
-      file_(window, docks.fileBar(), model, teeth, exercise, recordings),
+      file_(window, docks.fileBar(), model, teeth, exercise, recordings, examinations),
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);

@@ -52,6 +52,8 @@ double DrivePanel::pedal() const { return static_cast<double>(slider_->value()) 
 
 void DrivePanel::setSpindle(const SpindlePreset& spindle) { speed_->setLargest(spindle.freeSpeedRpm / kThousand); }
 
+void DrivePanel::setShowsForce(bool shows) { force_->setVisible(shows); }
+
 void DrivePanel::show(const Tick& tick) {
     speed_->setValue(tick.speedRpm / kThousand);
     force_->setValue(tick.wrench.force.norm());

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] double pedal() const;
     void setSpindle(const SpindlePreset& spindle);
     void show(const Tick& tick);
+    /// Whether there is a gauge of the force.
+    void setShowsForce(bool shows);
 
 signals:
     void pedalChanged(double pedal);

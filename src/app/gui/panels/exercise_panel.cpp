@@ -56,16 +56,15 @@ QWidget* ExercisePanel::makeChoice() {
             [this](int index) { emit chosen(known_[static_cast<std::size_t>(index)]); });
     task_->setWordWrap(true);
     task_->setObjectName("task");
-    auto* again =
-        button(tr("Start again"), tr("The whole tooth again, and the time from its first contact"), "startAgain");
-    auto* report = button(tr("Report…"), tr("Writes time, volumes and what happened as a table (CSV)"), "exportReport");
+    again_ = button(tr("Start again"), tr("The whole tooth again, and the time from its first contact"), "startAgain");
+    report_ = button(tr("Report…"), tr("Writes time, volumes and what happened as a table (CSV)"), "exportReport");
     auto* open = button(tr("Open…"), tr("An exercise of your own: a TOML file (docs/exercises.md)"), "openExercise");
     connect(open, &QToolButton::clicked, this, &ExercisePanel::openRequested);
-    connect(again, &QToolButton::clicked, this, &ExercisePanel::restartRequested);
-    connect(report, &QToolButton::clicked, this, &ExercisePanel::exportRequested);
+    connect(again_, &QToolButton::clicked, this, &ExercisePanel::restartRequested);
+    connect(report_, &QToolButton::clicked, this, &ExercisePanel::exportRequested);
     auto* buttons = new QHBoxLayout;
-    buttons->addWidget(again);
-    buttons->addWidget(report);
+    buttons->addWidget(again_);
+    buttons->addWidget(report_);
     buttons->addWidget(open);
     buttons->addStretch();
     auto* choice = new QWidget;
@@ -124,6 +123,7 @@ ExercisePanel::RemovedRow& ExercisePanel::rowOf(MaterialId id) {
     numbers_->addWidget(row.value, removedRows_, 3, Qt::AlignRight);
     numbers_->setRowStretch(removedRows_ + 1, 1);
     setTitle(row, id);
+    showNumbers();
     return row;
 }
 
@@ -131,6 +131,30 @@ void ExercisePanel::setTitle(RemovedRow& row, MaterialId id) {
     const QString title = materialTitle((*materials_)[id]);
     row.title->setText(title);
     row.value->setAccessibleName(tr("%1 removed").arg(title));
+}
+
+void ExercisePanel::setShowsNumbers(bool shows) {
+    showsNumbers_ = shows;
+    report_->setEnabled(shows);
+    showNumbers();
+}
+
+void ExercisePanel::setAllowsRestart(bool allows) { again_->setEnabled(allows); }
+
+/// All that the grid holds but the time.
+void ExercisePanel::showNumbers() {
+    constexpr int kTimeRow = 1;
+    for (int i = 0; i < numbers_->count(); ++i) {
+        int row = 0, column = 0, rows = 0, columns = 0;
+        numbers_->getItemPosition(i, &row, &column, &rows, &columns);
+        const bool isTime = row == kTimeRow && column < 2;
+        if (!isTime) numbers_->itemAt(i)->widget()->setVisible(showsNumbers_);
+    }
+    for (std::size_t i = materials_->size(); i < removed_.size(); ++i) {  // of another tooth
+        if (removed_[i].value == nullptr) continue;
+        removed_[i].title->hide();
+        removed_[i].value->hide();
+    }
 }
 
 /// Another tooth may have other materials.
@@ -141,8 +165,8 @@ void ExercisePanel::setMaterials(const MaterialRegistry& materials) {
         RemovedRow& row = removed_[i];
         if (row.value == nullptr) continue;
         const bool isKnown = i < materials.size();
-        row.title->setVisible(isKnown);
-        row.value->setVisible(isKnown);
+        row.title->setVisible(isKnown && showsNumbers_);
+        row.value->setVisible(isKnown && showsNumbers_);
         if (isKnown) setTitle(row, static_cast<MaterialId>(i));
     }
 }

@@ -15,6 +15,7 @@
 #include "tooth/volume/cut_volume.h"
 
 class QGridLayout;
+class QToolButton;
 
 namespace tactooth {
 
@@ -33,6 +34,10 @@ public:
     /// `seconds`: since the first contact; `materials`: of the tooth; `cavity`: none without a target.
     void show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
               const std::optional<CavityProgress>& cavity);
+    /// Whether there are numbers besides the time, and their report.
+    void setShowsNumbers(bool shows);
+    /// Whether the whole tooth can be had again.
+    void setAllowsRestart(bool allows);
 
 signals:
     /// Null: free practice.
@@ -52,6 +57,8 @@ private:
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;
+    QToolButton* again_ = nullptr;
+    QToolButton* report_ = nullptr;
     QLabel* time_ = nullptr;
     std::vector<std::pair<const Metric*, QLabel*>> metrics_;  // those that have a row
     struct RemovedRow {
@@ -60,12 +67,14 @@ private:
     };
     [[nodiscard]] RemovedRow& rowOf(MaterialId id);
     void setTitle(RemovedRow& row, MaterialId id);
+    void showNumbers();
     void setMaterials(const MaterialRegistry& materials);
 
     const MaterialRegistry* materials_;  // that the rows show
     QGridLayout* numbers_ = nullptr;
     std::array<RemovedRow, kMaxMaterials> removed_{};  // by MaterialId; those that were needed
     int removedRows_ = 0;
+    bool showsNumbers_ = true;
 };
 
 }  // namespace tactooth

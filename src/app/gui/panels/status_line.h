@@ -24,6 +24,8 @@ public:
     void show(const LiveRunner& runner, SoundStatus sound);
     /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
+    /// Whether it says how much was removed.
+    void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -12,6 +12,7 @@
 #include "app/gui/controllers/panel_updater.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
@@ -36,11 +37,12 @@ constexpr double kSameTime = 1e-6;    // s: less than a tick
 
 }  // namespace
 
-ReplayController::ReplayController(QMainWindow& window, SessionModel& model, const WindowPanels& panels,
-                                   WindowMessages& messages, FileDialogs& files, PanelUpdater& updater,
-                                   SoundOutput& sound)
+ReplayController::ReplayController(QMainWindow& window, SessionModel& model, const ExaminationMode& mode,
+                                   const WindowPanels& panels, WindowMessages& messages, FileDialogs& files,
+                                   PanelUpdater& updater, SoundOutput& sound)
     : window_(window),
       model_(model),
+      mode_(mode),
       panels_(panels),
       messages_(messages),
       files_(files),
@@ -49,6 +51,10 @@ ReplayController::ReplayController(QMainWindow& window, SessionModel& model, con
     connect(&timer_, &QTimer::timeout, this, &ReplayController::step);
     connect(&numbers_, &QTimer::timeout, this, &ReplayController::showNumbers);
     connect(panels_.inspection, &InspectionPanel::changed, this, &ReplayController::showInspection);
+    connect(&mode_, &ExaminationMode::changed, this, [this] {
+        opening_.cancel();
+        if (!mode_.allowsReplay() && isActive()) leave();
+    });
 }
 
 ReplayController::~ReplayController() {
@@ -61,6 +67,7 @@ void ReplayController::askForRecording() {
 }
 
 void ReplayController::open(const QString& file) {
+    if (!mode_.allowsReplay()) return messages_.setHint(tr("Recordings can be opened when the examination is over"));
     files_.enterFolderOf(file);
     messages_.setHint(tr("Opening recording %1…").arg(file));
     opening_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });

@@ -19,6 +19,7 @@ class QMainWindow;
 
 namespace tactooth {
 
+class ExaminationMode;
 class FileDialogs;
 class PanelUpdater;
 class ReplayCommentMenu;
@@ -33,8 +34,8 @@ class ReplayController final : public QObject {
 
 public:
     /// All of them outlive the controller. The middle of the window is a QStackedWidget.
-    ReplayController(QMainWindow& window, SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
-                     FileDialogs& files, PanelUpdater& updater, SoundOutput& sound);
+    ReplayController(QMainWindow& window, SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
+                     WindowMessages& messages, FileDialogs& files, PanelUpdater& updater, SoundOutput& sound);
     ~ReplayController() override;
 
     void askForRecording();
@@ -76,6 +77,7 @@ private:
 
     QMainWindow& window_;
     SessionModel& model_;
+    const ExaminationMode& mode_;
     WindowPanels panels_;
     WindowMessages& messages_;
     FileDialogs& files_;

@@ -22,24 +22,26 @@ namespace tactooth {
 
 MainWindow::MainWindow(SoundOutput& sound)
     : model_(sound),
+      examination_(model_),
       panels_(model_, *this),
       messages_(*panels_.status, *this),
       files_(*this),
       docks_(*this, panels_),
       unsaved_(model_, *this),
-      teeth_(model_, messages_, files_, unsaved_, *this),
-      exercise_(model_, panels_, messages_, files_, teeth_),
-      recordings_(model_, panels_, messages_, exercise_),
+      teeth_(model_, examination_, messages_, files_, unsaved_, *this),
+      exercise_(model_, examination_, panels_, messages_, files_, teeth_),
+      recordings_(model_, examination_, panels_, messages_, exercise_),
+      examinations_(examination_, model_, panels_, docks_, exercise_, recordings_, messages_, *this),
       restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
       hints_(model_, panels_, devices_, messages_),
       sounds_(sound, model_, panels_, messages_, files_),
       records_(model_, panels_, messages_, files_),
-      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, messages_),
-      history_(model_, panels_, menus_.instruments()),
+      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_),
+      history_(model_, examination_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_),
-      replay_(*this, model_, panels_, messages_, files_, updater_, sound) {
+      replay_(*this, model_, examination_, panels_, messages_, files_, updater_, sound) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
@@ -84,7 +86,9 @@ void MainWindow::connectView() {
     connect(panels_.view, &ToothView::depthChanged, panels_.force, &ForcePanel::setDepth);
     connect(panels_.view, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
     connect(panels_.inspection, &InspectionPanel::changed, this, &MainWindow::updateInspection);
-    connect(panels_.events, &EventPanel::notified, &messages_, &WindowMessages::setHint);
+    connect(panels_.events, &EventPanel::notified, this, [this](const QString& sentence) {
+        if (examination_.showsNumbers()) messages_.setHint(sentence);
+    });
     connect(panels_.events, &EventPanel::placeChosen, panels_.view, &ToothView::centreOn);
 }
 
@@ -173,6 +177,7 @@ void MainWindow::apply(const WindowSettings& settings) {
 WindowSettings MainWindow::settings() const {
     WindowSettings settings;
     docks_.store(settings);
+    examinations_.store(settings);
     settings.folder = files_.folder().toStdString();
     settings.bur = panels_.drill->burNumber().toStdString();
     settings.spindle = panels_.drill->spindleName().toStdString();

@@ -7,6 +7,7 @@
 
 #include "app/gui/controllers/device_controller.h"
 #include "app/gui/controllers/dock_layout.h"
+#include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/panel_updater.h"
@@ -21,6 +22,7 @@
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
+#include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/replay/replay_controller.h"
 
@@ -42,6 +44,7 @@ public:
     [[nodiscard]] SoundController& sounds() { return sounds_; }
     [[nodiscard]] RecordExports& records() { return records_; }
     [[nodiscard]] RecordingController& recordings() { return recordings_; }
+    [[nodiscard]] ExaminationMode& examination() { return examination_; }
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
@@ -103,6 +106,7 @@ private:
     void updateInspection();
 
     SessionModel model_;
+    ExaminationMode examination_;
     WindowPanels panels_;
     WindowMessages messages_;
     FileDialogs files_;
@@ -111,6 +115,7 @@ private:
     ToothController teeth_;
     ExerciseController exercise_;
     RecordingController recordings_;
+    ExaminationController examinations_;
     RestoreController restorer_;
     DeviceController devices_;
     WindowHints hints_;

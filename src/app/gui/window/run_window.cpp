@@ -27,6 +27,7 @@
 #include "geometry/files/unfinished_files.h"
 #include "haptics/real_time.h"
 #include "session/recording/session_recording.h"
+#include "session/recording/station_key.h"
 #include "sound/output/openal_output.h"
 
 namespace tactooth {
@@ -69,6 +70,24 @@ std::vector<std::filesystem::path> recentFiles(const WindowSettings& settings) {
         files.emplace_back(file.toStdString());
     }
     return files;
+}
+
+/// The tooth of the command line, if it names one.
+Expected<std::optional<SessionTooth>> toothFor(const WindowOptions& options,
+                                               const std::vector<std::filesystem::path>& recent) {
+    if (!options.tooth && !options.exercise) return std::optional<SessionTooth>();
+    Expected<SessionTooth> tooth = options.exercise ? toothOfExercise(*options.exercise)
+                                                    : openSessionTooth(*options.tooth, options.workOn, recent);
+    if (!tooth) return Unexpected{tooth.error()};
+    return std::optional(std::move(*tooth));
+}
+
+/// The key that signs an examination; null if there is none.
+Expected<std::shared_ptr<const SigningKey>> sealFor(const WindowOptions& options) {
+    if (!options.sealed) return std::shared_ptr<const SigningKey>();
+    Expected<StationKey> station = openStationKey();
+    if (!station) return Unexpected{station.error()};
+    return station->key;
 }
 
 /// What the user should know about the settings file. A file that is not TOML is renamed.
@@ -130,17 +149,8 @@ int runWindow(const WindowOptions& options) {
     const std::optional<Error> forgotten = settings ? resetUnknownDevices(settings->hand, settingsFile) : std::nullopt;
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
     if (!start) return reportError(start.error());
-    std::optional<SessionTooth> tooth;
-    if (options.tooth) {
-        Expected<SessionTooth> loaded = openSessionTooth(*options.tooth, options.workOn, recentFiles(*start));
-        if (!loaded) return reportError(loaded.error());
-        tooth = std::move(*loaded);
-    }
-    if (options.exercise) {
-        Expected<SessionTooth> made = toothOfExercise(*options.exercise);
-        if (!made) return reportError(made.error());
-        tooth = std::move(*made);
-    }
+    Expected<std::optional<SessionTooth>> tooth = toothFor(options, recentFiles(*start));
+    if (!tooth) return reportError(tooth.error());
     if (options.recording) {
         const auto readable = SessionRecording::open(*options.recording);
         if (!readable) return reportError(readable.error());
@@ -151,6 +161,8 @@ int runWindow(const WindowOptions& options) {
         if (!loaded) return reportError(loaded.error());
         bur = std::move(*loaded);
     }
+    const Expected<std::shared_ptr<const SigningKey>> seal = sealFor(options);
+    if (!seal) return reportError(seal.error());
     if (!display) return reportError(display.error());
     int argc = 1;
     char name[] = "tactooth";
@@ -169,14 +181,16 @@ int runWindow(const WindowOptions& options) {
         holder.window().saveBeforeEnd();
         QApplication::exit(exitCode);
     });
-    if (bur || (tooth && tooth->bur)) start->bur.clear();  // the bur of the command line or of the case counts
+    if (bur || (*tooth && (*tooth)->bur)) start->bur.clear();  // the bur of the command line or of the case counts
     if (options.device) start->hand.device = *options.device;
     if (options.records) {
         holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
     }
+    holder.setExamination(*seal);
     MainWindow& window = holder.open(*start);
-    if (tooth) {
-        window.model().install(std::move(*tooth));
+    const bool isOwnTooth = tooth->has_value();
+    if (isOwnTooth) {
+        window.model().install(std::move(**tooth));
     } else if (options.mouth) {
         window.teeth().loadMouth(*options.mouth);
     } else {
@@ -189,7 +203,7 @@ int runWindow(const WindowOptions& options) {
     }
     if (forgotten) window.messages().showError(*forgotten);
     if (options.recording) window.teeth().openFile(QString::fromStdString(options.recording->string()));
-    if (isFirstTime && !tooth && !options.mouth && !options.recording) window.welcome();
+    if (isFirstTime && !isOwnTooth && !options.mouth && !options.recording) window.welcome();
     window.restorer().offer();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(releaseWithoutDisplay);

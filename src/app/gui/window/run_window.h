@@ -22,6 +22,7 @@ struct WindowOptions {
     std::optional<std::filesystem::path> bur;
     std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
     bool records = true;                          ///< false: nothing is kept or restored
+    bool sealed = false;                          ///< an examination; needs `records`
     std::map<std::string, std::string> settings;  ///< by their flags (see windowOptions); they override the file
     std::optional<std::string>
         device;  ///< see openDevice; if it does not open, the window says so and the mouse moves the bur

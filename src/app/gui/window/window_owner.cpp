@@ -18,12 +18,14 @@ MainWindow& WindowOwner::open(const WindowSettings& settings) {
     connect(window_.get(), &MainWindow::graphicsFailed, this, &WindowOwner::graphicsFailed);
     connect(window_.get(), &MainWindow::languageChosen, this, &WindowOwner::reopen, Qt::QueuedConnection);
     window_->apply(settings);
+    if (seal_ != nullptr) window_->examination().begin(seal_);
     window_->recordings().setFolder(recordings_);
     return *window_;
 }
 
 void WindowOwner::reopen() {
     WindowSettings settings = window_->settings();
+    seal_ = window_->examination().seal();
     MainWindow::SessionState work = window_->releaseSession();
     if (work.bur && !work.bur->file.empty()) settings.bur.clear();
     const bool quits = QApplication::quitOnLastWindowClosed();

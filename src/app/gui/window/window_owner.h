@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/gui/settings/window_settings.h"
+#include "journal/codec/signing_key.h"
 
 class QApplication;
 
@@ -27,6 +28,8 @@ public:
 
     /// Where the windows to come keep their recordings; empty (as without this call): nowhere.
     void setRecordings(const std::filesystem::path& folder) { recordings_ = folder; }
+    /// The windows to come hold an examination, whose recordings this key signs.
+    void setExamination(std::shared_ptr<const SigningKey> seal) { seal_ = std::move(seal); }
     /// Makes the window in the language of `settings`; it is not shown yet.
     MainWindow& open(const WindowSettings& settings);
     /// The window; another one after a change of the language.
@@ -42,6 +45,7 @@ private:
     QApplication& application_;
     SoundOutput& sound_;
     std::filesystem::path recordings_;
+    std::shared_ptr<const SigningKey> seal_;
     std::unique_ptr<MainWindow> window_;
 };
 
