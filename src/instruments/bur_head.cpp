@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace tactooth {
@@ -52,11 +54,26 @@ BurHead burHeadOf(const TriangleMesh& bur) {
         neck = std::min(neck, ring->radius);
         if (ring->radius * kWider >= shank) shankStart = ring->z;
     }
-    BurHead head{ring != rings.end() ? ring->z : shankStart, 0};
+    BurHead head{ring != rings.end() ? ring->z : shankStart, 0, neck};
     for (const Ring& each : rings) {
         if (each.z <= head.length) head.radius = std::max(head.radius, each.radius);
     }
     return head;
+}
+
+TriangleMesh headCap(const BurHead& head) {
+    constexpr int kCorners = 24;
+    TriangleMesh cap;
+    if (head.length <= 0 || head.neck <= 0) return cap;
+    const auto z = static_cast<float>(head.length);
+    cap.vertices.emplace_back(0.F, 0.F, z);
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kCorners;
+        cap.vertices.emplace_back(static_cast<float>(head.neck * std::cos(angle)),
+                                  static_cast<float>(head.neck * std::sin(angle)), z);
+    }
+    for (std::uint32_t i = 0; i < kCorners; ++i) cap.triangles.push_back({0, 1 + i, 1 + (i + 1) % kCorners});
+    return cap;
 }
 
 }  // namespace tactooth

@@ -34,6 +34,23 @@ TEST(BurHead, OfAConeWithoutANeckEndsWhereTheShankBegins) {
     EXPECT_NEAR(head.radius, 0.8, 1e-6);
 }
 
+TEST(BurHead, ItsCapIsADiscAsWideAsTheNeckThatFacesTheShank) {
+    const BurHead head = burHeadOf(makeBur(*findBur("4")).surface);
+    EXPECT_LT(head.neck, head.radius);
+    const TriangleMesh cap = headCap(head);
+    ASSERT_FALSE(cap.triangles.empty());
+    double area = 0;
+    for (const auto& triangle : cap.triangles) {
+        const Vec3 a = cap.vertices[triangle[0]].cast<double>(), b = cap.vertices[triangle[1]].cast<double>(),
+                   c = cap.vertices[triangle[2]].cast<double>();
+        EXPECT_NEAR(a.z(), head.length, 1e-5);
+        EXPECT_GT((b - a).cross(c - a).z(), 0);
+        area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    EXPECT_NEAR(area, 3.14159 * head.neck * head.neck, 0.03 * area);
+    EXPECT_TRUE(headCap({}).triangles.empty());
+}
+
 TEST(BurHead, OfNothingIsUnknown) { EXPECT_EQ(burHeadOf({}).length, 0); }
 
 }  // namespace
