@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tip_visibility_scene.h"
 
+#include <algorithm>
+
 #include "app/common/inspection.h"
 #include "app/gui/input/viewport.h"
 #include "collision/bvh/surface.h"
@@ -19,6 +21,24 @@ constexpr double kAbove = 13;  // mm, as ToothView::fit
 
 std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh) {
     return std::make_shared<const TriangleMesh>(std::move(mesh));
+}
+
+/// How far the bur can go on before its head touches the tooth, mm; negative if it is in the tooth: the hand may be
+/// there, the bur is not. None if its tip would meet nothing.
+std::optional<double> freeWay(const ToothToSee& tooth, const Aim& aim) {
+    constexpr double kBack = 8;  // mm: from there the way is free
+    const ShownTool& tool = *tooth.contents.tool;
+    const auto way = [&](const Vec3& place) {
+        return firstHit(*tooth.contents.tooth, {aim.tool * place - kBack * aim.heading, aim.heading});
+    };
+    const std::optional<double> ofTip = way(Vec3::Zero());
+    if (!ofTip || *ofTip > 2 * kBack) return std::nullopt;
+    double shortest = *ofTip;
+    for (const auto& vertex : tool.bur->vertices) {
+        if (static_cast<double>(vertex.z()) > tool.head.length) continue;
+        if (const auto distance = way(vertex.cast<double>())) shortest = std::min(shortest, *distance);
+    }
+    return shortest - kBack;
 }
 
 }  // namespace
@@ -60,15 +80,14 @@ std::vector<Aim> aimsAt(const ToothToSee& tooth, StandardView view, ImageSize si
             if (!pixel || !firstHit(*tooth.contents.tooth, viewport.rayThrough(*pixel))) continue;
             MouseManipulator hand(tooth.box, tooth.mesialX);
             hand.aim(viewport, *pixel, *tooth.contents.tooth);
-            const Aim hovering{camera, hand.pose(), hand.pressDirection()};
-            aims.push_back(hovering);
+            Aim aim{camera, hand.pose(), hand.pressDirection()};
+            const std::optional<double> free = freeWay(tooth, aim);
+            if (!free) continue;  // the bur would go past the tooth
+            aim.tool.position += std::min(0.0, *free) * aim.heading;
+            aims.push_back(aim);
             if (view != StandardView::Occlusal) continue;
-            Aim touching = hovering;
-            ShownTool tool = *tooth.contents.tool;
-            tool.toolInTooth = hovering.tool;
-            tool.heading = hovering.heading;
-            touching.tool.position = landingPoint(*tooth.contents.tooth, tool);
-            aims.push_back(touching);
+            aim.tool.position += std::max(0.0, *free) * aim.heading;
+            aims.push_back(aim);
         }
     }
     return aims;
