@@ -10,13 +10,17 @@ namespace {
 
 using TipVisibilityTest = test::TipVisibilityTest;
 
-TEST_F(TipVisibilityTest, OnEveryToothInEveryStandardViewWithThreeBurs) {
-    for (int quadrant = 1; quadrant <= 4; ++quadrant) {
-        for (int place = 1; place <= 8; ++place) {
-            for (const char* bur : {"4", "330", "58"}) expectSeen(10 * quadrant + place, bur);
-        }
+/// With three burs: short, thin and long.
+void expectSeenOnQuadrant(int quadrant, void (*expectSeen)(int fdi, const char* bur)) {
+    for (int place = 1; place <= 8; ++place) {
+        for (const char* bur : {"4", "330", "58"}) expectSeen(10 * quadrant + place, bur);
     }
 }
+
+TEST_F(TipVisibilityTest, OnEveryUpperRightToothInEveryStandardView) { expectSeenOnQuadrant(1, &expectSeen); }
+TEST_F(TipVisibilityTest, OnEveryUpperLeftToothInEveryStandardView) { expectSeenOnQuadrant(2, &expectSeen); }
+TEST_F(TipVisibilityTest, OnEveryLowerLeftToothInEveryStandardView) { expectSeenOnQuadrant(3, &expectSeen); }
+TEST_F(TipVisibilityTest, OnEveryLowerRightToothInEveryStandardView) { expectSeenOnQuadrant(4, &expectSeen); }
 
 }  // namespace
 }  // namespace tactooth
