@@ -12,7 +12,9 @@ namespace tactooth {
 
 ReplayBur ReplayBur::of(const Instrument& instrument) {
     return {std::make_shared<const TriangleMesh>(instrument.shape->mesh()),
-            std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge};
+            std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge,
+            burHeadOf(instrument.shape->mesh()),
+            std::make_shared<const TriangleMesh>(headCap(burHeadOf(instrument.shape->mesh())))};
 }
 
 ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const {
@@ -24,7 +26,9 @@ ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const Tri
             .spin = std::remainder(time * tick.speedRpm / 60 * kTurn, kTurn),
             .speedRpm = tick.speedRpm,
             .edge = edge,
-            .blurred = blurred};
+            .blurred = blurred,
+            .head = head,
+            .cap = cap};
 }
 
 /// Each body has one material nearly everywhere; it is drawn in that of its first triangle.

@@ -13,6 +13,8 @@ namespace tactooth {
 struct ReplayBur {
     std::shared_ptr<const TriangleMesh> shown, blurred;
     BurEdge edge;
+    BurHead head = {};  ///< of `shown`
+    std::shared_ptr<const TriangleMesh> cap = {};
 
     [[nodiscard]] static ReplayBur of(const Instrument& instrument);
     /// The instrument at a tick; `time`: of the session, s. `turbine`: the handpiece behind the bur, or null.

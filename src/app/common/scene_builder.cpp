@@ -7,6 +7,7 @@
 
 #include "app/common/spin_blur.h"
 #include "geometry/util/pose.h"
+#include "session/model/surface_ray.h"
 
 namespace tactooth {
 namespace {
@@ -20,7 +21,15 @@ void addBur(Scene& scene, const ShownTool& tool) {
     bur.moves = true;
     const float blur = tool.blurred != nullptr ? spinBlur(tool.speedRpm, tool.edge) : 0;
     bur.spin = blur < 1 ? tool.spin : 0;
+    if (tool.head.length > 0) bur.glassAbove = static_cast<float>(tool.head.length);
     scene.objects.push_back(bur);
+    if (tool.cap != nullptr && bur.glassAbove) {
+        SceneObject cap = bur;
+        cap.shape = tool.cap;
+        cap.closed = false;
+        *cap.glassAbove += 0.01F;  // mm: the cap itself is of the head
+        scene.objects.push_back(std::move(cap));
+    }
     if (blur == 0) return;
     constexpr float kCover = 0.86F;  // at full speed the gaps between the blades still shimmer through
     bur.shape = tool.blurred;
@@ -38,6 +47,7 @@ void addTool(Scene& scene, const ShownTool& tool) {
     turbine.appearances = {appearances::steel()};
     turbine.moves = true;
     turbine.handle = true;
+    turbine.glassAbove = kAllGlass;
     scene.objects.push_back(std::move(turbine));
 }
 
@@ -47,6 +57,7 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
     body.objectInWorld = mirror.mirrorInTooth;
     body.appearances = {appearances::steel()};
     body.handle = true;
+    body.glassAbove = kAllGlass;
     scene.objects.push_back(std::move(body));
     scene.mirror = SceneMirror{.mirrorInWorld = mirror.mirrorInTooth,
                                .centre = mirror.disc.centre,
@@ -63,6 +74,7 @@ void addSuction(Scene& scene, const ShownSuction& suction) {
     tube.appearances = {
         Appearance{.colour = {0.62F, 0.78F, 0.86F}, .roughness = 0.3F, .translucency = 0.6F, .wetness = 0.4F}};
     tube.handle = true;
+    tube.glassAbove = kAllGlass;
     scene.objects.push_back(std::move(tube));
 }
 
@@ -111,7 +123,26 @@ Vec3 crownOf(const Surface& tooth) {
     return {box.center().x(), box.center().y(), box.max().z() - kBelowTop};
 }
 
+/// From the landing point to the upper end of the bur's head.
+SightLine sightLine(const SceneContents& contents) {
+    constexpr double kDisc = 1;      // mm around the landing point
+    constexpr double kAround = 0.3;  // mm around the head
+    const ShownTool& tool = *contents.tool;
+    const Vec3 landing = contents.tooth != nullptr ? landingPoint(*contents.tooth, tool) : tool.toolInTooth.position;
+    return {.start = landing,
+            .end = tool.toolInTooth * Vec3(0, 0, tool.head.length),
+            .radius = std::max(kDisc, tool.head.radius) + kAround};
+}
+
 }  // namespace
+
+Vec3 landingPoint(const Surface& tooth, const ShownTool& tool) {
+    constexpr double kFarthest = 8;  // mm: farther away, the bur is not above the tooth
+    const Vec3& tip = tool.toolInTooth.position;
+    const Vec3 ahead = tool.heading.value_or(tool.toolInTooth.rotation * -Vec3::UnitZ());
+    const std::optional<double> distance = firstHit(tooth, {tip, ahead});
+    return distance && *distance < kFarthest ? Vec3(tip + *distance * ahead) : tip;
+}
 
 std::vector<Appearance> appearancesOf(const MaterialTable& materials) {
     std::vector<Appearance> result;
@@ -141,6 +172,7 @@ Scene makeScene(const SceneContents& contents) {
         scene.objects.push_back(std::move(tooth));
     }
     if (contents.tool) addTool(scene, *contents.tool);
+    if (contents.tool && contents.glass) scene.sight = sightLine(contents);
     if (contents.other) addOther(scene, *contents.other);
     if (contents.mirror) addMirror(scene, *contents.mirror);
     if (contents.suction) addSuction(scene, *contents.suction);

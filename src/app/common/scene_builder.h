@@ -3,6 +3,7 @@
 #pragma once
 
 #include "instruments/bur_catalogue.h"
+#include "instruments/bur_head.h"
 #include "instruments/mirror.h"
 #include "session/model/instrument_poses.h"
 #include "tooth/model/material_registry.h"
@@ -20,7 +21,11 @@ struct ShownTool {
     double speedRpm = 0;
     BurEdge edge = {};
     std::shared_ptr<const TriangleMesh> blurred =
-        {};  ///< the appearance of the bur at high speed (spinEnvelopeMesh), or null
+        {};             ///< the appearance of the bur at high speed (spinEnvelopeMesh), or null
+    BurHead head = {};  ///< of `bur`; unknown: only the handpiece turns to glass
+    std::shared_ptr<const TriangleMesh> cap = {};  ///< headCap: shows the head solid where the neck is glass; or null
+    std::optional<Vec3> heading =
+        {};  ///< unit, tooth frame: the direction in which the hand will press; none: along the shaft
 };
 
 /// The mirror as it is drawn.
@@ -62,6 +67,7 @@ struct SceneContents {
     std::vector<ShownBody> around;
     std::optional<ShownOther> other = {};
     Camera camera;
+    bool glass = false;  ///< handles and the shank turn to glass where they hide the bur's head and its landing point
 };
 
 /// The appearance of each material, by MaterialId.
@@ -70,6 +76,10 @@ struct SceneContents {
 /// The direction to a lamp 15 degrees above the eye and to its left. It lights what the eye sees, but leaves some
 /// shadow that shows depth.
 [[nodiscard]] Vec3 toLoupeLamp(const Camera& camera);
+
+/// The point of `tooth` that the tip of `tool` meets when it goes on; the tip itself if it meets nothing near. Tooth
+/// frame.
+[[nodiscard]] Vec3 landingPoint(const Surface& tooth, const ShownTool& tool);
 
 /// The scene under the operating light. Inside a mouth, where the opposite jaw blocks that light, the lamp on the loupe
 /// lights it. World frame = tooth frame.

@@ -779,8 +779,8 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <translation>その深さを0.1 mmずつ、Shiftと一緒に0.02 mmずつ；力で押す場合は強く、弱く</translation>
     </message>
     <message>
-        <source>M, H, A</source>
-        <translation>M、H、A</translation>
+        <source>M, H, J</source>
+        <translation>M、H、J</translation>
     </message>
     <message>
         <source>mirror, turbine, aim on and off</source>
@@ -921,6 +921,22 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>the cavity that the target wants cut, on and off</source>
         <translation>目標が求める窩洞の表示のオン・オフ</translation>
+    </message>
+    <message>
+        <source>L, Z</source>
+        <translation>L、Z</translation>
+    </message>
+    <message>
+        <source>glass handpiece; magnifier of the bur&apos;s head</source>
+        <translation>透けるハンドピース、バーの頭部の拡大鏡</translation>
+    </message>
+    <message>
+        <source>R, A, K</source>
+        <translation>R、A、K</translation>
+    </message>
+    <message>
+        <source>scale bar, letters of the directions, view cube</source>
+        <translation>目盛り、方向の文字、視点キューブ</translation>
     </message>
     <message>
         <source>B, D</source>
@@ -1232,6 +1248,84 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>The examination has begun with this tooth: finish it before you take another one</source>
         <translation>この歯で試験が始まっています。別の歯に替える前に試験を終えてください</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ViewAidsMenu</name>
+    <message>
+        <source>&amp;Aids</source>
+        <translation>見やすくする(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Glass handpiece</source>
+        <translation>透けるハンドピース(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Handles and the shank turn to glass where they hide the bur&apos;s head or the place where it lands</source>
+        <translation>柄とシャンクが、バーの頭部や当たる場所を隠すところで透明になります</translation>
+    </message>
+    <message>
+        <source>&amp;Magnifier</source>
+        <translation>拡大鏡(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The bur&apos;s head, four times as large, in the upper left corner</source>
+        <translation>左上の隅に、バーの頭部を4倍に拡大して表示します</translation>
+    </message>
+    <message>
+        <source>&amp;Scale bar</source>
+        <translation>目盛り(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Length in mm at the depth of the tooth</source>
+        <translation>歯の位置での長さ（mm）</translation>
+    </message>
+    <message>
+        <source>&amp;Letters of the directions</source>
+        <translation>方向の文字(&amp;L)</translation>
+    </message>
+    <message>
+        <source>B buccal, L lingual, M mesial, D distal, O occlusal, A apical</source>
+        <translation>B 頬側、L 舌側、M 近心、D 遠心、O 咬合面、A 根尖</translation>
+    </message>
+    <message>
+        <source>View &amp;cube</source>
+        <translation>視点キューブ(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows from which side one looks; a click on a face looks from there</source>
+        <translation>どの側から見ているかを示します。面をクリックすると、そちらから見ます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ViewCube</name>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>Apical</source>
+        <translation>根尖</translation>
+    </message>
+    <message>
+        <source>Click: %1</source>
+        <translation>クリック：%1</translation>
     </message>
 </context>
 <context>

@@ -36,7 +36,7 @@ void OrbitCamera::fit(const Box3& box, double aspect) {
 void OrbitCamera::setView(StandardView view, double mesialX) {
     switch (view) {
         case StandardView::Occlusal:
-            return setView({-kRightAngle, kRightAngle});
+            return setView({kRightAngle, kRightAngle});
         case StandardView::Buccal:
             return setView({kRightAngle, 0});
         case StandardView::Lingual:

@@ -22,7 +22,9 @@ public:
 
     /// Fits all of `box` (world, mm) into the picture, whatever its rotation. The direction stays the same.
     void fit(const Box3& box, double aspect);
-    /// Sets a standard view; target and distance stay. `mesialX`: 1 where mesial is +x, -1 where it is -x.
+    /// Sets a standard view; target and distance stay. The crown is up in the views from a side. From occlusal the
+    /// picture is as if the eye had leaned over from buccal: left and right stay. `mesialX`: 1 where mesial is +x, -1
+    /// where it is -x.
     void setView(StandardView view, double mesialX = 1);
     void setView(Direction direction);
 

@@ -10,7 +10,6 @@ namespace tactooth {
 /// picture. There is none in stereo.
 struct SecondView {
     Camera camera;
-    bool redraw = true;  ///< else the last picture may stay while its size does: this view may lag behind the hand
 };
 
 inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
@@ -21,5 +20,14 @@ struct SecondViewRectangle {
     ImageSize size;
 };
 [[nodiscard]] SecondViewRectangle secondViewRectangle(ImageSize picture);
+
+inline constexpr double kMagnification = 4;
+
+/// The magnifier's square in the upper left corner of the picture.
+[[nodiscard]] SecondViewRectangle magnifierRectangle(ImageSize picture);
+
+/// The camera of the magnifier: `place` (world) in its middle, kMagnification times as large as in a picture of this
+/// size by `camera`.
+[[nodiscard]] Camera magnifierCamera(const Camera& camera, ImageSize picture, const Vec3& place);
 
 }  // namespace tactooth

@@ -39,8 +39,10 @@ struct FrameBlock {
     Eigen::Vector4f backgroundBottom;
     Eigen::Vector4f imageSize;
     Eigen::Vector4f shadowTexel;
+    Eigen::Vector4f sightEnds;
+    Eigen::Vector4f sightReach;
 };
-static_assert(offsetof(FrameBlock, shadowTexel) == 3 * 64 + 12 * 16);
+static_assert(offsetof(FrameBlock, sightReach) == 3 * 64 + 14 * 16);
 
 /// The data that the shaders need to sample the shadow map.
 struct ShadowLookup {
@@ -56,5 +58,9 @@ struct ShadowLookup {
 /// `lodTolerance`: from lodToleranceAt.
 [[nodiscard]] FrameBlock frameBlock(const PassView& view, const Lighting& lighting, const Background& background,
                                     const ShadowLookup& shadow, ImageSize size, double lodTolerance);
+
+/// Adds what must be seen to `frame`, which was made for this view. A line that is not wholly in front of the eye is
+/// left out.
+void addSight(FrameBlock& frame, const SightLine& sight, const PassView& view, ImageSize size);
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "view/gl/noise_texture.h"
 #include "view/gl/shaders.h"
@@ -30,9 +31,9 @@ std::string definesFor(int shadowTaps, bool rich) {
 }
 
 Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) {
-    auto program = ShaderProgram::create(
-        "solid", definesFor(shadowTaps, rich), {shaders::kFrame, vertex},
-        {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment, shaders::kSolidFrag});
+    auto program = ShaderProgram::create("solid", definesFor(shadowTaps, rich), {shaders::kFrame, vertex},
+                                         {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
+                                          shaders::kSight, shaders::kSolidFrag});
     if (!program) return program;
     program->use();
     program->set("noiseTexture", kNoiseUnit);
@@ -43,8 +44,9 @@ Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) 
     return program;
 }
 
-bool isRich(const Drawable& drawable) {
-    return drawable.object->inner || drawable.object->distances || drawable.isTransparent();
+bool isRich(const SolidInputs& inputs, const Drawable& drawable) {
+    return drawable.object->inner || drawable.object->distances || drawable.isTransparent() ||
+           mayTurnToGlass(inputs, drawable);
 }
 
 bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>().isZero(); }
@@ -62,6 +64,40 @@ double lodToleranceFor(const SolidInputs& inputs, const Drawable& drawable) {
 ClusterCuller cullerFor(const SolidInputs& inputs, const Drawable& drawable, bool skipBackFaces, double lodTolerance) {
     const Eigen::Vector4d eyeInObject = drawable.objectToWorld.inverse() * inputs.view.eye.homogeneous();
     return {inputs.cullMatrix * drawable.objectToWorld, eyeInObject, skipBackFaces, lodTolerance};
+}
+
+PixelRectangle glassPixels(const FrameBlock& frame, ImageSize size) {
+    if (frame.sightReach.w() <= 0) return {};
+    constexpr float kMostWidening = 3, kSoftEdge = 0.35F;  // as in sight.glsl
+    const float reach =
+        (1 + kSoftEdge) * (std::max(frame.sightReach.y(), frame.sightReach.z()) + kMostWidening * frame.sightReach.w());
+    const Eigen::Array2f first = frame.sightEnds.head<2>(), last = frame.sightEnds.tail<2>();
+    const Eigen::Array2f most(static_cast<float>(size.width), static_cast<float>(size.height));
+    const auto pixels = [&](const Eigen::Array2f& place) -> Eigen::Vector2i {
+        return place.max(0).min(most).matrix().cast<int>();
+    };
+    return {pixels((first.min(last) - reach).floor()), pixels((first.max(last) + reach).ceil())};
+}
+
+bool mayTurnToGlass(const SolidInputs& inputs, const Drawable& drawable) {
+    if (!drawable.object->glassAbove || inputs.glass.empty()) return false;
+    // The box in the normalised coordinates of the part of the picture that has glass.
+    const Mat4 toPart = cropped(inputs.view.worldToClip(), inputs.glass, inputs.size) * drawable.objectToWorld;
+    const Box3 box = drawable.buffers->box();
+    Box3 covered;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector4d corner = toPart * box.corner(static_cast<Box3::CornerType>(i)).homogeneous();
+        if (corner.w() <= 0) return true;  // at the eye's plane or behind it
+        covered.extend(Vec3(corner.head<3>() / corner.w()));
+        nearest = std::min(nearest, corner.w());
+    }
+    return nearest < static_cast<double>(inputs.frame.sightReach.x()) && covered.min().x() < 1 &&
+           covered.max().x() > -1 && covered.min().y() < 1 && covered.max().y() > -1;
+}
+
+bool isOpenedByGlass(const SolidInputs& inputs, const Drawable& drawable) {
+    return drawable.object->glassAbove && *drawable.object->glassAbove > kAllGlass && mayTurnToGlass(inputs, drawable);
 }
 
 bool showsLayers(const std::vector<Drawable>& drawables) {
@@ -153,16 +189,32 @@ void SolidPass::drawTransparent(const SolidInputs& inputs) const {
     glDisable(GL_CLIP_DISTANCE1);
 }
 
-void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) const {
+void SolidPass::drawGlass(const SolidInputs& inputs) const {
+    prepare(inputs);
+    glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (const Drawable& drawable : inputs.drawables) {
+        if (!drawable.isTransparent() && mayTurnToGlass(inputs, drawable)) drawObject(inputs, drawable, Part::Glass);
+    }
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glFrontFace(GL_CCW);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, Part part) const {
     const Variant& variant = variants_[static_cast<std::size_t>(inputs.shadows)];
-    const bool rich = isRich(drawable);
+    const bool rich = isRich(inputs, drawable);
     const ShaderProgram& program = rich ? variant.rich : variant.plain;
     program.use();
     setAppearances(program, drawable.object->appearances);
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     program.set("objectToWorld", drawable.objectToWorld);
-    if (rich) setRichUniforms(program, inputs, drawable);
-    const bool hidesBack = drawable.cullsBackFaces(hasSection(inputs));
+    if (rich) setRichUniforms(program, inputs, drawable, part);
+    const bool hidesBack =
+        drawable.cullsBackFaces(hasSection(inputs)) && !(part == Part::Solid && isOpenedByGlass(inputs, drawable));
     hidesBack ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     drawable.object->sectioned ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
     // Where a layer reaches the surface of the body, the body is visible.
@@ -171,9 +223,11 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable) 
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs,
-                                const Drawable& drawable) const {
+void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs& inputs, const Drawable& drawable,
+                                Part part) const {
     setOpacities(program, drawable.object->appearances);
+    program.set("glassPhase", !mayTurnToGlass(inputs, drawable) ? 0 : part == Part::Solid ? 1 : 2);
+    program.set("glassAbove", drawable.object->glassAbove.value_or(kAllGlass));
     program.set("inner", drawable.object->inner && inputs.shell != nullptr ? 1 : 0);
     const auto& distances = drawable.object->distances;
     program.set("distanceRange", distances ? static_cast<float>(distances->range) : 0.0F);

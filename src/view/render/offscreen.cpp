@@ -30,6 +30,9 @@ struct OffscreenRenderer::Parts {
     ImageSize size;
 
     Expected<void> fitTo(ImageSize wanted);
+    /// The picture that `drawInto` draws into the framebuffer of this name.
+    template <class DrawInto>
+    Expected<Image> draw(ImageSize wanted, const DrawInto& drawInto);
 };
 
 Expected<void> OffscreenRenderer::Parts::fitTo(ImageSize wanted) {
@@ -39,6 +42,24 @@ Expected<void> OffscreenRenderer::Parts::fitTo(ImageSize wanted) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour.name(), 0);
     size = wanted;
     return gl::checkErrors(msg::kMakingPicture);
+}
+
+template <class DrawInto>
+Expected<Image> OffscreenRenderer::Parts::draw(ImageSize wanted, const DrawInto& drawInto) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (std::min(wanted.width, wanted.height) <= 0 || std::max(wanted.width, wanted.height) > largest) {
+        return unexpected(msg::kPictureSize, wanted.width, wanted.height, largest);
+    }
+    if (auto done = fitTo(wanted); !done) return Unexpected{done.error()};
+    if (auto done = drawInto(framebuffer.name()); !done) return Unexpected{done.error()};
+    Image image{wanted, {}};
+    image.pixels.resize(static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, wanted.width, wanted.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+    flipRows(image);
+    if (auto done = gl::checkErrors(msg::kReadingPicture); !done) return Unexpected{done.error()};
+    return image;
 }
 
 Expected<OffscreenRenderer> OffscreenRenderer::create() {
@@ -59,22 +80,11 @@ std::string OffscreenRenderer::device() const { return rendererName(); }
 std::size_t OffscreenRenderer::lastUpload() const { return parts_->renderer.lastUpload(); }
 
 Expected<Image> OffscreenRenderer::render(const Scene& scene, ImageSize size, const RenderSettings& settings) {
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (std::min(size.width, size.height) <= 0 || std::max(size.width, size.height) > largest) {
-        return unexpected(msg::kPictureSize, size.width, size.height, largest);
-    }
-    if (auto done = parts_->fitTo(size); !done) return Unexpected{done.error()};
-    if (auto done = parts_->renderer.render(scene, parts_->framebuffer.name(), size, settings); !done) {
-        return Unexpected{done.error()};
-    }
-    Image image{size, {}};
-    image.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    flipRows(image);
-    if (auto done = gl::checkErrors(msg::kReadingPicture); !done) return Unexpected{done.error()};
-    return image;
+    return parts_->draw(size, [&](GLuint target) { return parts_->renderer.render(scene, target, size, settings); });
+}
+
+Expected<Image> OffscreenRenderer::identify(const Scene& scene, ImageSize size, const MarkedBall& ball) {
+    return parts_->draw(size, [&](GLuint target) { return parts_->renderer.identify(scene, target, size, ball); });
 }
 
 }  // namespace tactooth

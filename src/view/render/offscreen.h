@@ -18,6 +18,9 @@ public:
 
     [[nodiscard]] Expected<Image> render(const Scene& scene, ImageSize size, const RenderSettings& settings = kFine);
 
+    /// Which object each pixel of the picture shows: see object_ids.h.
+    [[nodiscard]] Expected<Image> identify(const Scene& scene, ImageSize size, const MarkedBall& ball = {});
+
     /// The driver's name for the renderer ("llvmpipe (LLVM 15.0.6, 256 bits)").
     [[nodiscard]] std::string device() const;
     [[nodiscard]] std::size_t lastUpload() const;

@@ -5,6 +5,7 @@
 #include "view/gl/messages.h"
 #include "view/gl/shape_cache.h"
 #include "view/passes/ghost_pass.h"
+#include "view/passes/id_pass.h"
 #include "view/passes/mirror_pass.h"
 #include "view/passes/occlusion_pass.h"
 #include "view/passes/particle_pass.h"
@@ -43,12 +44,6 @@ struct ViewTargets {
     ReusableTarget reflection;
     ReusableTarget shell;
     ReusableTarget ghost;
-};
-
-/// The second view as it was last drawn.
-struct SecondViewCache {
-    ImageSize size;                         ///< of the second view in the picture
-    const RenderTarget* picture = nullptr;  ///< owned by the targets of the second view
 };
 
 void setKnownState() {
@@ -143,9 +138,9 @@ struct Renderer::Parts {
     ShadowMap shadows;
     ShapeCache shapes;
     FieldTextures fields;
-    ViewTargets whole, second;
-    SecondViewCache lastSecond;
+    ViewTargets whole, second, magnifier;
     std::size_t lastUpload = 0;
+    std::optional<IdPass> ids = {};  ///< made when it is needed first
 
     /// Everything that stays the same for all views of one picture.
     struct Job {
@@ -158,6 +153,8 @@ struct Renderer::Parts {
     void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
     /// Draws the second view into the corner of framebuffer `target`.
     Expected<void> drawSecond(const Job& large, GLuint target, ImageSize size);
+    /// Draws the magnified place into the other corner.
+    Expected<void> drawMagnified(const Job& large, GLuint target, ImageSize size);
     /// Draws the scene through `camera` into `into`.
     Expected<void> drawEye(const Job& job, const Camera& camera, const RenderTarget& into);
     /// Draws the reflection in the mirror; null if the mirror reflects nothing.
@@ -170,8 +167,10 @@ struct Renderer::Parts {
     Expected<const RenderTarget*> drawShell(const Job& job, const SolidInputs& inputs);
     /// Draws only the ghosts, in `seen`, and the depth of the body around them; null if there are none.
     Expected<const RenderTarget*> drawGhosts(const Job& job, SolidInputs& inputs, const PixelRectangle& seen);
-    /// Draws everything except the mirror's glass into the part `shown` of `into`, which stays bound for more. `inputs`
-    /// are complete except for the shell.
+    /// Draws what has turned to glass over the part `shown` of the bound framebuffer.
+    void drawGlass(const Job& job, SolidInputs& inputs, const PixelRectangle& shown) const;
+    /// Draws everything except the mirror's glass and what has turned to glass into the part `shown` of `into`, which
+    /// stays bound for more. `inputs` are complete except for the shell.
     Expected<void> drawBodies(const Job& job, SolidInputs& inputs, const RenderTarget& into,
                               const PixelRectangle& shown);
 };
@@ -179,16 +178,29 @@ struct Renderer::Parts {
 SolidInputs Renderer::Parts::inputsFor(const Job& job, const PassView& view, const Background& background,
                                        const Mat4& cullMatrix) const {
     const double lodTolerance = lodToleranceAt(view, job.size, job.settings.lodTolerance);
+    FrameBlock frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, lodTolerance);
+    if (job.scene.sight) addSight(frame, *job.scene.sight, view, job.size);
     return {.drawables = job.shapes.drawables,
             .capped = job.shapes.capped,
             .ghosts = job.shapes.ghosts,
             .view = view,
-            .frame = frameBlock(view, job.scene.lighting, background, shadows.lookup(), job.size, lodTolerance),
+            .size = job.size,
+            .frame = frame,
             .cullMatrix = cullMatrix,
             .lodTolerance = lodTolerance,
             .shadows = job.settings.shadows,
             .shadowMap = shadows,
-            .fields = fields};
+            .fields = fields,
+            .glass = glassPixels(frame, job.size)};
+}
+
+void Renderer::Parts::drawGlass(const Job& job, SolidInputs& inputs, const PixelRectangle& shown) const {
+    const PixelRectangle seen = inputs.glass.within(shown);
+    if (seen.empty()) return;
+    const Limit limit(seen);
+    const Mat4 ofAll = std::exchange(inputs.cullMatrix, cropped(inputs.view.worldToClip(), seen, job.size));
+    solid.drawGlass(inputs);
+    inputs.cullMatrix = ofAll;
 }
 
 Expected<const RenderTarget*> Renderer::Parts::drawShell(const Job& job, const SolidInputs& inputs) {
@@ -248,6 +260,7 @@ Expected<const RenderTarget*> Renderer::Parts::drawReflection(const Job& job, co
     glEnable(GL_CLIP_DISTANCE0);
     SolidInputs inputs = inputsFor(job, view, surgery, cropped(view.worldToClip(), covered, job.size));
     if (const auto done = drawBodies(job, inputs, **target, covered); !done) return Unexpected{done.error()};
+    drawGlass(job, inputs, covered);
     {
         const Limit limit(covered);
         particles.draw(job.scene.particles, view, job.size);
@@ -269,6 +282,7 @@ Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, 
     if (mirrored != nullptr) {
         mirror.draw(*job.scene.mirror, inputs.frame, *mirrored, coveredPixels(*job.scene.mirror, camera, job.size));
     }
+    drawGlass(job, inputs, PixelRectangle::whole(job.size));
     particles.draw(job.scene.particles, view, job.size);
     into.resolve();
     if (!job.settings.ambientOcclusion) return {};
@@ -283,17 +297,24 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
 
 Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, ImageSize size) {
     const SecondViewRectangle place = secondViewRectangle(size);
-    if (large.scene.second->redraw || lastSecond.picture == nullptr || lastSecond.size != place.size) {
-        ShapeCache::Result shown = large.shapes;
-        std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
-        const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
-        const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
-        if (!picture) return Unexpected{picture.error()};
-        lastSecond = {};
-        if (const auto done = drawScene(job, large.scene.second->camera, **picture, nullptr); !done) return done;
-        lastSecond = {place.size, *picture};
-    }
-    copyPicture(*lastSecond.picture, target, rowsFromBelow(place, size));
+    ShapeCache::Result shown = large.shapes;
+    std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
+    const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
+    const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
+    if (!picture) return Unexpected{picture.error()};
+    if (const auto done = drawScene(job, large.scene.second->camera, **picture, nullptr); !done) return done;
+    copyPicture(**picture, target, rowsFromBelow(place, size));
+    return {};
+}
+
+Expected<void> Renderer::Parts::drawMagnified(const Job& large, GLuint target, ImageSize size) {
+    const SecondViewRectangle place = magnifierRectangle(size);
+    const Job job{large.scene, large.shapes, large.settings, magnifier, scaled(place.size, large.settings.resolution)};
+    const auto picture = magnifier.pictures[0].fit(job.size, job.settings.samples);
+    if (!picture) return Unexpected{picture.error()};
+    const Camera camera = magnifierCamera(large.scene.camera, size, *large.scene.magnified);
+    if (const auto done = drawScene(job, camera, **picture, nullptr); !done) return done;
+    copyPicture(**picture, target, rowsFromBelow(place, size));
     return {};
 }
 
@@ -376,7 +397,32 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, ImageSize s
         if (scene.second) {
             if (const auto done = parts_->drawSecond(job, target, size); !done) return done;
         }
+        if (scene.magnified) {
+            if (const auto done = parts_->drawMagnified(job, target, size); !done) return done;
+        }
     }
+    leaveCleanState(target);
+    return gl::checkErrors(msg::kDrawingPicture);
+}
+
+Expected<void> Renderer::identify(const Scene& scene, unsigned target, ImageSize size, const MarkedBall& ball) {
+    if (size.width <= 0 || size.height <= 0) return {};
+    if (!parts_->ids) {
+        auto made = IdPass::create();
+        if (!made) return Unexpected{made.error()};
+        parts_->ids = std::move(*made);
+    }
+    setKnownState();
+    const RenderSettings exact{.shadows = Shadows::None};
+    const ShapeCache::Result shapes = parts_->shapes.update(scene);
+    parts_->updateShapes(scene, shapes, exact);
+    const Parts::Job job{scene, shapes, exact, parts_->whole, size};
+    const auto picture = job.targets.pictures[0].fit(size, 0);
+    if (!picture) return Unexpected{picture.error()};
+    const PassView view = directView(scene, scene.camera, size);
+    (*picture)->bindForDrawing();
+    parts_->ids->draw(parts_->inputsFor(job, view, scene.background, view.worldToClip()), scene, ball);
+    copyPicture(**picture, target, PixelRectangle::whole(size));
     leaveCleanState(target);
     return gl::checkErrors(msg::kDrawingPicture);
 }

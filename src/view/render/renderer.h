@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "geometry/util/expected.h"
+#include "view/scene/object_ids.h"
 #include "view/scene/render_settings.h"
 #include "view/scene/scene.h"
 
@@ -23,6 +24,9 @@ public:
     /// `size`). Afterwards the bindings of the context are those of a new context, except that `target` stays bound.
     [[nodiscard]] Expected<void> render(const Scene& scene, unsigned target, ImageSize size,
                                         const RenderSettings& settings = kQuick);
+
+    /// Draws which object each pixel of `scene`'s picture shows (see object_ids.h) over all of framebuffer `target`.
+    [[nodiscard]] Expected<void> identify(const Scene& scene, unsigned target, ImageSize size, const MarkedBall& ball);
 
     /// Triangles uploaded to the graphics card for the last frame.
     [[nodiscard]] std::size_t lastUpload() const;

@@ -45,7 +45,11 @@ struct SceneObject {
     /// is in front of it. Throws no shadow.
     bool ghost = false;
     std::optional<DistanceColourMap> distances;  ///< replaces the colours of the appearances
+    /// The part above this height along the object's own z axis, mm, turns to glass where it hides Scene::sight from
+    /// the eye; kAllGlass: all of it. Nothing: it stays solid.
+    std::optional<float> glassAbove;
 };
+inline constexpr float kAllGlass = -1e9F;
 /// One for each material of a tooth.
 inline constexpr std::size_t kMaxAppearances = kMaxMaterials;
 
@@ -65,6 +69,12 @@ struct SceneMirror {
 /// A section of the scene: removes the parts of sectioned objects on the positive side of `plane` (world).
 struct Section {
     Plane plane;
+};
+
+/// A straight line that must stay in sight, whatever instrument is before it; world, mm.
+struct SightLine {
+    Vec3 start, end;
+    double radius = 1;  ///< around the line, that must be seen too
 };
 
 /// Light of the dental unit. Directions point from the scene to the light, world frame, unit vectors. Colours are
@@ -99,10 +109,12 @@ struct Scene {
     std::vector<SceneObject> objects;  ///< transparent ones: outer objects before the objects inside them
     std::optional<SceneMirror> mirror;
     std::optional<Section> section;
+    std::optional<SightLine> sight;   ///< what hides it turns to glass (SceneObject::glassAbove)
     std::vector<Particle> particles;  ///< water, chips; drawn over objects behind them, never in the mirror's plane
     Stereo stereo;
     Camera camera;
     std::optional<SecondView> second;
+    std::optional<Vec3> magnified;  ///< the place that the magnifier shows, world; none in stereo
     Lighting lighting;
     Background background;
 };

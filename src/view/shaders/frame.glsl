@@ -20,4 +20,7 @@ layout(std140) uniform Frame {
     vec4 shadowTexel;       // x: size of a shadow map texel in texture coordinates; y: mm per texel;
                         // z: mm by which a surface may deviate, for each mm of distance from the eye;
                         // w: mm by which a shadow caster may deviate
+    vec4 sightEnds;         // pixels: the first and the last point of the line that must be seen
+    vec4 sightReach;        // x: its distance from the eye, mm; y, z: pixels around it, and beyond its end, that must be
+                            // seen; w: pixels per mm there; 0: nothing must be seen
 };

@@ -15,6 +15,8 @@ uniform sampler3D distanceField;   // object frame, mm
 uniform mat4 objectToField;        // to texture coordinates
 uniform sampler2D distanceColours; // linear, from -range to range
 uniform float distanceRange;       // mm; 0: the colours of the appearances
+uniform int glassPhase;            // 0: the body is no glass, 1: without its glass part, 2: only that part
+uniform float glassAbove;          // object frame, mm: the height where it begins
 #endif
 uniform sampler2DShadow shadowMap;
 
@@ -91,6 +93,13 @@ void main() {
     float grain = materialAppearance.w;
 
 #if RICH
+    float glass = 0.0;
+    float glassSlope = 0.0;  // of the facing to the eye, for each pixel
+    if (glassPhase != 0) {
+        glassSlope = fwidth(abs(dot(normalize(worldNormal), normalize(eye.xyz - worldPosition))));
+        glass = objectPosition.z > glassAbove ? glassShare(glassAbove) : 0.0;
+        if ((glassPhase == 1) == (glass > 0.0)) discard;
+    }
     if (inner == 1 && gl_FragCoord.z < texelFetch(shellDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
     if (distanceRange > 0.0) {
         float away = texture(distanceField, (objectToField * vec4(objectPosition, 1.0)).xyz).r;
@@ -155,6 +164,7 @@ void main() {
 #if RICH
     // Like glass: a rim at grazing view hides more than a face at perpendicular view.
     float opacity = mix(appearanceOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(appearanceOpacity, 0.999));
+    if (glassPhase == 2) opacity = mix(1.0, glassOpacity(nv, glassSlope, glassAbove), glass);
 #else
     const float opacity = 1.0;
 #endif

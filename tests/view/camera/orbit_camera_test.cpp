@@ -37,11 +37,11 @@ void expectNear(const Vec3& actual, const Vec3& wanted) {
     EXPECT_LT((actual - wanted).norm(), 1e-12) << actual.transpose();
 }
 
-TEST(OrbitCamera, OcclusalViewLooksDownOnTheCrownWithBuccalUp) {
+TEST(OrbitCamera, OcclusalViewLooksDownOnTheCrownAsAfterLeaningOverFromBuccal) {
     const Stand stand = standOf(StandardView::Occlusal);
     expectNear(stand.toEye, Vec3::UnitZ());
-    expectNear(stand.up, Vec3::UnitY());
-    expectNear(stand.right, Vec3::UnitX());
+    expectNear(stand.up, -Vec3::UnitY());
+    expectNear(stand.right, standOf(StandardView::Buccal).right);
 }
 
 TEST(OrbitCamera, SideViewsStandOnTheirSideWithTheCrownUp) {

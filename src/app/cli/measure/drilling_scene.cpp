@@ -24,7 +24,6 @@ constexpr int kBefore = 2;                 // frames that are not measured (Fram
 constexpr double kSpeed = 300000;          // rev/min
 constexpr double kMaxDepth = 2;            // mm below the surface in the middle of the crown
 constexpr double kSlot = 3;                // mm
-constexpr int kSecondLasts = 4;            // frames, as in the window
 
 /// The bur's tip after `length` mm of its path from `start`: straight down, then to and fro along x.
 Vec3 tipAfter(const Vec3& start, double length) {
@@ -67,6 +66,9 @@ Expected<DrillingScene> DrillingScene::make(std::shared_ptr<const LayeredTooth> 
                                     .toolInTooth = {Vec3::Zero(), uprightGrip(1, 0.5)},
                                     .speedRpm = kSpeed,
                                     .edge = spec.edge()};
+    work.contents_.tool->head = burHeadOf(*work.contents_.tool->bur);
+    work.contents_.tool->cap = std::make_shared<const TriangleMesh>(headCap(work.contents_.tool->head));
+    work.contents_.glass = true;  // as in the window
     DentalMirror mirror = makeMirror();
     const Vec3 toEye = (eye.camera().cameraInWorld.position - box.center()).normalized();
     const Pose held = parkedMirror(box, mirror.disc, toEye, 1);
@@ -115,8 +117,7 @@ FrameTimer::SceneSequence DrillingScene::cutting() const {
 FrameTimer::SceneSequence DrillingScene::withSecondView() const {
     return [this](int picture) {
         Scene scene = sceneAt(picture, true);
-        scene.second = SecondView{crownCamera(StandardView::Occlusal, 1, tooth_->outer()->tree().box()),
-                                  (picture + kBefore) % kSecondLasts == 0};
+        scene.second = SecondView{crownCamera(StandardView::Occlusal, 1, tooth_->outer()->tree().box())};
         return scene;
     };
 }

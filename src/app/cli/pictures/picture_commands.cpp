@@ -44,7 +44,7 @@ void addMouth(CLI::App& command, RenderOptions& options) {
                                           "lower, dentist, or AZIMUTH,ELEVATION (90,0: from the front)");
     addMouthSpecOptions(command, options.mouthSpec, mouth);
     for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
-                              "--stereo", "--second"}) {
+                              "--stereo", "--second", "--marks"}) {
         mouth->excludes(other);
     }
 }
@@ -81,6 +81,11 @@ void addEye(CLI::App& command, RenderOptions& options) {
         ->check(CLI::IsMember(standardViewNames()))
         ->excludes(stereo)
         ->type_name("VIEW");
+    command
+        .add_flag("--marks", options.marks,
+                  "Adds a scale bar (at the depth of the centre) and letters of the directions: B buccal, L lingual, "
+                  "M mesial, D distal, O occlusal, A apical")
+        ->excludes(stereo);
 }
 
 void addInspection(CLI::App& command, RenderOptions& options) {

@@ -12,6 +12,7 @@
 #include "app/common/exit_code.h"
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
+#include "app/common/view_marks.h"
 #include "assessment/ideal_shape.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
@@ -151,6 +152,9 @@ Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const st
     Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
+    if (studio.options.marks) {
+        drawViewMarks(*image, eye.camera(), studio.tooth.mesialX, 1 / eye.pixelPitch(studio.size));
+    }
     if (auto written = writePng(*image, file); !written) return written;
     print("{}: {}, {} x {}\n", displayName(file), studio.tooth.name, studio.size.width, studio.size.height);
     return {};

@@ -33,6 +33,7 @@ struct RenderOptions {
     double fog = 0;
     double drops = 0;
     bool noBackground = false;
+    bool marks = false;  ///< scale bar and letters of the directions
     bool mouth = false;  ///< the whole built-in mouth instead of one tooth
     MouthSpec mouthSpec;
 };

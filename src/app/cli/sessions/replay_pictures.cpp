@@ -38,6 +38,7 @@ Expected<Image> ReplayPictures::draw(const SessionReplay& replay, const Tick& ti
     SceneContents contents;
     contents.tooth = replay.model().surface();
     contents.around = around_;
+    contents.glass = true;  // as in the window
     contents.camera = camera_.camera();
     contents.materials = MaterialTable(replay.model().tooth().materials());
     if (replay.bur()) {

@@ -50,8 +50,10 @@ void HelpMenu::showMouseAndKeys() {
     text += row(tr("0 to 5, F"), tr("views; show the whole crown"));
     text += row(tr("Ctrl + 0 to 5"), tr("a small picture from that side beside the large one; none"));
     text += row(tr("Q, E, U"), tr("turn the handle; stand the bur upright"));
-    text += row(tr("M, H, A"), tr("mirror, turbine, aim on and off"));
+    text += row(tr("M, H, J"), tr("mirror, turbine, aim on and off"));
     text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));
+    text += row(tr("L, Z"), tr("glass handpiece; magnifier of the bur's head"));
+    text += row(tr("R, A, K"), tr("scale bar, letters of the directions, view cube"));
     text += row(tr("B, D"), tr("breath and drops on the mirror"));
     text += row(tr("W, S"), tr("water spray, suction on and off"));
     text += row(tr("Ctrl + Z"), tr("take back the last cut or change"));

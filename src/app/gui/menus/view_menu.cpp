@@ -22,7 +22,7 @@ ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), b
     bar_.addSeparator();
     mirror_ = addVisibility(tr("Mirror"), "M", &ToothView::setShowsMirror);
     turbine_ = addVisibility(tr("Turbine"), "H", &ToothView::setShowsTurbine);
-    aim_ = addVisibility(tr("Aim"), "A", &ToothView::setShowsAim);
+    aim_ = addVisibility(tr("Aim"), "J", &ToothView::setShowsAim);
     aim_->setToolTip(
         tr("Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the "
            "force"));

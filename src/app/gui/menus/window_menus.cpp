@@ -28,6 +28,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
 void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {
     QMenu* menu = window.menuBar()->addMenu(tr("&View"));
     view_ = std::make_unique<ViewMenu>(*menu, bar, *panels.view);
+    aids_ = std::make_unique<ViewAidsMenu>(*menu, *panels.view);
     instruments_.addMirrorMenu(*menu);
     menu->addAction(panels.inspection->ghostAction());
     menu->addSeparator();
@@ -63,6 +64,7 @@ void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {
 
 void WindowMenus::restore(const WindowSettings& settings) {
     view_->restore(settings);
+    aids_->restore(settings);
     appearance_->restore(settings);
     file_.restore(settings);
     instruments_.restore(settings);
@@ -70,6 +72,7 @@ void WindowMenus::restore(const WindowSettings& settings) {
 
 void WindowMenus::store(WindowSettings& settings) const {
     view_->store(settings);
+    aids_->store(settings);
     appearance_->store(settings);
     file_.store(settings);
     instruments_.store(settings);

@@ -4,6 +4,7 @@
 
 #include "app/common/mouth_scene.h"
 #include "app/common/spray_particles.h"
+#include "session/model/chair_view.h"
 
 namespace tactooth {
 namespace {
@@ -53,7 +54,8 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
 }
 
 OrbitCamera::Direction defaultView(const SessionModel& model) {
-    const ViewDirection view = dentistView(model.mesialX());
+    const int fdi = model.tooth() ? model.tooth()->mouthTooth : 0;
+    const ViewDirection view = fdi != 0 ? chairView(fdi).view : dentistView(model.mesialX());
     return {view.azimuth, view.elevation};
 }
 

@@ -11,7 +11,7 @@ namespace tactooth {
 /// What a picture of the session shows; the camera is left out.
 [[nodiscard]] SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror);
 
-/// From buccal and above, as a dentist sees a lower tooth. The parked mirror is turned to this eye.
+/// From where a dentist sees the tooth of a mouth (chairView); any other tooth from buccal and above.
 [[nodiscard]] OrbitCamera::Direction defaultView(const SessionModel& model);
 
 }  // namespace tactooth

@@ -13,12 +13,12 @@
 
 #include "app/common/spin_blur.h"
 #include "app/gui/scene/session_scene.h"
+#include "app/gui/scene/view_cube.h"
 
 namespace tactooth {
 namespace {
 
 constexpr int kRestMs = 400;        // without a change until the full-quality picture is drawn
-constexpr int kSecondLasts = 4;     // pictures of motion for which the small picture is kept: it hardly slows them
 constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
 constexpr double kZoomStep = 0.88;                         // for one notch, or one press of a key
@@ -45,8 +45,18 @@ bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<Show
 }  // namespace
 
 ToothView::ToothView(SessionModel& model, QWidget* parent)
-    : QOpenGLWidget(parent), model_(model), aim_(new AimOverlay(this)), secondFrame_(new SecondViewFrame(this)) {
+    : QOpenGLWidget(parent),
+      model_(model),
+      aim_(new AimOverlay(this)),
+      secondFrame_(new SecondViewFrame(this)),
+      overlays_(new ViewOverlays(*this)) {
     secondFrame_->hide();
+    connect(&overlays_->cube(), &ViewCube::viewChosen, this, &ToothView::setView);
+    connect(&overlays_->cube(), &ViewCube::apicalChosen, this, [this] {
+        constexpr double kRightAngle = std::numbers::pi / 2;
+        camera_.setView({kRightAngle, -kRightAngle});
+        redraw();
+    });
     connect(secondFrame_, &SecondViewFrame::clicked, this, [this] { setView(*second_); });
     setUpdateBehavior(PartialUpdate);  // keeps the last picture
     setMinimumSize(320, 240);
@@ -82,6 +92,20 @@ void ToothView::forgetRenderer() {
 
 SceneContents ToothView::contents() const {
     return contents_ ? contents_(showsTurbine_, showsMirror_) : sceneContents(model_, showsTurbine_, showsMirror_);
+}
+
+/// Adds what glass and magnifier need to know about the tool.
+void ToothView::addGlass(SceneContents& contents) {
+    contents.glass = aids_.glass;
+    if (!contents.tool) return;
+    if (std::exchange(measuredBur_, contents.tool->bur) != contents.tool->bur) {
+        burHead_ = burHeadOf(*contents.tool->bur);
+        headCap_ = std::make_shared<const TriangleMesh>(headCap(burHead_));
+    }
+    contents.tool->head = burHead_;
+    contents.tool->cap = headCap_;
+    const bool byMouse = !contents_ && model_.devices().first() == nullptr;
+    if (byMouse) contents.tool->heading = model_.manipulator().pressDirection();
 }
 
 void ToothView::setContents(ContentsSource contents) {
@@ -121,6 +145,7 @@ void ToothView::initializeGL() {
 /// Draws the picture again. When only the desktop needs it, Qt reuses the last one.
 void ToothView::redraw() {
     isStale_ = true;
+    overlays_->follow(camera_, imageSize(), model_.mesialX());
     update();
 }
 
@@ -129,6 +154,7 @@ void ToothView::paintGL() {
     SceneContents now = contents();
     if (!std::exchange(isStale_, false) && changeTo(now) == FramePacer::Change::None) return;
     now.camera = camera_.camera();
+    addGlass(now);
     drawn_ = now;
     sinceDrawn_.start();
     const bool careful = std::exchange(careful_, false);
@@ -141,7 +167,8 @@ void ToothView::paintGL() {
         rest_.start(kRestMs);
     }
     Scene scene = sceneFor(now);
-    scene.second = secondPicture(careful);
+    scene.second = secondPicture();
+    if (magnifies() && now.tool) scene.magnified = now.tool->toolInTooth * Vec3(0, 0, 0.5 * now.tool->head.length);
     auto done = renderer_->render(scene, defaultFramebufferObject(), imageSize(), settings);
     if (!done) report(done.error());
     context()->functions()->glFinish();  // a software renderer still works after the last call
@@ -167,12 +194,9 @@ Scene ToothView::sceneFor(const SceneContents& contents) const {
 /// Not without a tooth, and not in stereo.
 bool ToothView::drawsSecond() const { return second_ && model_.tooth() && stereo_ == Stereo::Mode::Off; }
 
-/// While things move, it is drawn less often than the large picture.
-std::optional<SecondView> ToothView::secondPicture(bool careful) {
+std::optional<SecondView> ToothView::secondPicture() const {
     if (!drawsSecond()) return std::nullopt;
-    const bool anew = careful || secondAge_ == 0;
-    secondAge_ = anew ? 1 : (secondAge_ + 1) % kSecondLasts;
-    return SecondView{crownCamera(*second_, model_.mesialX(), model_.tooth()->box()), anew};
+    return SecondView{crownCamera(*second_, model_.mesialX(), model_.tooth()->box())};
 }
 
 FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
@@ -208,7 +232,7 @@ bool ToothView::seesTip(const SceneContents& now) const {
 }
 
 void ToothView::refresh() {
-    secondFrame_->setVisible(drawsSecond());  // a tooth may have come
+    showOverlays();  // a tooth may have come
     showAim();
     const FramePacer::Change change = changeTo(contents());
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
@@ -280,18 +304,33 @@ void ToothView::showAim() {
     aim_->show(model_, viewport());
 }
 
+void ToothView::setAids(const ViewAids& aids) {
+    if (aids == std::exchange(aids_, aids)) return;
+    showOverlays();
+    redraw();
+}
+
+/// Not without an instrument, and not in stereo.
+bool ToothView::magnifies() const {
+    return aids_.magnifier && (contents_ || model_.runner() != nullptr) && stereo_ == Stereo::Mode::Off;
+}
+
+void ToothView::showOverlays() {
+    secondFrame_->setVisible(drawsSecond());
+    overlays_->choose(aids_, magnifies());
+}
+
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {
     inspection_ = inspection;
     stereo_ = stereo;
-    secondFrame_->setVisible(drawsSecond());
+    showOverlays();
     redraw();
 }
 
 void ToothView::setSecondView(std::optional<StandardView> view, const QString& title) {
     second_ = view;
-    secondAge_ = 0;
     secondFrame_->setText(title);
-    secondFrame_->setVisible(drawsSecond());
+    showOverlays();
     redraw();
 }
 
@@ -300,6 +339,7 @@ void ToothView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     secondFrame_->fitTo(imageSize());
     aim_->setGeometry(rect());
+    overlays_->follow(camera_, imageSize(), model_.mesialX());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {

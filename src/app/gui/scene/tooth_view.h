@@ -13,6 +13,8 @@
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
+#include "app/gui/scene/view_overlays.h"
+#include "app/gui/settings/window_settings.h"
 #include "session/model/session_model.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/renderer.h"
@@ -51,13 +53,15 @@ public:
     void orbitBy(const Vec2& displacement, bool shifts);
     /// Multiplies the distance to the centre of the picture by `factor`.
     void zoomBy(double factor);
-    /// From buccal and above, as a dentist sees a lower tooth.
+    /// From where a dentist sees the tooth.
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
     /// Landing ring, plumb line and numbers at the tip.
     void setShowsAim(bool shows);
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
+    /// What helps to find one's way in the picture.
+    void setAids(const ViewAids& aids);
     /// Section, transparency, colours and ghost, and stereo.
     void setInspection(const Inspection& inspection, Stereo::Mode stereo);
     /// Shows a small picture from another side too; none: no small picture.
@@ -90,13 +94,16 @@ protected:
 
 private:
     [[nodiscard]] SceneContents contents() const;
+    void addGlass(SceneContents& contents);
     [[nodiscard]] ImageSize imageSize() const;
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     [[nodiscard]] FramePacer::Change changeTo(const SceneContents& now) const;
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;
     [[nodiscard]] bool drawsSecond() const;
-    [[nodiscard]] std::optional<SecondView> secondPicture(bool careful);
+    [[nodiscard]] bool magnifies() const;
+    void showOverlays();
+    [[nodiscard]] std::optional<SecondView> secondPicture() const;
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
@@ -114,13 +121,17 @@ private:
     bool failed_ = false;
     bool showsTurbine_ = true;
     bool showsMirror_ = true;
+    ViewAids aids_;
+    std::shared_ptr<const TriangleMesh> measuredBur_;  // whose head is burHead_
+    BurHead burHead_;
+    std::shared_ptr<const TriangleMesh> headCap_;
     Inspection inspection_;
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
     AimOverlay* aim_;
     bool showsAim_ = true;
     SecondViewFrame* secondFrame_;
-    int secondAge_ = 0;  // number of pictures that have shown it unchanged
+    ViewOverlays* overlays_;
     SceneContents drawn_;
     bool careful_ = false;       // the next picture is drawn with full quality
     bool showsCareful_ = false;  // the last picture has full quality

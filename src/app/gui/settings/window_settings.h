@@ -84,6 +84,17 @@ struct MirrorSize {
 };
 inline constexpr std::array<MirrorSize, 3> kMirrorSizes = {{{"2", 18}, {"4", 22}, {"5", 24}}};
 
+/// What helps to find one's way in the picture.
+struct ViewAids {
+    bool glass = true;       ///< handles and the shank turn to glass where they hide the bur's head
+    bool scaleBar = true;    ///< in mm
+    bool letters = true;     ///< of the directions, at the picture's edge
+    bool cube = true;        ///< that shows and chooses the side from which one looks
+    bool magnifier = false;  ///< of the bur's head
+
+    bool operator==(const ViewAids&) const = default;
+};
+
 /// The settings that the window keeps from one start to the next. An empty text means the default of the window.
 struct WindowSettings {
     std::string geometry;  ///< of the window, in Qt's format, base64
@@ -109,6 +120,7 @@ struct WindowSettings {
     std::string secondView = "none";  ///< or one of kStandardViews
     bool recordsSessions = true;      ///< keeps a recording of each session
     double recordingGigabytes = 2;    ///< of all recordings together
+    ViewAids aids;
 };
 
 /// One setting: its name in the file ([table] key) and on the command line (--table-key), and its range.

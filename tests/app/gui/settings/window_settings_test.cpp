@@ -32,7 +32,8 @@ WindowSettings unusual() {
             .water = false,
             .suction = true,
             .textScale = 1.5,
-            .secondView = "distal"};
+            .secondView = "distal",
+            .aids = {.glass = false, .scaleBar = false, .letters = false, .cube = false, .magnifier = true}};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -60,6 +61,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.suction, b.suction);
     EXPECT_EQ(a.textScale, b.textScale);
     EXPECT_EQ(a.secondView, b.secondView);
+    EXPECT_EQ(a.aids, b.aids);
 }
 
 std::string refusal(std::string_view text) {

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/menus/view_aids_menu.h"
+
+#include "app/gui/menus/menu_switch.h"
+#include "app/gui/scene/tooth_view.h"
+
+namespace tactooth {
+
+ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
+    QMenu* aids = menu.addMenu(tr("&Aids"));
+    aids->setObjectName("viewAids");
+    aids->setToolTipsVisible(true);
+    glass_ = add(*aids, tr("&Glass handpiece"), "L", "glass",
+                 tr("Handles and the shank turn to glass where they hide the bur's head or the place where it lands"));
+    magnifier_ = add(*aids, tr("&Magnifier"), "Z", "magnifier",
+                     tr("The bur's head, four times as large, in the upper left corner"));
+    scaleBar_ = add(*aids, tr("&Scale bar"), "R", "scaleBar", tr("Length in mm at the depth of the tooth"));
+    letters_ = add(*aids, tr("&Letters of the directions"), "A", "axisLetters",
+                   tr("B buccal, L lingual, M mesial, D distal, O occlusal, A apical"));
+    cube_ = add(*aids, tr("View &cube"), "K", "viewCubeSwitch",
+                tr("Shows from which side one looks; a click on a face looks from there"));
+    restore({});
+}
+
+QAction* ViewAidsMenu::add(QMenu& menu, const QString& text, const QString& keys, const char* name,
+                           const QString& tip) {
+    QAction* action = addSwitch(menu, text, keys, name);
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+    connect(action, &QAction::toggled, this, &ViewAidsMenu::show);
+    return action;
+}
+
+ViewAids ViewAidsMenu::aids() const {
+    return {.glass = glass_->isChecked(),
+            .scaleBar = scaleBar_->isChecked(),
+            .letters = letters_->isChecked(),
+            .cube = cube_->isChecked(),
+            .magnifier = magnifier_->isChecked()};
+}
+
+void ViewAidsMenu::show() { view_.setAids(aids()); }
+
+void ViewAidsMenu::restore(const WindowSettings& settings) {
+    const ViewAids& wanted = settings.aids;
+    glass_->setChecked(wanted.glass);
+    scaleBar_->setChecked(wanted.scaleBar);
+    letters_->setChecked(wanted.letters);
+    cube_->setChecked(wanted.cube);
+    magnifier_->setChecked(wanted.magnifier);
+    show();
+}
+
+void ViewAidsMenu::store(WindowSettings& settings) const { settings.aids = aids(); }
+
+}  // namespace tactooth

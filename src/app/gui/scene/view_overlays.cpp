@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/view_overlays.h"
+
+#include <QPainter>
+#include <QWidget>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "app/gui/scene/view_cube.h"
+#include "view/camera/second_view.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kMargin = 10;  // pixels of the screen between the marks and the edge
+constexpr int kLetter = 24;  // pixels: diameter of the disc of a letter
+constexpr int kBarHeight = 30;
+constexpr double kWidestBar = 170;  // pixels
+
+}  // namespace
+
+/// A mark that the mouse does not notice.
+class ViewOverlays::Mark final : public QWidget {
+public:
+    using Paint = std::function<void(QPainter&, const QRectF&)>;
+
+    Mark(QWidget* parent, const char* name, Paint paint) : QWidget(parent), paint_(std::move(paint)) {
+        setObjectName(name);
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFocusPolicy(Qt::NoFocus);
+        hide();
+    }
+    void setPaint(Paint paint) {
+        paint_ = std::move(paint);
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        paint_(painter, rect());
+    }
+
+private:
+    Paint paint_;
+};
+
+ViewOverlays::ViewOverlays(QWidget& view) : QObject(&view), view_(view) {
+    scaleBar_ = new Mark(&view, "scaleBarMark", [](QPainter&, const QRectF&) {});
+    // The order of axisLetters.
+    constexpr std::array<char, kAxisLetters> kLetters = {'B', 'L', 'M', 'D', 'O', 'A'};
+    for (std::size_t i = 0; i < kAxisLetters; ++i) {
+        letters_[i] = new Mark(&view, "axisLetterMark", [letter = kLetters[i]](QPainter& painter, const QRectF& box) {
+            drawAxisLetter(painter, box, letter);
+        });
+        letters_[i]->resize(kLetter, kLetter);
+    }
+    magnifier_ = new Mark(&view, "magnifierFrame", [](QPainter& painter, const QRectF& box) {
+        painter.setPen(QColor(235, 240, 245, 200));
+        painter.drawRect(box.adjusted(0, 0, -1, -1));
+        painter.drawText(box.adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
+                         QStringLiteral("\u00d7%1").arg(kMagnification));
+    });
+    cube_ = new ViewCube(&view);
+    cube_->hide();
+}
+
+void ViewOverlays::choose(const ViewAids& aids, bool magnifies) {
+    aids_ = aids;
+    scaleBar_->setVisible(aids.scaleBar);
+    cube_->setVisible(aids.cube);
+    magnifier_->setVisible(aids.magnifier && magnifies);
+    for (Mark* letter : letters_) {
+        if (!aids.letters) letter->hide();
+    }
+}
+
+void ViewOverlays::follow(const OrbitCamera& eye, ImageSize size, double mesialX) {
+    if (aids_.scaleBar) placeScaleBar(eye, size);
+    if (aids_.letters) placeLetters(eye, size, mesialX);
+    if (aids_.cube) cube_->setEye(eye.camera().cameraInWorld.rotation, mesialX);
+    placeCorners(size);
+}
+
+void ViewOverlays::placeScaleBar(const OrbitCamera& eye, ImageSize size) {
+    const double perScreen = view_.devicePixelRatioF();
+    const ScaleBar bar = scaleBar(1 / (eye.pixelPitch(size) * perScreen), kWidestBar);
+    const int width = static_cast<int>(std::ceil(bar.pixels)) + 24;
+    const QRect place((view_.width() - width) / 2, view_.height() - kBarHeight - kMargin - kLetter, width, kBarHeight);
+    constexpr double kSeen = 0.3;  // pixels
+    if (place == scaleBar_->geometry() && std::abs(bar.pixels - shown_.pixels) < kSeen &&
+        bar.millimetres == shown_.millimetres) {
+        return;
+    }
+    shown_ = bar;
+    scaleBar_->setGeometry(place);
+    scaleBar_->setPaint([bar](QPainter& painter, const QRectF& box) { drawScaleBar(painter, box, bar); });
+}
+
+void ViewOverlays::placeLetters(const OrbitCamera& eye, ImageSize size, double mesialX) {
+    const double perScreen = view_.devicePixelRatioF();
+    const auto places = axisLetters(eye.camera(), size, mesialX, (kMargin / 2.0 + kLetter / 2.0) * perScreen);
+    for (std::size_t i = 0; i < kAxisLetters; ++i) {
+        const Vec2 corner = places[i].place / perScreen - Vec2::Constant(kLetter / 2.0);
+        letters_[i]->setVisible(places[i].visible);
+        if (places[i].visible) {
+            letters_[i]->move(static_cast<int>(std::lround(corner.x())), static_cast<int>(std::lround(corner.y())));
+        }
+    }
+}
+
+void ViewOverlays::placeCorners(ImageSize size) {
+    cube_->move(view_.width() - cube_->width() - kMargin - kLetter,
+                view_.height() - cube_->height() - kMargin - kLetter);
+    const SecondViewRectangle place = magnifierRectangle(size);
+    const double scale = 1 / view_.devicePixelRatioF();
+    const auto scaled = [scale](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
+    magnifier_->setGeometry(scaled(place.left), scaled(place.top), scaled(place.size.width), scaled(place.size.height));
+}
+
+}  // namespace tactooth

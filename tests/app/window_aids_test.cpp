@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What helps to find one's way in the picture: glass, magnifier, scale bar, letters, view cube.
+#include <QAction>
+#include <QApplication>
+#include <cmath>
+#include <numbers>
+
+#include "app/gui/scene/view_cube.h"
+#include "app/gui/settings/window_setup.h"
+#include "app/window_session.h"
+
+namespace tactooth {
+
+class WindowAidsTest : public test::WindowSession {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void fromOcclusalTheHandpieceIsGlassUntilAKeyMakesItSolid();
+    void theMagnifierIsSwitchedByAKey();
+    void theMarksAreSwitchedByKeysAndFollowTheEye();
+    void aClickOnTheCubeLooksFromThere();
+    void eachAidIsRemembered();
+    void cleanupTestCase();
+
+private:
+    [[nodiscard]] std::vector<QWidget*> shownLetters() const;
+};
+
+void WindowAidsTest::initTestCase() {
+    openWindow();
+    waitForTooth();
+}
+
+void WindowAidsTest::cleanupTestCase() { closeWindow(); }
+
+std::vector<QWidget*> WindowAidsTest::shownLetters() const {
+    std::vector<QWidget*> shown;
+    for (auto* letter : view().findChildren<QWidget*>("axisLetterMark")) {
+        if (letter->isVisible()) shown.push_back(letter);
+    }
+    return shown;
+}
+
+void WindowAidsTest::fromOcclusalTheHandpieceIsGlassUntilAKeyMakesItSolid() {
+    key(Qt::Key_1);
+    QTest::mouseMove(&view(), middle());
+    waitForSteps(3);
+    const QImage glass = view().grabFramebuffer();
+    key(Qt::Key_L);
+    QVERIFY(!window_->settings().aids.glass);
+    const QImage solid = view().grabFramebuffer();
+    QVERIFY(solid != glass);
+    key(Qt::Key_L);
+    QVERIFY(window_->settings().aids.glass);
+    key(Qt::Key_0);
+}
+
+void WindowAidsTest::theMagnifierIsSwitchedByAKey() {
+    auto* frame = view().findChild<QWidget*>("magnifierFrame");
+    QVERIFY(!frame->isVisible());
+    key(Qt::Key_Z);
+    QVERIFY(frame->isVisible());
+    QVERIFY(window_->settings().aids.magnifier);
+    const QImage with = view().grabFramebuffer();
+    key(Qt::Key_Z);
+    QVERIFY(!frame->isVisible());
+    const QImage without = view().grabFramebuffer();
+    const double ratio = view().devicePixelRatioF();
+    const QRect corner(frame->geometry().topLeft() * ratio, frame->geometry().size() * ratio);
+    QVERIFY(with.copy(corner) != without.copy(corner));
+}
+
+void WindowAidsTest::theMarksAreSwitchedByKeysAndFollowTheEye() {
+    auto* bar = view().findChild<QWidget*>("scaleBarMark");
+    auto* cube = view().findChild<ViewCube*>("viewCube");
+    QVERIFY(bar->isVisible() && cube->isVisible());
+    key(Qt::Key_2);
+    QCOMPARE(shownLetters().size(), std::size_t{4});  // buccal and lingual are along the line of sight
+    const QSize before = bar->size();
+    for (int i = 0; i < 3; ++i) key(Qt::Key_Plus);
+    QVERIFY(bar->size() != before);
+    for (int i = 0; i < 3; ++i) key(Qt::Key_Minus);
+    for (const auto which : {Qt::Key_R, Qt::Key_A, Qt::Key_K}) key(which);
+    QVERIFY(!bar->isVisible() && !cube->isVisible() && shownLetters().empty());
+    key(Qt::Key_0);
+    QVERIFY2(shownLetters().empty(), "they stay away when the eye moves");
+    for (const auto which : {Qt::Key_R, Qt::Key_A, Qt::Key_K}) key(which);
+    QVERIFY(bar->isVisible() && cube->isVisible() && !shownLetters().empty());
+}
+
+void WindowAidsTest::aClickOnTheCubeLooksFromThere() {
+    auto* cube = view().findChild<ViewCube*>("viewCube");
+    QVERIFY(cube->isVisible());
+    const auto elevation = [this] { return view().orbitCamera().direction().elevation; };
+    const auto clickOn = [&](StandardView face) {
+        const std::optional<QPointF> place = cube->middleOf(face);
+        QVERIFY(place);
+        QTest::mouseClick(cube, Qt::LeftButton, {}, place->toPoint());
+    };
+    key(Qt::Key_0);  // from buccal and above: both faces can be seen
+    clickOn(StandardView::Occlusal);
+    QVERIFY(std::abs(elevation() - std::numbers::pi / 2) < 1e-9);
+    QVERIFY(!cube->middleOf(StandardView::Buccal));
+    key(Qt::Key_0);
+    clickOn(StandardView::Buccal);
+    QVERIFY(std::abs(elevation()) < 1e-9);
+    QVERIFY(!window_->model().manipulator().isPressing());
+    key(Qt::Key_0);
+}
+
+void WindowAidsTest::eachAidIsRemembered() {
+    WindowSettings settings = window_->settings();
+    settings.aids = {.glass = false, .scaleBar = false, .letters = true, .cube = false, .magnifier = true};
+    MainWindow other(*sound_);
+    other.apply(settings);
+    QVERIFY(other.settings().aids == settings.aids);
+    QVERIFY(!other.findChild<QAction*>("glass")->isChecked());
+    QVERIFY(other.findChild<QAction*>("magnifier")->isChecked());
+    for (const char* name : {"glass", "magnifier", "scaleBar", "axisLetters", "viewCubeSwitch"}) {
+        QVERIFY(!other.findChild<QAction*>(name)->toolTip().isEmpty());
+    }
+}
+
+}  // namespace tactooth
+
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::WindowAidsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_aids_test.moc"
