@@ -47,7 +47,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     menu->addAction(tr("&Save tooth…"), &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
     QAction* save = menu->addAction(style.standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), &teeth_,
                                     &ToothController::askForExport);
-    save->setShortcut(QKeySequence::SaveAs);
+    save->setShortcut(QKeySequence("Ctrl+Shift+S"));  // QKeySequence::SaveAs is empty outside of some desktops
     recordings.addTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
