@@ -8,9 +8,12 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPointer>
+#include <QRegularExpression>
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/gui/panels/drill_bar.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
 #include "app/window_session.h"
@@ -23,7 +26,15 @@ class WindowLayoutTest : public test::WindowSession {
 private slots:
     void initTestCase();
     void ctrlShiftSAsksWhereToExportTheTooth();
+    void anotherLanguageLeavesTheDocksWhereTheyAre();
+    void anotherLanguageKeepsCutAndThePedal();
+    void toolBarsShowNoKeyboardMarks();
     void cleanupTestCase();
+
+private:
+    /// Opens a second window with the tooth ready.
+    [[nodiscard]] std::unique_ptr<WindowOwner> ownWindow();
+    void chooseJapanese(WindowOwner& owner);
 };
 
 void WindowLayoutTest::initTestCase() {
@@ -43,6 +54,71 @@ void WindowLayoutTest::ctrlShiftSAsksWhereToExportTheTooth() {
     QVERIFY2(dialog->windowTitle().contains("Export"), qPrintable(dialog->windowTitle()));
     QTest::keyClick(dialog, Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
+}
+
+std::unique_ptr<WindowOwner> WindowLayoutTest::ownWindow() {
+    auto owner = std::make_unique<WindowOwner>(*qApp, *sound_);
+    MainWindow& window = owner->open(window_->settings());
+    window.teeth().loadBuiltinTooth(kBuiltinTeeth.front());
+    window.show();
+    (void)QTest::qWaitFor([&] { return !window.isBusy() && window.model().runner() != nullptr; }, kLoadPatience);
+    return owner;
+}
+
+void WindowLayoutTest::chooseJapanese(WindowOwner& owner) {
+    const QPointer before = &owner.window();
+    owner.window().findChild<QMenu*>("language")->actions()[2]->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(before == nullptr && owner.window().isVisible(), kPatience);
+    QCOMPARE(owner.window().menuBar()->actions().front()->text(), QStringLiteral("ファイル(&F)"));
+    QTRY_VERIFY_WITH_TIMEOUT(!owner.window().isBusy() && owner.window().model().runner() != nullptr, kLoadPatience);
+}
+
+void WindowLayoutTest::anotherLanguageLeavesTheDocksWhereTheyAre() {
+    const auto owner = ownWindow();
+    auto* moved = owner->window().findChild<QDockWidget*>("Look inside");
+    owner->window().addDockWidget(Qt::LeftDockWidgetArea, moved);
+    owner->window().findChild<QDockWidget*>("History")->hide();
+    const auto areas = [&] {
+        std::map<QString, std::pair<Qt::DockWidgetArea, bool>> result;
+        for (auto* dock : owner->window().findChildren<QDockWidget*>()) {
+            result[dock->objectName()] = {owner->window().dockWidgetArea(dock), dock->isHidden()};
+        }
+        return result;
+    };
+    const auto before = areas();
+    QVERIFY(before.at("Look inside").first == Qt::LeftDockWidgetArea && before.at("History").second);
+    chooseJapanese(*owner);
+    QVERIFY(areas() == before);
+    QCOMPARE(owner->window().findChild<QDockWidget*>("Look inside")->windowTitle(), QStringLiteral("内部を見る"));
+    applyLanguage(*qApp, "en");
+}
+
+void WindowLayoutTest::anotherLanguageKeepsCutAndThePedal() {
+    const auto owner = ownWindow();
+    const auto kept = [&] { return owner->window().findChild<QCheckBox*>("keepPedal"); };
+    owner->window().findChild<DrillBar*>()->cutAction()->setChecked(true);
+    kept()->setChecked(true);
+    chooseJapanese(*owner);
+    QVERIFY(owner->window().findChild<DrillBar*>()->isCutting());
+    QVERIFY(kept()->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(owner->window().model().log().newest().cutting, kPatience);
+    kept()->setChecked(false);
+    applyLanguage(*qApp, "en");
+}
+
+void WindowLayoutTest::toolBarsShowNoKeyboardMarks() {
+    const auto owner = ownWindow();
+    chooseJapanese(*owner);
+    int shown = 0;
+    for (const auto* bar : owner->window().findChildren<QToolBar*>()) {
+        for (const auto* button : bar->findChildren<QToolButton*>()) {
+            const QString text = button->text();
+            QVERIFY2(!text.contains('&') && !text.contains(QRegularExpression(R"(\(\w\))")), qPrintable(text));
+            if (!text.isEmpty()) ++shown;
+        }
+    }
+    QVERIFY(shown > 10);
+    applyLanguage(*qApp, "en");
 }
 
 }  // namespace tactooth

@@ -30,7 +30,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLayout = 4;  // version of the set of docks: a saved state of another version is not restored
+constexpr int kLayout = 5;  // version of the set of docks: a saved state of another version is not restored
 
 /// Makes all of a panel reachable with large text on a small screen. `sideways`: it scrolls horizontally too; otherwise
 /// the area takes the width that the panel needs.
@@ -69,9 +69,10 @@ void DockLayout::addToolBars() {
     window_.addToolBar(panels_.drill);
 }
 
-QDockWidget* DockLayout::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
+/// `name`: by which a saved layout knows it, in every language.
+QDockWidget* DockLayout::addDock(QWidget& panel, const char* name, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
-    dock->setObjectName(title);
+    dock->setObjectName(name);
     // These take any size.
     const bool scrolls = &panel != panels_.plots && &panel != panels_.events && &panel != panels_.history;
     dock->setWidget(scrolls ? scrolling(panel, area != Qt::RightDockWidgetArea) : &panel);
@@ -81,20 +82,21 @@ QDockWidget* DockLayout::addDock(QWidget& panel, const QString& title, Qt::DockW
 
 void DockLayout::addDocks() {
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* drill = addDock(*panels_.drive, tr("Drill"), Qt::RightDockWidgetArea);
-    QDockWidget* force = addDock(*panels_.force, tr("Force"), Qt::RightDockWidgetArea);
-    QDockWidget* hand = addDock(*panels_.device, tr("Hand"), Qt::RightDockWidgetArea);
-    QDockWidget* sound = addDock(*panels_.sound, tr("Sound"), Qt::RightDockWidgetArea);
+    QDockWidget* drill = addDock(*panels_.drive, "Drill", tr("Drill"), Qt::RightDockWidgetArea);
+    QDockWidget* force = addDock(*panels_.force, "Force", tr("Force"), Qt::RightDockWidgetArea);
+    QDockWidget* hand = addDock(*panels_.device, "Hand", tr("Hand"), Qt::RightDockWidgetArea);
+    QDockWidget* sound = addDock(*panels_.sound, "Sound", tr("Sound"), Qt::RightDockWidgetArea);
     // The user sets these rarely. One below the other they are higher than most screens.
     window_.tabifyDockWidget(force, hand);
     window_.tabifyDockWidget(hand, sound);
     force->raise();
-    QDockWidget* inside = addDock(*panels_.inspection, tr("Look inside"), Qt::RightDockWidgetArea);
-    QDockWidget* plots = addDock(*panels_.plots, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
-    window_.tabifyDockWidget(plots, addDock(*panels_.exercise, tr("Exercise"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.events, tr("What happened"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.history, tr("History"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.timing, tr("Real time"), Qt::BottomDockWidgetArea));
+    QDockWidget* inside = addDock(*panels_.inspection, "Look inside", tr("Look inside"), Qt::RightDockWidgetArea);
+    QDockWidget* plots = addDock(*panels_.plots, "Last ten seconds", tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    window_.tabifyDockWidget(plots, addDock(*panels_.exercise, "Exercise", tr("Exercise"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots,
+                             addDock(*panels_.events, "What happened", tr("What happened"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots, addDock(*panels_.history, "History", tr("History"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots, addDock(*panels_.timing, "Real time", tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fit();
     // The first tab is visible as a whole; the tabs behind it may scroll.

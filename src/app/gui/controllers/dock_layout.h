@@ -35,7 +35,7 @@ private:
     void addToolBars();
     void addDocks();
     void addBusyBar();
-    QDockWidget* addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area);
+    QDockWidget* addDock(QWidget& panel, const char* name, const QString& title, Qt::DockWidgetArea area);
     [[nodiscard]] int tabHeight() const;
 
     QMainWindow& window_;

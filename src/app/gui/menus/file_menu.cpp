@@ -13,6 +13,7 @@
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/menus/menu_switch.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -51,9 +52,10 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     recordings.addTo(*menu);
     menu->addSeparator();
     menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
-    bar.addAction(open);
-    bar.addAction(builtin->menuAction());
-    bar.addAction(save);
+    for (QAction* action : {open, builtin->menuAction(), save}) {
+        hideMarkInBars(*action);
+        bar.addAction(action);
+    }
 }
 
 void FileMenu::addBuiltinTeeth(QMenu& menu) {

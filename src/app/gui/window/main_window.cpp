@@ -189,7 +189,9 @@ MainWindow::SessionState MainWindow::releaseSession() {
                       teeth_.source(),
                       {panels_.view->orbitCamera(), panels_.inspection->choice(), exercise_.targetState()},
                       {},
-                      model_.history().cutsAlone()};
+                      model_.history().cutsAlone(),
+                      panels_.drill->isCutting(),
+                      panels_.drive->isKeptDown()};
     if (work.tooth) {
         setExercise(*work.tooth, exercise_.active());
         work.tooth->work = currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString());
@@ -208,6 +210,8 @@ void MainWindow::restoreSession(SessionState work) {
         pendingViewState_ = std::move(work.viewState);
     }
     if (work.bur) model_.install(std::move(*work.bur));
+    if (work.cutting) panels_.drill->cutAction()->setChecked(true);
+    panels_.drive->setKeptDown(work.pedalIsKept);
 }
 
 void MainWindow::saveBeforeEnd() {

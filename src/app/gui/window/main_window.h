@@ -71,6 +71,8 @@ public:
         ViewState viewState;
         std::unique_ptr<SessionKeeper> keeper;  ///< its recording goes on
         WorkHistory history;
+        bool cutting = false;      ///< touch or cut
+        bool pedalIsKept = false;  ///< "Keep down"
     };
     /// Ends the simulation: the work goes on in another window.
     [[nodiscard]] SessionState releaseSession();
