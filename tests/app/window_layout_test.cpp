@@ -29,6 +29,8 @@ private slots:
     void anotherLanguageLeavesTheDocksWhereTheyAre();
     void anotherLanguageKeepsCutAndThePedal();
     void toolBarsShowNoKeyboardMarks();
+    void keyZeroTurnsShiftsAndZoomsBack();
+    void keyFLetsTheCrownFillThePicture();
     void cleanupTestCase();
 
 private:
@@ -119,6 +121,41 @@ void WindowLayoutTest::toolBarsShowNoKeyboardMarks() {
     }
     QVERIFY(shown > 10);
     applyLanguage(*qApp, "en");
+}
+
+void WindowLayoutTest::keyZeroTurnsShiftsAndZoomsBack() {
+    key(Qt::Key_0);
+    const auto eye = [&] { return view().camera().cameraInWorld; };
+    const Pose before = eye();
+    view().setView(StandardView::Lingual);
+    view().zoomBy(0.3);
+    view().orbitBy(Vec2(0.2, 0.1), true);
+    QVERIFY((eye().position - before.position).norm() > 10);
+    key(Qt::Key_0);
+    QVERIFY((eye().position - before.position).norm() < 1e-9);
+    QVERIFY(eye().rotation.angularDistance(before.rotation) < 1e-9);
+}
+
+/// By the projected corners of the tooth's own triangles.
+void WindowLayoutTest::keyFLetsTheCrownFillThePicture() {
+    const TriangleMesh& mesh = surface().base->mesh();
+    const double crown = window_->model().tooth()->box().max().z() - 9;  // mm
+    for (const Qt::Key side : {Qt::Key_0, Qt::Key_1, Qt::Key_2, Qt::Key_4}) {
+        key(side);
+        key(Qt::Key_F);
+        const ImageSize size{view().width(), view().height()};
+        Vec2 low(1e9, 1e9), high(-1e9, -1e9);
+        for (const Vec3f& vertex : mesh.vertices) {
+            if (vertex.z() < crown) continue;
+            const auto pixel = project(view().camera(), size, vertex.cast<double>());
+            QVERIFY(pixel.has_value());
+            low = low.cwiseMin(*pixel);
+            high = high.cwiseMax(*pixel);
+        }
+        const double filled = std::max((high.x() - low.x()) / size.width, (high.y() - low.y()) / size.height);
+        QVERIFY2(filled > 0.7 && filled < 0.81, qPrintable(QString::number(filled)));
+    }
+    key(Qt::Key_0);
 }
 
 }  // namespace tactooth

@@ -34,7 +34,6 @@ GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, Dr
 void GuidedTour::start() {
     if (model_.runner() == nullptr) return;
     view_.resetView();
-    view_.fit();
     step_ = 0;
     beginStep();
     timer_.start(kTickMs);

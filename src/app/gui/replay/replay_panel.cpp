@@ -44,7 +44,6 @@ void ReplayPanel::setSource(const ReplaySource& source) {
     sign_->setText(parts.join(" — "));
     sign_->setToolTip(tr("Nothing can be cut here. The tooth on the bench waits unchanged."));
     view_->resetView();
-    view_->fit();
 }
 
 std::shared_ptr<const TriangleMesh> ReplayPanel::turbine() {

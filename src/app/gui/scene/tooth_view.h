@@ -37,6 +37,7 @@ public:
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     /// Whether it shows the full-quality picture of a scene at rest.
     [[nodiscard]] bool isAtRest() const;
+    /// Lets the crown fill the picture.
     void fit();
     void setView(StandardView view);
     /// Brings this place of the tooth to the middle.
@@ -49,7 +50,8 @@ public:
     void orbitBy(const Vec2& displacement, bool shifts);
     /// Multiplies the distance to the centre of the picture by `factor`.
     void zoomBy(double factor);
-    /// From buccal and above, as a dentist sees a lower tooth.
+    /// From buccal and above, as a dentist sees a lower tooth, with the whole crown and the head of the handpiece in
+    /// the picture: turns, shifts and zooms back.
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);

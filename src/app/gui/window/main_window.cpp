@@ -127,7 +127,6 @@ void MainWindow::showNewTooth() {
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();
-    panels_.view->fit();
     exercise_.takeTooth();
     restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);
