@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "app/gui/panels/drill_bar.h"
+#include "app/gui/scene/session_scene.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
 #include "app/window_session.h"
@@ -31,6 +32,7 @@ private slots:
     void toolBarsShowNoKeyboardMarks();
     void keyZeroTurnsShiftsAndZoomsBack();
     void keyFLetsTheCrownFillThePicture();
+    void theDriveChoosesTheHandpiece();
     void cleanupTestCase();
 
 private:
@@ -156,6 +158,19 @@ void WindowLayoutTest::keyFLetsTheCrownFillThePicture() {
         QVERIFY2(filled > 0.7 && filled < 0.81, qPrintable(QString::number(filled)));
     }
     key(Qt::Key_0);
+}
+
+void WindowLayoutTest::theDriveChoosesTheHandpiece() {
+    const auto shown = [&] { return sceneContents(window_->model(), true, false).tool->turbine; };
+    const QString before = window_->findChild<DrillBar*>()->spindleName();
+    const HandpieceMeshes& handpieces = window_->model().instruments().meshes()->handpieces;
+    QCOMPARE(shown(), handpieces.turbine);
+    window_->findChild<DrillBar*>()->choose({}, QString::fromStdString(spindlePresets()[2].name));
+    waitForTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.contraAngle, kPatience);
+    window_->findChild<DrillBar*>()->choose({}, before);
+    waitForTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.turbine, kPatience);
 }
 
 }  // namespace tactooth

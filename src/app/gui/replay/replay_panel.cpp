@@ -46,10 +46,10 @@ void ReplayPanel::setSource(const ReplaySource& source) {
     view_->resetView();
 }
 
-std::shared_ptr<const TriangleMesh> ReplayPanel::turbine() {
+HandpieceMeshes ReplayPanel::handpieces() {
     model_.instruments().poll();
     const std::optional<InstrumentMeshes>& meshes = model_.instruments().meshes();
-    return meshes ? meshes->turbine : nullptr;
+    return meshes ? meshes->handpieces : HandpieceMeshes();
 }
 
 }  // namespace tactooth
