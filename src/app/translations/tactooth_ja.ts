@@ -1329,10 +1329,6 @@ The mouse wheel in the picture changes it too.</source>
 <context>
     <name>tactooth::PlotPanel</name>
     <message>
-        <source>Depth, mm</source>
-        <translation>深さ mm</translation>
-    </message>
-    <message>
         <source>Speed, mm/s</source>
         <translation>速度 mm/s</translation>
     </message>
@@ -1367,6 +1363,30 @@ The mouse wheel in the picture changes it too.</source>
     <message>
         <source>Time shown</source>
         <translation>表示時間</translation>
+    </message>
+    <message>
+        <source>Cavity depth, mm</source>
+        <translation>窩洞の深さ、mm</translation>
+    </message>
+    <message>
+        <source>How deep the tip of the bur is below the uncut surface, along its shaft</source>
+        <translation>切削前の表面から見たバー先端の深さ（バーの軸に沿った値）</translation>
+    </message>
+    <message>
+        <source>Penetration depth, mm</source>
+        <translation>侵入量、mm</translation>
+    </message>
+    <message>
+        <source>How far the hand is behind the surface that the bur touches: it grows with the force</source>
+        <translation>バーが触れている表面より手がどれだけ奥にあるか。力とともに大きくなります</translation>
+    </message>
+    <message>
+        <source>Speed of the hand at the tip of the bur</source>
+        <translation>バー先端での手の速さ</translation>
+    </message>
+    <message>
+        <source>Force on the hand</source>
+        <translation>手にかかる力</translation>
     </message>
 </context>
 <context>
