@@ -67,12 +67,6 @@ const std::vector<SpindlePreset>& spindlePresets() {
     return presets;
 }
 
-HandpieceKind handpieceOf(const SpindlePreset& preset) {
-    constexpr double kTurbineFromRpm = 100'000;  // turbines run at 200,000 and more, air motors below 40,000
-    const bool isTurbine = preset.pedalCurve == PedalCurve::Air && preset.freeSpeedRpm >= kTurbineFromRpm;
-    return isTurbine ? HandpieceKind::Turbine : HandpieceKind::ContraAngle;
-}
-
 double targetSpeedRpm(const SpindlePreset& preset, double pedal) {
     TACTOOTH_ASSERT(preset.pedalDeadBand >= 0 && preset.pedalDeadBand < 1);
     TACTOOTH_ASSERT(std::isfinite(pedal));

@@ -26,16 +26,6 @@ struct SpindlePreset {
     PedalCurve pedalCurve = PedalCurve::Air;
 };
 
-/// The handpieces by their heads.
-enum class HandpieceKind {
-    Turbine,     ///< small head, slender neck (makeTurbine)
-    ContraAngle  ///< on a motor: latch or push button, wide coupling (makeContraAngle)
-};
-
-/// The handpiece that a drive needs: a turbine is its own; motors, electric or by air, turn the bur through a
-/// contra-angle.
-[[nodiscard]] HandpieceKind handpieceOf(const SpindlePreset& preset);
-
 /// The state of the drive.
 struct SpindleState {
     double speedRpm = 0;  ///< never negative

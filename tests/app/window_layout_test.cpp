@@ -33,6 +33,7 @@ private slots:
     void keyZeroTurnsShiftsAndZoomsBack();
     void keyFLetsTheCrownFillThePicture();
     void theDriveChoosesTheHandpiece();
+    void everyCommandHasAnIconInTheColourOfTheTexts();
     void cleanupTestCase();
 
 private:
@@ -171,6 +172,38 @@ void WindowLayoutTest::theDriveChoosesTheHandpiece() {
     window_->findChild<DrillBar*>()->choose({}, before);
     waitForTooth();
     QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.turbine, kPatience);
+}
+
+/// Commands are what the menus show first or what has a key; plain values in submenus, as a size, need none.
+void WindowLayoutTest::everyCommandHasAnIconInTheColourOfTheTexts() {
+    QVERIFY(!QApplication::windowIcon().isNull());
+    int checked = 0;
+    const std::function<void(const QMenu&, bool)> check = [&](const QMenu& menu, bool isFirst) {
+        for (QAction* action : menu.actions()) {
+            if (action->menu() != nullptr) check(*action->menu(), false);
+            if (action->isSeparator() || (!isFirst && action->shortcut().isEmpty())) continue;
+            QVERIFY2(!action->icon().isNull(), qPrintable(action->text()));
+            for (const bool dark : {false, true}) {
+                applyColours(dark);
+                const QColor text = QApplication::palette().color(QPalette::ButtonText);
+                const QImage picture = action->icon().pixmap(48, 48).toImage();
+                int drawn = 0;
+                for (int y = 0; y < picture.height(); ++y) {
+                    for (int x = 0; x < picture.width(); ++x) {
+                        const QColor pixel = picture.pixelColor(x, y);
+                        if (pixel.alpha() < 255) continue;
+                        ++drawn;
+                        QVERIFY2(std::abs(pixel.lightness() - text.lightness()) < 4, qPrintable(action->text()));
+                    }
+                }
+                QVERIFY2(drawn > 40, qPrintable(action->text()));
+            }
+            ++checked;
+        }
+    };
+    for (QAction* top : window_->menuBar()->actions()) check(*top->menu(), true);
+    applyColours(false);
+    QVERIFY2(checked > 45, qPrintable(QString::number(checked)));
 }
 
 }  // namespace tactooth

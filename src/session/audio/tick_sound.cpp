@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "instruments/handpiece_kind.h"
+
 namespace tactooth {
 namespace {
 

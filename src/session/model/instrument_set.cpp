@@ -3,6 +3,7 @@
 #include "session/model/instrument_set.h"
 
 #include "instruments/contra_angle.h"
+#include "instruments/handpiece_kind.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 

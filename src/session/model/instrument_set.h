@@ -8,11 +8,12 @@
 
 #include "geometry/mesh/triangle_mesh.h"
 #include "instruments/mirror.h"
-#include "instruments/spindle.h"
 #include "session/model/task.h"
 #include "sound/voices/drill_sound_state.h"
 
 namespace tactooth {
+
+struct SpindlePreset;
 
 /// The meshes of the handpieces, in the tool frame, mm. Null: not made, or not to be seen.
 struct HandpieceMeshes {

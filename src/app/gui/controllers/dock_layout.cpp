@@ -63,6 +63,7 @@ void DockLayout::addToolBars() {
     fileBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fileBar_->setObjectName("fileBar");
     panels_.drill->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    viewBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     viewBar_->setObjectName("viewBar");
     window_.addToolBar(viewBar_);
     window_.addToolBarBreak();

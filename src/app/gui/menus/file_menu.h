@@ -37,7 +37,7 @@ signals:
 private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings);
     void addBuiltinTeeth(QMenu& menu);
-    void addMouth(QMenu& menu);
+    void addMouth(QMenu& mouth);
     void remember(const QString& file);
     void setRecent(const QStringList& files);
     void fillRecent();

@@ -13,6 +13,7 @@
 #include <QSurfaceFormat>
 #include <QTranslator>
 
+#include "app/gui/icons/line_icon.h"
 #include "sound/output/audio_libraries.h"
 
 namespace tactooth {
@@ -63,6 +64,8 @@ std::unique_ptr<QApplication> startApplication(int& argc, char** argv) {
     QApplication::setStyle(QStyleFactory::create("Fusion"));
     applyColours(false);
     QApplication::setApplicationName("Tactooth");
+    QApplication::setWindowIcon(programIcon());
+    QGuiApplication::setDesktopFileName("tactooth");
     QApplication::setApplicationDisplayName(QString());
     return application;
 }
