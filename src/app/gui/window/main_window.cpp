@@ -5,6 +5,8 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QScreen>
+#include <QWindow>
 #include <utility>
 
 #include "app/gui/model/current_work.h"
@@ -17,6 +19,7 @@
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
+#include "app/gui/window/screen_fit.h"
 
 namespace tactooth {
 
@@ -54,7 +57,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
-    resize(1400, 900);
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize()));
 }
 
 MainWindow::~MainWindow() = default;
@@ -244,11 +247,23 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::FontChange) docks_.fitLater();
+    // The window manager has put its frame around the window.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) fitToScreenLater();
+}
+
+/// As soon as the docks have got their sizes.
+void MainWindow::fitToScreenLater() {
+    QTimer::singleShot(0, this, [this] {
+        if (!isVisible() || isMaximized() || isFullScreen() || windowHandle() == nullptr) return;
+        const QRect fitted = fittedInto(screen()->availableGeometry(), geometry(), windowHandle()->frameMargins());
+        if (fitted != geometry()) setGeometry(fitted);
+    });
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     docks_.fitLater();
+    fitToScreenLater();
 }
 
 }  // namespace tactooth

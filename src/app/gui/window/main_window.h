@@ -103,6 +103,7 @@ private:
     void showNewTooth();
     void showImportNotes();
     void updateInspection();
+    void fitToScreenLater();
 
     SessionModel model_;
     WindowPanels panels_;
