@@ -13,7 +13,9 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/gui/dialogs/guided_tour.h"
 #include "app/gui/panels/drill_bar.h"
+#include "app/gui/scene/clear_view.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
@@ -34,6 +36,10 @@ private slots:
     void keyFLetsTheCrownFillThePicture();
     void theDriveChoosesTheHandpiece();
     void everyCommandHasAnIconInTheColourOfTheTexts();
+    void aMenuHasOneContour();
+    void theDemonstrationShowsWhatTheBurDoes();
+    void largeTextLeavesThePictureItsPlaceAndGoesBack();
+    void theWindowFitsASmallScreen();
     void cleanupTestCase();
 
 private:
@@ -204,6 +210,86 @@ void WindowLayoutTest::everyCommandHasAnIconInTheColourOfTheTexts() {
     for (QAction* top : window_->menuBar()->actions()) check(*top->menu(), true);
     applyColours(false);
     QVERIFY2(checked > 45, qPrintable(QString::number(checked)));
+}
+
+/// From the edge inwards there is one line, and then the ground of the menu.
+void WindowLayoutTest::aMenuHasOneContour() {
+    for (const bool dark : {false, true}) {
+        applyColours(dark);
+        QMenu* menu = window_->menuBar()->actions().front()->menu();
+        menu->popup(QPoint(50, 50));
+        QTRY_VERIFY_WITH_TIMEOUT(menu->isVisible(), kPatience);
+        const QImage picture = menu->grab().toImage();
+        menu->close();
+        const QRgb line = picture.pixel(0, picture.height() / 2);
+        const QRgb ground = picture.pixel(3, picture.height() / 2);
+        QVERIFY(line != ground);
+        for (const int x : {1, 2}) QCOMPARE(picture.pixel(x, picture.height() / 2), ground);
+        QCOMPARE(picture.pixel(picture.width() - 1, picture.height() / 2), line);
+        for (const int x : {2, 3}) QCOMPARE(picture.pixel(picture.width() - x, picture.height() / 2), ground);
+    }
+    applyColours(false);
+}
+
+void WindowLayoutTest::theDemonstrationShowsWhatTheBurDoes() {
+    loadMolar();
+    auto* tour = window_->findChild<GuidedTour*>();
+    window_->model().manipulator().rotateHandle(1.5);  // between the eye and the tip
+    tour->start();
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
+    Surface handpiece;
+    handpiece.base = std::make_shared<const SurfacePart>(*window_->model().instruments().meshes()->handpieces.turbine);
+    const Pose tool = window_->model().log().newest().proxy;
+    const Vec3 toEye = (view().camera().cameraInWorld.position - tool.position).normalized();
+    const double seen = seenShare({surface(), &handpiece}, tool, toEye);
+    QVERIFY2(seen >= 0.9, qPrintable(QString::number(seen)));
+    tour->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") < 0.01, kPatience);
+    key(Qt::Key_0);
+}
+
+void WindowLayoutTest::largeTextLeavesThePictureItsPlaceAndGoesBack() {
+    const QList<QAction*> sizes = window_->findChild<QMenu*>("textSize")->actions();
+    const QSize window = window_->size();
+    const int usual = window_->fontMetrics().height();
+    const QList<QDockWidget*> docks = window_->findChildren<QDockWidget*>();
+    const auto widths = [&] {
+        std::vector<int> result;
+        for (const QDockWidget* dock : docks) result.push_back(dock->width());
+        return result;
+    };
+    const std::vector<int> before = widths();
+    sizes.back()->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->fontMetrics().height() > 1.8 * usual, kPatience);
+    waitForSteps(5);
+    QVERIFY2(window_->width() <= window.width() && window_->height() <= window.height(), "the window has grown");
+    for (const char* name : {"Drill", "Force", "Look inside"}) {
+        const int width = window_->findChild<QDockWidget*>(name)->width();
+        QVERIFY2(width < 0.36 * window.width(), qPrintable(QString::number(width)));
+    }
+    sizes.front()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->fontMetrics().height(), usual, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(widths() == before, kPatience);
+    QCOMPARE(window_->size(), window);
+}
+
+/// 1366 x 768 is the smallest screen of laptops; a task bar and the title of the window take a part of it.
+void WindowLayoutTest::theWindowFitsASmallScreen() {
+    const QSize size = window_->size();
+    const QList<QAction*> sizes = window_->findChild<QMenu*>("textSize")->actions();
+    for (QAction* text : {sizes.front(), sizes.at(1)}) {
+        text->trigger();
+        waitForSteps(5);
+        const QSize least = window_->minimumSizeHint();
+        QVERIFY2(least.width() <= 1366 && least.height() <= 768 - 70,
+                 qPrintable(QString("%1: %2 x %3").arg(text->text()).arg(least.width()).arg(least.height())));
+    }
+    sizes.front()->trigger();
+    waitForSteps(5);
+    window_->resize(1366, 698);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->size(), QSize(1366, 698), kPatience);
+    window_->resize(size);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->size(), size, kPatience);
 }
 
 }  // namespace tactooth
