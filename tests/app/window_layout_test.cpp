@@ -6,6 +6,7 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
@@ -15,7 +16,9 @@
 
 #include "app/gui/dialogs/guided_tour.h"
 #include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/event_panel.h"
 #include "app/gui/scene/clear_view.h"
+#include "app/gui/scene/event_banner.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
@@ -40,6 +43,8 @@ private slots:
     void theDemonstrationShowsWhatTheBurDoes();
     void largeTextLeavesThePictureItsPlaceAndGoesBack();
     void theWindowFitsASmallScreen();
+    void whatHappensIsSaidInThePicture();
+    void theStatusLineSpeaksOfTheForceNotOfTheServo();
     void cleanupTestCase();
 
 private:
@@ -290,6 +295,39 @@ void WindowLayoutTest::theWindowFitsASmallScreen() {
     QTRY_COMPARE_WITH_TIMEOUT(window_->size(), QSize(1366, 698), kPatience);
     window_->resize(size);
     QTRY_COMPARE_WITH_TIMEOUT(window_->size(), size, kPatience);
+}
+
+void WindowLayoutTest::whatHappensIsSaidInThePicture() {
+    const auto* banner = window_->findChild<EventBanner*>();
+    auto* events = window_->findChild<EventPanel*>();
+    events->show({});
+    const double now = window_->model().log().newest().time;
+    const CutEvent old{CutEventKind::PulpExposed, now - 60, Vec3::Zero()};
+    const CutEvent first{CutEventKind::FirstContact, now, Vec3::Zero()};
+    const CutEvent dentin{CutEventKind::DentinReached, now, Vec3::Zero()};
+    const CutEvent pulp{CutEventKind::PulpExposed, now, Vec3::Zero()};
+    const CutEvent stall{CutEventKind::BurStalled, now, Vec3::Zero()};
+    events->show(std::array{old, first});
+    QCOMPARE(banner->text(), QString());
+    events->show(std::array{old, first, dentin});
+    QCOMPARE(banner->text(), QString("Dentin reached"));
+    QVERIFY(banner->isVisible() && view().rect().contains(banner->geometry()));
+    const QImage amber = window_->grab().toImage();
+    events->show(std::array{old, first, dentin, pulp});
+    QCOMPARE(banner->text(), QString("Pulp exposed"));
+    events->show(std::array{old, first, dentin, pulp, stall});
+    QCOMPARE(banner->text(), QString("Pulp exposed"));  // harm stays
+    QVERIFY(window_->grab().toImage() != amber);
+    // The mouse works through it.
+    QCOMPARE(view().childAt(banner->geometry().center()), nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isHidden(), kPatience);
+}
+
+void WindowLayoutTest::theStatusLineSpeaksOfTheForceNotOfTheServo() {
+    const auto* pace = window_->findChild<QLabel*>("pace");
+    QTRY_VERIFY_WITH_TIMEOUT(pace->text().contains("Force on time") || pace->text().contains("Force late"), kPatience);
+    QVERIFY(!pace->text().contains("Servo"));
+    QTRY_VERIFY_WITH_TIMEOUT(pace->toolTip().contains("p99"), kPatience);
 }
 
 }  // namespace tactooth

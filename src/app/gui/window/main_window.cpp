@@ -17,6 +17,7 @@
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/plot_panel.h"
+#include "app/gui/scene/event_banner.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 #include "app/gui/window/screen_fit.h"
@@ -87,6 +88,11 @@ void MainWindow::connectView() {
     connect(panels_.view, &ToothView::failed, this, &MainWindow::graphicsFailed, Qt::QueuedConnection);
     connect(panels_.inspection, &InspectionPanel::changed, this, &MainWindow::updateInspection);
     connect(panels_.events, &EventPanel::notified, &messages_, &WindowMessages::setHint);
+    auto* banner = new EventBanner(panels_.view);
+    connect(panels_.events, &EventPanel::added, banner, [this, banner](const CutEvent& event) {
+        constexpr double kNew = 3;  // s: older ones come with a tooth that somebody has worked on before
+        if (event.time > model_.log().newest().time - kNew) banner->announce(event.kind);
+    });
     connect(panels_.events, &EventPanel::placeChosen, panels_.view, &ToothView::centreOn);
 }
 
