@@ -123,8 +123,8 @@ int DockLayout::tabHeight() const {
 
 void DockLayout::fit() {
     for (auto* area : window_.findChildren<QScrollArea*>()) {
-        QWidget& panel = *area->widget();
         if (!area->property(kInColumn).toBool()) continue;
+        QWidget& panel = *area->widget();
         panel.ensurePolished();
         panel.layout()->invalidate();  // its size is that of the font before
         fitHeight(*area, panel);

@@ -253,8 +253,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::FontChange) docks_.fitLater();
-    // The window manager has put its frame around the window.
-    if (event->type() == QEvent::ActivationChange && isActiveWindow()) fitToScreenLater();
+    // When the window is active, the window manager has put its frame around it.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow() && std::exchange(awaitsFrame_, false)) {
+        fitToScreenLater();
+    }
 }
 
 /// As soon as the docks have got their sizes.
@@ -269,6 +271,7 @@ void MainWindow::fitToScreenLater() {
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     docks_.fitLater();
+    awaitsFrame_ = true;
     fitToScreenLater();
 }
 

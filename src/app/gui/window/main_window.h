@@ -126,6 +126,7 @@ private:
     ReplayController replay_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
+    bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet
 };
 
 }  // namespace tactooth
