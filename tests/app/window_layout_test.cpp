@@ -4,6 +4,7 @@
 // Where things are in the window, what the view keys reset, and what another language leaves as it was.
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QLabel>
@@ -28,6 +29,10 @@ namespace tactooth {
 
 class WindowLayoutTest : public test::WindowSession {
     Q_OBJECT
+
+public:
+    /// Saves pictures of the window: as it starts, in dark colours with a menu, with large text, in Japanese.
+    void savePictures(const QString& folder);
 
 private slots:
     void initTestCase();
@@ -330,11 +335,66 @@ void WindowLayoutTest::theStatusLineSpeaksOfTheForceNotOfTheServo() {
     QTRY_VERIFY_WITH_TIMEOUT(pace->toolTip().contains("p99"), kPatience);
 }
 
+void WindowLayoutTest::savePictures(const QString& folder) {
+    initTestCase();
+    const auto save = [&](QWidget& widget, const char* name) {
+        (void)waitForQuietPicture();
+        widget.grab().save(folder + '/' + name + ".png");
+    };
+    save(*window_, "start");
+    key(Qt::Key_F);
+    window_->findChild<EventBanner*>()->announce(CutEventKind::PulpExposed);
+    window_->grab().save(folder + "/fit-banner.png");
+    key(Qt::Key_0);
+    for (QAction* top : window_->menuBar()->actions()) {
+        top->menu()->popup(QPoint(50, 50));
+        top->menu()->grab().save(folder + "/menu-" + top->text().remove('&') + ".png");
+        applyColours(true);
+        top->menu()->grab().save(folder + "/menu-" + top->text().remove('&') + "-dark.png");
+        applyColours(false);
+        top->menu()->close();
+    }
+    const auto section = window_->findChild<QComboBox*>("section");
+    for (const int side : {1, 4, 5}) {
+        section->setCurrentIndex(side);
+        save(*window_, qPrintable(QString("section-%1").arg(section->currentText())));
+    }
+    section->setCurrentIndex(0);
+    key(Qt::Key_D, Qt::ControlModifier);
+    save(*window_, "dark");
+    key(Qt::Key_D, Qt::ControlModifier);
+    window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
+    save(*window_, "large");
+    window_->findChild<QMenu*>("textSize")->actions().front()->trigger();
+    save(*window_, "usual-again");
+    window_->resize(1366, 698);
+    save(*window_, "small-screen");
+    window_->findChild<GuidedTour*>()->start();
+    (void)QTest::qWaitFor([&] { return gauge("forceGauge") > 0.1; }, kPatience);
+    window_->grab().save(folder + "/demonstration.png");
+    window_->findChild<GuidedTour*>()->stop();
+    window_->findChild<DrillBar*>()->choose({}, QString::fromStdString(spindlePresets()[2].name));
+    waitForTooth();
+    save(*window_, "low-speed");
+    {
+        const auto owner = ownWindow();
+        chooseJapanese(*owner);
+        save(owner->window(), "japanese");
+    }
+    cleanupTestCase();
+}
+
 }  // namespace tactooth
 
+/// `window_layout_tests --pictures FOLDER` saves pictures of the window instead of testing it.
 int main(int argc, char** argv) {
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowLayoutTest test;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == "--pictures") {
+        test.savePictures(arguments.value(2));
+        return 0;
+    }
     return QTest::qExec(&test, argc, argv);
 }
 
