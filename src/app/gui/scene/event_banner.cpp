@@ -44,10 +44,10 @@ EventBanner::Weight EventBanner::weightOf(CutEventKind kind) {
     return Weight::None;
 }
 
-void EventBanner::announce(CutEventKind kind) {
+bool EventBanner::announce(CutEventKind kind) {
     constexpr int kCautionMs = 3500, kHarmMs = 7000;
     const Weight weight = weightOf(kind);
-    if (weight == Weight::None || (!isHidden() && weight < weight_)) return;
+    if (weight == Weight::None || (!isHidden() && weight < weight_)) return false;
     weight_ = weight;
     text_ = translated(cutEventText(kind));
     if (!text_.isEmpty()) text_[0] = text_[0].toUpper();
@@ -63,6 +63,7 @@ void EventBanner::announce(CutEventKind kind) {
     gone_.start(weight == Weight::Harm ? kHarmMs : kCautionMs);
     QAccessibleEvent spoken(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&spoken);
+    return true;
 }
 
 void EventBanner::place() {

@@ -27,7 +27,8 @@ public:
     [[nodiscard]] static Weight weightOf(CutEventKind kind);
 
     /// Shows an event of some weight for some seconds. Harm is not replaced by less while it is shown.
-    void announce(CutEventKind kind);
+    /// Whether it is shown.
+    bool announce(CutEventKind kind);
     /// The sentence that is shown; empty while the banner is hidden.
     [[nodiscard]] QString text() const { return isHidden() ? QString() : text_; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -17,6 +18,7 @@
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/plot_panel.h"
+#include "app/gui/panels/sound_panel.h"
 #include "app/gui/scene/event_banner.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
@@ -91,7 +93,8 @@ void MainWindow::connectView() {
     auto* banner = new EventBanner(panels_.view);
     connect(panels_.events, &EventPanel::added, banner, [this, banner](const CutEvent& event) {
         constexpr double kNew = 3;  // s: older ones come with a tooth that somebody has worked on before
-        if (event.time > model_.log().newest().time - kNew) banner->announce(event.kind);
+        if (event.time < model_.log().newest().time - kNew) return;
+        if (banner->announce(event.kind) && !panels_.sound->mixer().muted) QApplication::beep();
     });
     connect(panels_.events, &EventPanel::placeChosen, panels_.view, &ToothView::centreOn);
 }
