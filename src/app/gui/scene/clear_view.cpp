@@ -22,6 +22,14 @@ bool isSeen(const Obstacles& obstacles, const Pose& tool, const Vec3& place, con
     return !firstHit(*obstacles.handpiece, {toTool * (place - tool.position), toTool * toEye});
 }
 
+/// The place of the surface below or above `place`, lifted a little, because a place in the surface hides itself.
+Vec3 onSurface(const Surface& tooth, const Vec3& place) {
+    constexpr double kHigher = 5, kLift = 0.1;  // mm; a cusp is not that high above its fossa
+    const auto down = firstHit(tooth, {place + kHigher * Vec3::UnitZ(), -Vec3::UnitZ()});
+    const double up = down && *down < 2 * kHigher ? kHigher - *down : 0;
+    return place + (up + kLift) * Vec3::UnitZ();
+}
+
 /// Nearest to `usual` first.
 std::vector<ViewDirection> directionsAround(const ViewDirection& usual) {
     constexpr double kSteepest = 80 * kDegree;
@@ -40,16 +48,15 @@ std::vector<ViewDirection> directionsAround(const ViewDirection& usual) {
 }  // namespace
 
 double seenShare(const Obstacles& obstacles, const Pose& tool, const Vec3& toEye) {
-    constexpr double kRadius = 1, kAbove = 0.1;  // mm; the tip itself touches the tooth
-    constexpr std::array kRings = {0.0, 0.5, 1.0};
+    constexpr std::array kRings = {0.0, 0.5, 1.0};  // mm
     constexpr int kAround = 8;
     int seen = 0, all = 0;
     for (const double ring : kRings) {
         for (int i = 0; i < (ring > 0 ? kAround : 1); ++i) {
             const double angle = 2 * std::numbers::pi * i / kAround;
-            const Vec3 aside(ring * kRadius * std::cos(angle), ring * kRadius * std::sin(angle), kAbove);
+            const Vec3 aside(ring * std::cos(angle), ring * std::sin(angle), 0);
             ++all;
-            if (isSeen(obstacles, tool, tool.position + aside, toEye)) ++seen;
+            if (isSeen(obstacles, tool, onSurface(obstacles.tooth, tool.position + aside), toEye)) ++seen;
         }
     }
     return static_cast<double>(seen) / all;

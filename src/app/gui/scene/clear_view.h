@@ -16,8 +16,9 @@ struct Obstacles {
     const Surface* handpiece = nullptr;  ///< tool frame; null: it is not shown
 };
 
-/// The share (0..1) of a disc of 1 mm around the tip of a tool, level with the tip, that an eye in the direction
-/// `toEye` (unit, tooth frame) sees past the tooth and the handpiece.
+/// The share (0..1) of the surface up to 1 mm around the tip of a tool that an eye in the direction `toEye` (unit,
+/// tooth frame) sees past the tooth and the handpiece. Where there is no surface below, the place level with the tip
+/// counts.
 [[nodiscard]] double seenShare(const Obstacles& obstacles, const Pose& tool, const Vec3& toEye);
 
 /// The direction nearest to `usual` from which the tips of all `tools` are seen, each at 90 % at least. The one that
