@@ -262,10 +262,10 @@ void WindowLayoutTest::largeTextLeavesThePictureItsPlaceAndGoesBack() {
     const QList<QAction*> sizes = window_->findChild<QMenu*>("textSize")->actions();
     const QSize window = window_->size();
     const int usual = window_->fontMetrics().height();
-    const QList<QDockWidget*> docks = window_->findChildren<QDockWidget*>();
+    constexpr std::array kInFront = {"Drill", "Force", "Look inside"};  // of their tabs
     const auto widths = [&] {
         std::vector<int> result;
-        for (const QDockWidget* dock : docks) result.push_back(dock->width());
+        for (const char* name : kInFront) result.push_back(window_->findChild<QDockWidget*>(name)->width());
         return result;
     };
     const std::vector<int> before = widths();
@@ -273,8 +273,7 @@ void WindowLayoutTest::largeTextLeavesThePictureItsPlaceAndGoesBack() {
     QTRY_VERIFY_WITH_TIMEOUT(window_->fontMetrics().height() > 1.8 * usual, kPatience);
     waitForSteps(5);
     QVERIFY2(window_->width() <= window.width() && window_->height() <= window.height(), "the window has grown");
-    for (const char* name : {"Drill", "Force", "Look inside"}) {
-        const int width = window_->findChild<QDockWidget*>(name)->width();
+    for (const int width : widths()) {
         QVERIFY2(width < 0.36 * window.width(), qPrintable(QString::number(width)));
     }
     sizes.front()->trigger();
