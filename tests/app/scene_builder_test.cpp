@@ -41,6 +41,30 @@ TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
     EXPECT_EQ(scene.mirror->mirrorInWorld.position, Vec3(0, -12, 5));
 }
 
+TEST(SceneBuilder, ASectionTakesNothingFromInstruments) {
+    SceneContents contents = contentsWithEverything();
+    contents.suction = ShownSuction{contents.mirror->mesh, {}};
+    contents.tool->blurred = contents.tool->bur;
+    contents.tool->speedRpm = 300000;
+    Scene scene = makeScene(contents);
+    const auto tooth = LayeredTooth::make(test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7)), {});
+    ASSERT_TRUE(tooth);
+    Inspection inspection;
+    inspection.section = Plane{Vec3::UnitY(), 0};
+    applyInspection(scene, *tooth, inspection);
+    ASSERT_TRUE(scene.section);
+    const auto isSectioned = [&](const TriangleMesh* mesh) {
+        return std::ranges::any_of(scene.objects, [&](const SceneObject& object) {
+            const auto* shape = std::get_if<std::shared_ptr<const TriangleMesh>>(&object.shape);
+            return shape != nullptr && shape->get() == mesh && object.sectioned;
+        });
+    };
+    EXPECT_TRUE(scene.objects.front().sectioned);
+    for (const auto& mesh : {contents.tool->bur, contents.tool->turbine, contents.mirror->mesh}) {
+        EXPECT_FALSE(isSectioned(mesh.get()));
+    }
+}
+
 TEST(SceneBuilder, AStillBurShowsItsBladesAndAFastOneTheBodyTheySweep) {
     SceneContents contents = contentsWithEverything();
     contents.tool->blurred = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1.1, 8, 8));

@@ -213,7 +213,7 @@ void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     std::ifstream table(folder_ / "plots.csv");
     std::string head;
     std::getline(table, head);
-    QCOMPARE(head, std::string("t,depth,speed,force"));
+    QCOMPARE(head, std::string("t,depth,speed,force,cavity_depth"));
     window_->records().exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
     QVERIFY(dismissMessage().contains("end its name in .csv, .svg or .png"));
     QTest::mouseClick(pause, Qt::LeftButton);

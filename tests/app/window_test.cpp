@@ -215,7 +215,7 @@ void WindowTest::whatHappenedIsListedAndExported() {
     emit events->itemActivated(events->item(0, 1));
     const auto pixel = project(view().camera(), {200, 100}, place);
     QVERIFY(pixel && (*pixel - Vec2(100, 50)).norm() < 0.01);
-    view().fit();
+    view().resetView();
     window_->records().exportEventsTo("/nowhere/events.csv");
     QVERIFY(dismissMessage().contains("/nowhere"));
 }

@@ -57,6 +57,21 @@ Box3 crownBox(const Box3& tooth, double above) {
     return crown;
 }
 
+std::vector<Vec3> crownCorners(const Surface* tooth, const Box3& box) {
+    const Box3 crown = crownBox(box, 0);
+    std::vector<Vec3> corners;
+    const std::size_t count = tooth != nullptr ? tooth->base->mesh().triangles.size() : 0;
+    for (std::size_t i = 0; i < count && !tooth->base->isAdjacent(static_cast<std::uint32_t>(i)); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 corner = tooth->base->mesh().corner(i, k);
+            if (crown.contains(corner)) corners.push_back(corner);
+        }
+    }
+    if (!corners.empty()) return corners;
+    for (int i = 0; i < 8; ++i) corners.push_back(crown.corner(static_cast<Box3::CornerType>(i)));
+    return corners;
+}
+
 Camera crownCamera(StandardView side, double mesialX, const Box3& box) {
     constexpr double kAbove = 2;  // mm: room for the bur in the picture
     OrbitCamera camera;

@@ -45,6 +45,10 @@ struct Inspection {
 /// The crown part of a tooth with this box, extended upwards by `above` mm.
 [[nodiscard]] Box3 crownBox(const Box3& tooth, double above);
 
+/// The corners of the tooth's triangles, without those of bodies around it, that lie in its crown. `box`: of the tooth.
+/// The corners of the box of the crown itself if there are none. `tooth` may be null.
+[[nodiscard]] std::vector<Vec3> crownCorners(const Surface* tooth, const Box3& box);
+
 /// The camera of the second view. It shows the whole crown of a tooth with this box, wherever the main camera is.
 [[nodiscard]] Camera crownCamera(StandardView side, double mesialX, const Box3& box);
 

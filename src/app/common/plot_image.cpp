@@ -78,7 +78,7 @@ Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const
     if (ticks.empty()) return unexpected(msg::kNothingToPlot);
     const OffscreenApplication application;
     const Plot plots[] = {
-        {"Depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),
+        {"Penetration depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),
          [](const Tick& t) { return t.depth; }},
         {"Speed of the tip", "mm/s", QColor(0x3c, 0x8d, 0x5a), [](const Tick& t) { return t.speed; }},
         {"Force on the hand", "N", QColor(0xb8, 0x4a, 0x32), [](const Tick& t) { return t.wrench.force.norm(); }}};

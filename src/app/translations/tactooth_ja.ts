@@ -1498,10 +1498,6 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
 <context>
     <name>tactooth::PlotPanel</name>
     <message>
-        <source>Depth, mm</source>
-        <translation>深さ mm</translation>
-    </message>
-    <message>
         <source>Speed, mm/s</source>
         <translation>速度 mm/s</translation>
     </message>
@@ -1536,6 +1532,30 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>Time shown</source>
         <translation>表示時間</translation>
+    </message>
+    <message>
+        <source>Cavity depth, mm</source>
+        <translation>窩洞の深さ、mm</translation>
+    </message>
+    <message>
+        <source>How deep the tip of the bur is below the uncut surface, along its shaft</source>
+        <translation>切削前の表面から見たバー先端の深さ（バーの軸に沿った値）</translation>
+    </message>
+    <message>
+        <source>Penetration depth, mm</source>
+        <translation>侵入量、mm</translation>
+    </message>
+    <message>
+        <source>How far the hand is behind the surface that the bur touches: it grows with the force</source>
+        <translation>バーが触れている表面より手がどれだけ奥にあるか。力とともに大きくなります</translation>
+    </message>
+    <message>
+        <source>Speed of the hand at the tip of the bur</source>
+        <translation>バー先端での手の速さ</translation>
+    </message>
+    <message>
+        <source>Force on the hand</source>
+        <translation>手にかかる力</translation>
     </message>
 </context>
 <context>
@@ -1608,18 +1628,8 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <translation>切削量：%1 mm³</translation>
     </message>
     <message>
-        <source>The force is computed by a thread of its own, 1000 times a second.
-p99: 99 % of the ticks take less. Missed: ticks that the system gave no time for.</source>
-        <translation>力は専用スレッドが毎秒1000回計算します。
-p99：99 % の周期はこれより短い。欠落：システムが時間を与えなかった周期。</translation>
-    </message>
-    <message>
         <source>Servo %1 Hz, p99 %2 µs, missed %3, %4  |  surface %5/s</source>
         <translation>サーボ %1 Hz、p99 %2 µs、欠落 %3、%4  |  表面 %5/秒</translation>
-    </message>
-    <message>
-        <source>Servo %1 Hz</source>
-        <translation>サーボ %1 Hz</translation>
     </message>
     <message>
         <source>real-time</source>
@@ -1630,14 +1640,24 @@ p99：99 % の周期はこれより短い。欠落：システムが時間を与
         <translation>リアルタイムでない</translation>
     </message>
     <message>
-        <source>The share of ticks in the last second that came too late for the force.
-More than 1 % is felt: close other programs, or take a tooth with fewer triangles.</source>
-        <translation>直前の1秒間で力の計算に間に合わなかった割合。
-1 %を超えると手に感じられます。他のプログラムを閉じるか、三角形の少ない歯を使ってください。</translation>
+        <source>Force late</source>
+        <translation>力が遅れています</translation>
     </message>
     <message>
-        <source>late %1 %</source>
-        <translation>遅れ %1 %</translation>
+        <source>Force on time</source>
+        <translation>力の遅れなし</translation>
+    </message>
+    <message>
+        <source>In the last second %1 % of the force came too late.</source>
+        <translation>直前の1秒間に、力の %1 % が間に合いませんでした。</translation>
+    </message>
+    <message>
+        <source>More than 1 % is felt: close other programs, or take a tooth with fewer triangles.</source>
+        <translation>1 %を超えると手に感じられます。他のプログラムを閉じるか、三角形の少ない歯を使ってください。</translation>
+    </message>
+    <message>
+        <source>The panel Real time shows more.</source>
+        <translation>詳しくは「リアルタイム」パネルをご覧ください。</translation>
     </message>
 </context>
 <context>

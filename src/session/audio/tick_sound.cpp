@@ -4,12 +4,13 @@
 
 #include <algorithm>
 
+#include "instruments/handpiece_kind.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTurbineFromRpm = 100000;  // of air drives: turbines run at 200,000 and more, air motors below 40,000
-constexpr double kCoarsestGrit = 180;       // um: a super-coarse diamond crackles, a super-fine one hisses
-constexpr double kMaxGrainier = 0.5;        // of the difference to graininess 1
+constexpr double kCoarsestGrit = 180;  // um: a super-coarse diamond crackles, a super-fine one hisses
+constexpr double kMaxGrainier = 0.5;   // of the difference to graininess 1
 
 /// The index of the recording for a material. Materials that the sound layer does not know share that of "other".
 std::size_t recordingOf(std::string_view material) {
@@ -35,7 +36,7 @@ SoundCharacter characterOf(const MaterialTable& materials, MaterialId id) {
 
 MotorKind motorOf(const SpindlePreset& spindle) {
     if (spindle.pedalCurve == PedalCurve::Electric) return MotorKind::Electric;
-    return spindle.freeSpeedRpm >= kTurbineFromRpm ? MotorKind::AirTurbine : MotorKind::LowSpeed;
+    return handpieceOf(spindle) == HandpieceKind::Turbine ? MotorKind::AirTurbine : MotorKind::LowSpeed;
 }
 
 TickSound::TickSound(const SpindlePreset& spindle, const MaterialTable& materials, const BurEdge& edge)

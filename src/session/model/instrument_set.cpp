@@ -2,15 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/instrument_set.h"
 
+#include "instruments/contra_angle.h"
+#include "instruments/handpiece_kind.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 
 namespace tactooth {
 
+HandpieceMeshes HandpieceMeshes::make() {
+    return {.turbine = std::make_shared<const TriangleMesh>(makeTurbine()),
+            .contraAngle = std::make_shared<const TriangleMesh>(makeContraAngle())};
+}
+
+const std::shared_ptr<const TriangleMesh>& HandpieceMeshes::of(const SpindlePreset& spindle) const {
+    return handpieceOf(spindle) == HandpieceKind::Turbine ? turbine : contraAngle;
+}
+
 InstrumentSet::InstrumentSet(const TaskExecutor& executor) : task_(executor) {
     task_.start([] {
         InstrumentMeshes meshes;
-        meshes.turbine = std::make_shared<const TriangleMesh>(makeTurbine());
+        meshes.handpieces = HandpieceMeshes::make();
         meshes.suction = std::make_shared<const TriangleMesh>(makeSuctionTube());
         return Expected<InstrumentMeshes>(std::move(meshes));
     });

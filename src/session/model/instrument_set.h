@@ -13,9 +13,22 @@
 
 namespace tactooth {
 
+struct SpindlePreset;
+
+/// The meshes of the handpieces, in the tool frame, mm. Null: not made, or not to be seen.
+struct HandpieceMeshes {
+    std::shared_ptr<const TriangleMesh> turbine;
+    std::shared_ptr<const TriangleMesh> contraAngle;
+
+    /// Makes all of them; it takes about a second.
+    [[nodiscard]] static HandpieceMeshes make();
+    /// The one that a drive needs.
+    [[nodiscard]] const std::shared_ptr<const TriangleMesh>& of(const SpindlePreset& spindle) const;
+};
+
 /// Meshes of the instruments around the bur, each in its own frame, mm. They are the same for every tooth.
 struct InstrumentMeshes {
-    std::shared_ptr<const TriangleMesh> turbine;
+    HandpieceMeshes handpieces;
     std::shared_ptr<const TriangleMesh> mirror;
     MirrorDisc disc;  ///< of the mirror
     std::shared_ptr<const TriangleMesh> suction;
@@ -28,7 +41,7 @@ struct MirrorState {
     bool wet = false;
 };
 
-/// The instruments around the bur: turbine, mirror, suction tube and water spray. Their meshes are made in the
+/// The instruments around the bur: handpieces, mirror, suction tube and water spray. Their meshes are made in the
 /// background.
 class InstrumentSet {
 public:

@@ -16,18 +16,25 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-double alongRay(const Ray& ray, const Triangle3& triangle) {
+/// Where a ray meets a triangle.
+struct Meeting {
+    double distance = kNever;  // along the ray, mm
+    bool leaves = false;       // from behind: the ray leaves the solid
+};
+
+Meeting meeting(const Ray& ray, const Triangle3& triangle) {
     const Vec3 ab = triangle[1] - triangle[0];
     const Vec3 ac = triangle[2] - triangle[0];
     const Vec3 p = ray.direction.cross(ac);
     const double determinant = ab.dot(p);
-    if (determinant == 0) return kNever;  // edge-on, or without area
+    if (determinant == 0) return {};  // edge-on, or without area
     const Vec3 s = ray.origin - triangle[0];
     const double u = s.dot(p) / determinant;
     const Vec3 q = s.cross(ab);
     const double v = ray.direction.dot(q) / determinant;
     const double t = ac.dot(q) / determinant;
-    return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 ? t : kNever;
+    if (!(u >= 0 && v >= 0 && u + v <= 1 && t >= 0)) return {};
+    return {t, determinant < 0};
 }
 
 /// Distance to the entry into child `i` of a node; kNever if the ray misses the box or enters it after `best`.
@@ -46,7 +53,7 @@ double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
     return enter <= leave + kRounding ? enter : kNever;
 }
 
-double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, double best) {
+Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, Meeting best) {
     const auto& [tree, hidden] = visible;
     if (tree.empty()) return best;
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
@@ -57,7 +64,7 @@ double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray&
         if (!link.isLeaf()) {
             const AabbTree::Node& node = tree.node(link);
             for (int i = 0; i < AabbTree::kWidth; ++i) {
-                if (entry(node, i, ray, best) < kNever) stack[size++] = node.child[i];
+                if (entry(node, i, ray, best.distance) < kNever) stack[size++] = node.child[i];
             }
             continue;
         }
@@ -65,7 +72,8 @@ double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray&
         for (std::uint32_t lane = 0; lane < leaf.count; ++lane) {
             const std::uint32_t triangle = leaf.triangle[lane];
             if (hidden != nullptr && isHidden(*hidden, triangle)) continue;
-            best = std::fmin(best, alongRay(ray, cornersOf(part.mesh(), triangle)));
+            const Meeting found = meeting(ray, cornersOf(part.mesh(), triangle));
+            if (found.distance < best.distance) best = found;
         }
     }
     return best;
@@ -74,9 +82,14 @@ double alongPart(const SurfacePart& part, const VisibleBase& visible, const Ray&
 }  // namespace
 
 std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
-    double best = alongPart(*surface.base, visibleBase(surface), ray, kNever);
-    for (const auto& patch : surface.patches) best = alongPart(*patch, {patch->tree(), nullptr}, ray, best);
-    return best < kNever ? std::optional(best) : std::nullopt;
+    Meeting best = firstOf(*surface.base, visibleBase(surface), ray, {});
+    for (const auto& patch : surface.patches) best = firstOf(*patch, {patch->tree(), nullptr}, ray, best);
+    return best.distance < kNever ? std::optional(best.distance) : std::nullopt;
+}
+
+double depthInside(const SurfacePart& whole, const Vec3& place, const Vec3& up) {
+    const Meeting first = firstOf(whole, {whole.tree(), nullptr}, {place, up}, {});
+    return first.leaves ? first.distance : 0;
 }
 
 }  // namespace tactooth

@@ -13,4 +13,9 @@ namespace tactooth {
 /// triangle.
 [[nodiscard]] std::optional<double> firstHit(const Surface& surface, const Ray& ray);
 
+/// How deep `place` lies inside `whole`, a closed surface that nothing has been cut from: the distance along `up`
+/// (unit) to where it leaves the surface, mm. 0 outside. With the tip of a bur and its shaft it is the depth of the
+/// cavity there.
+[[nodiscard]] double depthInside(const SurfacePart& whole, const Vec3& place, const Vec3& up);
+
 }  // namespace tactooth

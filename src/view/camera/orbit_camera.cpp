@@ -33,6 +33,23 @@ void OrbitCamera::fit(const Box3& box, double aspect) {
     distance_ = std::clamp(kMargin * sceneRadius_ / std::sin(narrowest), kNearestEye, kFarthestEye);
 }
 
+void OrbitCamera::fill(std::span<const Vec3> points, double share, double aspect) {
+    if (points.empty()) return;
+    const Quat toCamera = rotation().conjugate();
+    Box3 seen;  // along the axes of the picture
+    for (const Vec3& point : points) seen.extend(toCamera * point);
+    target_ = rotation() * seen.center();
+    sceneRadius_ = std::max(0.5 * seen.diagonal().norm(), kNearestEye / 4);
+    const double up = share * std::tan(Camera{}.fieldOfView / 2);
+    double distance = kNearestEye;
+    for (const Vec3& point : points) {
+        const Vec3 fromTarget = toCamera * point - seen.center();
+        const double sideways = std::max(std::abs(fromTarget.y()), std::abs(fromTarget.x()) / aspect);
+        distance = std::max(distance, fromTarget.z() + sideways / up);
+    }
+    distance_ = std::min(distance, kFarthestEye);
+}
+
 void OrbitCamera::setView(StandardView view, double mesialX) {
     switch (view) {
         case StandardView::Occlusal:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "view/camera/camera.h"
 
 namespace tactooth {
@@ -22,6 +24,9 @@ public:
 
     /// Fits all of `box` (world, mm) into the picture, whatever its rotation. The direction stays the same.
     void fit(const Box3& box, double aspect);
+    /// Centres `points` (world, mm) and lets them fill `share` (0..1) of the picture's height or width, whichever they
+    /// reach first. The direction stays the same. Without points nothing changes.
+    void fill(std::span<const Vec3> points, double share, double aspect);
     /// Sets a standard view; target and distance stay. The crown is up in the views from a side. From occlusal the
     /// picture is as if the eye had leaned over from buccal: left and right stay. `mesialX`: 1 where mesial is +x, -1
     /// where it is -x.

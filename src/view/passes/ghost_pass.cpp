@@ -86,6 +86,7 @@ void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, G
     setOpacities(body_, drawable.object->appearances);
     body_.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     body_.set("objectToWorld", drawable.objectToWorld);
+    body_.set("sectioned", 1);
     body_.set("cover", cover);
     glCullFace(culled);
     const ClusterCuller culler = cullerFor(inputs, drawable, false, inputs.lodTolerance);

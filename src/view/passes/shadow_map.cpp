@@ -179,9 +179,11 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools, const P
         const bool closed = drawable.object->closed && !(inSection && drawable.object->sectioned);
         closed ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
         program_.set("objectToClip", objectToClip);
-        const Eigen::Vector4d sectionInObject = drawable.objectToWorld.transpose() * section_;
-        program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         const bool cut = inSection && drawable.object->sectioned;
+        // Mesa's software renderer clips where the plane is switched off, too: see solid.vert.glsl.
+        const Eigen::Vector4d kept = cut ? section_ : Eigen::Vector4d(0, 0, 0, 1);
+        const Eigen::Vector4d sectionInObject = drawable.objectToWorld.transpose() * kept;
+        program_.set("sectionInObject", Eigen::Vector4f(sectionInObject.cast<float>()));
         cut ? glEnable(GL_CLIP_DISTANCE1) : glDisable(GL_CLIP_DISTANCE1);
         drawable.buffers->draw({worldToPart * drawable.objectToWorld,
                                 Eigen::Vector4d(toLightInObject.x(), toLightInObject.y(), toLightInObject.z(), 0),

@@ -212,6 +212,7 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, 
     setAppearances(program, drawable.object->appearances);
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     program.set("objectToWorld", drawable.objectToWorld);
+    program.set("sectioned", drawable.object->sectioned ? 1 : 0);
     if (rich) setRichUniforms(program, inputs, drawable, part);
     const bool hidesBack =
         drawable.cullsBackFaces(hasSection(inputs)) && !(part == Part::Solid && isOpenedByGlass(inputs, drawable));

@@ -11,6 +11,7 @@ uniform float opacities[MAX_APPEARANCES];
 out float appearanceOpacity;
 #endif
 uniform int appearanceCount;
+uniform int sectioned;  // 0: the section does not cut this object
 
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -31,7 +32,8 @@ void main() {
     materialAppearance = mix(appearances[first + 1], appearances[second + 1], share);
     gl_Position = worldToClip * world;
     gl_ClipDistance[0] = dot(clipPlane, world);
-    gl_ClipDistance[1] = dot(section, world);
+    // Mesa's software renderer clips by every distance that is written, also where its plane is switched off.
+    gl_ClipDistance[1] = sectioned != 0 ? dot(section, world) : 1.0;
 #if RICH
     appearanceOpacity = mix(opacities[first / 2], opacities[second / 2], share);
 #endif

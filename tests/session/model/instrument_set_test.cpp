@@ -20,9 +20,21 @@ TEST(InstrumentSet, HasNoMeshesUntilTheyAreMadeAndFetched) {
     instruments.poll();
     EXPECT_FALSE(instruments.isBusy());
     ASSERT_TRUE(instruments.meshes());
-    EXPECT_FALSE(instruments.meshes()->turbine->triangles.empty());
+    EXPECT_FALSE(instruments.meshes()->handpieces.turbine->triangles.empty());
     EXPECT_FALSE(instruments.meshes()->suction->triangles.empty());
     EXPECT_FALSE(instruments.meshes()->mirror->triangles.empty());
+}
+
+TEST(InstrumentSet, EachDriveHasTheHandpieceThatItNeeds) {
+    InstrumentSet instruments(test::runInline);
+    instruments.poll();
+    const HandpieceMeshes& handpieces = instruments.meshes()->handpieces;
+    const std::vector<SpindlePreset>& drives = spindlePresets();
+    EXPECT_EQ(handpieces.of(drives[0]), handpieces.turbine);
+    EXPECT_EQ(handpieces.of(drives[1]), handpieces.contraAngle) << "an electric motor needs a gear";
+    EXPECT_EQ(handpieces.of(drives[2]), handpieces.contraAngle);
+    // The coupling of a motor is wider than a turbine's.
+    EXPECT_GT(boundingBox(*handpieces.contraAngle).sizes().y(), boundingBox(*handpieces.turbine).sizes().y() + 5);
 }
 
 TEST(InstrumentSet, TheMirrorHasTheSizeThatWasChosenBeforeItWasMade) {
@@ -40,7 +52,7 @@ TEST(InstrumentSet, AnotherSizeReplacesTheMirrorAlone) {
     const InstrumentMeshes before = *instruments.meshes();
     instruments.setMirror({.diameter = 24});
     EXPECT_NE(instruments.meshes()->mirror, before.mirror);
-    EXPECT_EQ(instruments.meshes()->turbine, before.turbine);
+    EXPECT_EQ(instruments.meshes()->handpieces.turbine, before.handpieces.turbine);
     EXPECT_EQ(instruments.meshes()->disc.radius, makeMirror(24).disc.radius);
     EXPECT_EQ(instruments.mirror().diameter, 24);
 }

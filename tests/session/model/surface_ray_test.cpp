@@ -56,5 +56,27 @@ TEST(SurfaceRay, WhatIsBehindIsNotHit) {
     EXPECT_FALSE(firstHit(ball(), Ray{Vec3(1, 2, 10), Vec3::UnitZ()}).has_value());
 }
 
+/// Closed form: a place inside a ball, and the way out of it.
+TEST(SurfaceRay, DepthInsideABallIsTheWayOut) {
+    const Surface surface = ball();
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    int inside = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 fromCentre = 3 * Vec3(uniform(random), uniform(random), uniform(random));
+        const Vec3 up = Vec3(uniform(random), uniform(random), uniform(random)).normalized();
+        if (std::abs(fromCentre.norm() - 2) < 0.01) continue;  // between facets and sphere
+        const double depth = depthInside(*surface.base, Vec3(1, 2, 3) + fromCentre, up);
+        if (fromCentre.norm() > 2) {
+            EXPECT_EQ(depth, 0) << i;
+            continue;
+        }
+        ++inside;
+        const double along = -fromCentre.dot(up);
+        EXPECT_NEAR(depth, along + std::sqrt(along * along + 4 - fromCentre.squaredNorm()), 0.03) << i;
+    }
+    EXPECT_GT(inside, 200);
+}
+
 }  // namespace
 }  // namespace tactooth

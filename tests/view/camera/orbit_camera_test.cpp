@@ -57,6 +57,42 @@ TEST(OrbitCamera, SideViewsStandOnTheirSideWithTheCrownUp) {
     }
 }
 
+/// From all sides and in wide and high pictures, by the projected points themselves.
+TEST(OrbitCamera, FilledPictureShowsThePointsCentredAtTheWantedSize) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 2000; ++i) {
+        const double angle = 0.1 * i, height = i / 2000.0;
+        points.emplace_back(3 + 5 * std::cos(angle) * height, 4 * std::sin(angle), -2 + 9 * height);
+    }
+    for (const ImageSize size : {ImageSize{1200, 500}, ImageSize{500, 900}}) {
+        for (double azimuth = 0; azimuth < 6; azimuth += 0.7) {
+            for (const double elevation : {-0.4, 0.0, 0.6, std::numbers::pi / 2}) {
+                OrbitCamera camera;
+                camera.setView({azimuth, elevation});
+                camera.fill(points, 0.8, size.aspect());
+                Vec2 low(1e9, 1e9), high(-1e9, -1e9);
+                for (const Vec3& point : points) {
+                    const auto pixel = project(camera.camera(), size, point);
+                    ASSERT_TRUE(pixel.has_value());
+                    low = low.cwiseMin(*pixel);
+                    high = high.cwiseMax(*pixel);
+                }
+                const double filled = std::max((high.x() - low.x()) / size.width, (high.y() - low.y()) / size.height);
+                EXPECT_LE(filled, 0.8 + 1e-9);
+                EXPECT_GE(filled, 0.7) << azimuth << ' ' << elevation;
+                EXPECT_LT(((low + high) / 2 - Vec2(size.width / 2.0, size.height / 2.0)).norm(), 0.08 * size.height);
+            }
+        }
+    }
+}
+
+TEST(OrbitCamera, FillingWithNothingChangesNothing) {
+    OrbitCamera camera = fitted();
+    const double before = camera.distance();
+    camera.fill({}, 0.8, 1);
+    EXPECT_EQ(camera.distance(), before);
+}
+
 TEST(OrbitCamera, FittedBoxIsInThePictureFromAllSides) {
     for (const ImageSize size : {ImageSize{800, 600}, ImageSize{300, 900}}) {
         OrbitCamera camera;

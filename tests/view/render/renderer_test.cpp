@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "instruments/turbine.h"
 #include "support/shapes.h"
 #include "view/renderer_fixture.h"
 
@@ -107,6 +108,42 @@ TEST_F(RendererTest, InvisibleObjectsAreNotDrawn) {
     Scene scene = sceneOf({objectOf(ball())});
     scene.objects[0].visible = false;
     EXPECT_EQ(coveredPixelCount(draw(scene)), 0U);
+}
+
+/// The turbine stands between the eye and the body, in each of the planes of the section. Its pixels are those of the
+/// turbine alone, whatever the section takes from the body.
+TEST_F(RendererTest, ASectionLeavesAnInstrumentWhole) {
+    SceneObject body = objectOf(ball());
+    body.sectioned = true;
+    body.capAppearance = appearances::dentin();
+    const Vec3 normals[] = {Vec3::UnitX(),  -Vec3::UnitX(), Vec3::UnitY(),
+                            -Vec3::UnitY(), Vec3::UnitZ(),  -Vec3::UnitZ()};
+    for (const OrbitCamera::Direction direction : {OrbitCamera::Direction{0.9, 0.5}, {1.5, 1.2}, {-2, 0.1}}) {
+        const Vec3 toEye(std::cos(direction.elevation) * std::cos(direction.azimuth),
+                         std::cos(direction.elevation) * std::sin(direction.azimuth), std::sin(direction.elevation));
+        SceneObject turbine = objectOf(makeTurbine(4000), appearances::steel());
+        turbine.objectInWorld.position = 60 * toEye;
+        turbine.moves = turbine.handle = true;
+        Scene scene = sceneOf({body, turbine}, direction);
+        RenderSettings settings = kQuick;
+        settings.shadows = Shadows::None;
+        settings.ambientOcclusion = false;
+        Scene alone = scene;
+        alone.objects.erase(alone.objects.begin());
+        const Image wanted = draw(alone, settings);
+        ASSERT_GT(coveredPixelCount(wanted), 500U);
+        for (const Vec3& normal : normals) {
+            for (const double offset : {-4.0, 0.0, 15.0}) {
+                scene.section = Section{{normal, offset}};
+                const Image image = draw(scene, settings);
+                std::size_t other = 0;
+                for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+                    if (wanted.pixels[i][3] == 255 && image.pixels[i] != wanted.pixels[i]) ++other;
+                }
+                EXPECT_LT(other, coveredPixelCount(wanted) / 100) << normal.transpose() << ' ' << offset;
+            }
+        }
+    }
 }
 
 TEST_F(RendererTest, PoseAndSpinMoveTheObject) {

@@ -6,7 +6,6 @@
 
 #include "app/cli/pictures/render_arguments.h"
 #include "app/common/inspection.h"
-#include "instruments/turbine.h"
 
 namespace tactooth {
 
@@ -16,7 +15,7 @@ ReplayPictures::ReplayPictures(OffscreenRenderer renderer, const OrbitCamera& ca
       camera_(camera),
       size_(size),
       around_(bodiesAround(model)),
-      turbine_(std::make_shared<const TriangleMesh>(makeTurbine())) {}
+      handpieces_(HandpieceMeshes::make()) {}
 
 Expected<ReplayPictures> ReplayPictures::create(const std::string& view, ImageSize size, const CutModel& model) {
     const auto direction = parseView(view);
@@ -45,7 +44,7 @@ Expected<Image> ReplayPictures::draw(const SessionReplay& replay, const Tick& ti
         const Instrument& instrument = replay.bur()->instrument;
         if (std::exchange(shape_, instrument.shape) != instrument.shape) bur_ = ReplayBur::of(instrument);
         contents.materials = replay.bur()->settings.materials;
-        if (tick.number > 0) contents.tool = bur_.at(tick, time, turbine_);
+        if (tick.number > 0) contents.tool = bur_.at(tick, time, handpieces_.of(replay.bur()->settings.spindle));
     }
     return renderer_.render(makeScene(contents), size_);
 }

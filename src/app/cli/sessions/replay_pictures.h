@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/common/replay_scene.h"
+#include "session/model/instrument_set.h"
 #include "session/recording/session_replay.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/offscreen.h"
@@ -29,7 +30,7 @@ private:
     OrbitCamera camera_;
     ImageSize size_;
     std::vector<ShownBody> around_;
-    std::shared_ptr<const TriangleMesh> turbine_;
+    HandpieceMeshes handpieces_;
     std::shared_ptr<const ToolShape> shape_;  // of `bur_`
     ReplayBur bur_;
 };

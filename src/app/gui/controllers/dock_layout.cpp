@@ -30,16 +30,17 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLayout = 4;  // version of the set of docks: a saved state of another version is not restored
+constexpr int kLayout = 5;  // version of the set of docks: a saved state of another version is not restored
 
-/// Makes all of a panel reachable with large text on a small screen. `sideways`: it scrolls horizontally too; otherwise
-/// the area takes the width that the panel needs.
+constexpr const char* kInColumn = "inColumn";  // of the scroll area of a panel whose width fitWidths() sets
+
+/// Makes all of a panel reachable with large text on a small screen. `sideways`: it takes any width.
 QScrollArea* scrolling(QWidget& panel, bool sideways) {
     auto* area = new QScrollArea;
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);  // the Tab key stops at its controls, not at the area
-    area->setHorizontalScrollBarPolicy(sideways ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+    area->setProperty(kInColumn, !sideways);
     area->setWidget(&panel);
     return area;
 }
@@ -63,15 +64,17 @@ void DockLayout::addToolBars() {
     fileBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     fileBar_->setObjectName("fileBar");
     panels_.drill->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    viewBar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     viewBar_->setObjectName("viewBar");
     window_.addToolBar(viewBar_);
     window_.addToolBarBreak();
     window_.addToolBar(panels_.drill);
 }
 
-QDockWidget* DockLayout::addDock(QWidget& panel, const QString& title, Qt::DockWidgetArea area) {
+/// `name`: by which a saved layout knows it, in every language.
+QDockWidget* DockLayout::addDock(QWidget& panel, const char* name, const QString& title, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title);
-    dock->setObjectName(title);
+    dock->setObjectName(name);
     // These take any size.
     const bool scrolls = &panel != panels_.plots && &panel != panels_.events && &panel != panels_.history;
     dock->setWidget(scrolls ? scrolling(panel, area != Qt::RightDockWidgetArea) : &panel);
@@ -81,24 +84,25 @@ QDockWidget* DockLayout::addDock(QWidget& panel, const QString& title, Qt::DockW
 
 void DockLayout::addDocks() {
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* drill = addDock(*panels_.drive, tr("Drill"), Qt::RightDockWidgetArea);
-    QDockWidget* force = addDock(*panels_.force, tr("Force"), Qt::RightDockWidgetArea);
-    QDockWidget* hand = addDock(*panels_.device, tr("Hand"), Qt::RightDockWidgetArea);
-    QDockWidget* sound = addDock(*panels_.sound, tr("Sound"), Qt::RightDockWidgetArea);
+    drill_ = addDock(*panels_.drive, "Drill", tr("Drill"), Qt::RightDockWidgetArea);
+    QDockWidget* force = addDock(*panels_.force, "Force", tr("Force"), Qt::RightDockWidgetArea);
+    QDockWidget* hand = addDock(*panels_.device, "Hand", tr("Hand"), Qt::RightDockWidgetArea);
+    QDockWidget* sound = addDock(*panels_.sound, "Sound", tr("Sound"), Qt::RightDockWidgetArea);
     // The user sets these rarely. One below the other they are higher than most screens.
     window_.tabifyDockWidget(force, hand);
     window_.tabifyDockWidget(hand, sound);
     force->raise();
-    QDockWidget* inside = addDock(*panels_.inspection, tr("Look inside"), Qt::RightDockWidgetArea);
-    QDockWidget* plots = addDock(*panels_.plots, tr("Last ten seconds"), Qt::BottomDockWidgetArea);
-    window_.tabifyDockWidget(plots, addDock(*panels_.exercise, tr("Exercise"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.events, tr("What happened"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.history, tr("History"), Qt::BottomDockWidgetArea));
-    window_.tabifyDockWidget(plots, addDock(*panels_.timing, tr("Real time"), Qt::BottomDockWidgetArea));
+    QDockWidget* inside = addDock(*panels_.inspection, "Look inside", tr("Look inside"), Qt::RightDockWidgetArea);
+    QDockWidget* plots = addDock(*panels_.plots, "Last ten seconds", tr("Last ten seconds"), Qt::BottomDockWidgetArea);
+    window_.tabifyDockWidget(plots, addDock(*panels_.exercise, "Exercise", tr("Exercise"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots,
+                             addDock(*panels_.events, "What happened", tr("What happened"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots, addDock(*panels_.history, "History", tr("History"), Qt::BottomDockWidgetArea));
+    window_.tabifyDockWidget(plots, addDock(*panels_.timing, "Real time", tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
     fit();
     // The first tab is visible as a whole; the tabs behind it may scroll.
-    window_.resizeDocks({drill, force, inside},
+    window_.resizeDocks({drill_, force, inside},
                         {panels_.drive->sizeHint().height(), panels_.force->sizeHint().height(),
                          panels_.inspection->sizeHint().height()},
                         Qt::Vertical);
@@ -119,19 +123,55 @@ int DockLayout::tabHeight() const {
 
 void DockLayout::fit() {
     for (auto* area : window_.findChildren<QScrollArea*>()) {
+        if (!area->property(kInColumn).toBool()) continue;
         QWidget& panel = *area->widget();
-        if (area->horizontalScrollBarPolicy() != Qt::ScrollBarAlwaysOff) continue;
         panel.ensurePolished();
         panel.layout()->invalidate();  // its size is that of the font before
-        area->setMinimumWidth(panel.minimumSizeHint().width() +
-                              window_.style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-        if (&panel == panels_.inspection) continue;
-        area->setMaximumHeight(&panel == panels_.drive ? panel.sizeHint().height() : tabHeight());
-        if (&panel == panels_.drive) area->setMinimumHeight(panel.sizeHint().height());
+        fitHeight(*area, panel);
     }
+    fitWidths();
     QFont title = QApplication::font();
     title.setStyleStrategy(QFont::PreferAntialias);  // with the default font a dock's title would keep its size
     for (auto* dock : window_.findChildren<QDockWidget*>()) dock->setFont(title);
+}
+
+void DockLayout::fitHeight(QScrollArea& area, QWidget& panel) const {
+    if (&panel == panels_.inspection) return;
+    area.setMaximumHeight(&panel == panels_.drive ? panel.sizeHint().height() : tabHeight());
+    if (&panel == panels_.drive) area.setMinimumHeight(panel.sizeHint().height());
+}
+
+void DockLayout::fitWidths() {
+    constexpr double kMost = 0.33;  // of the window
+    constexpr int kLeast = 360;     // pixels: all panels at the usual size of the text
+    const int most = std::max(kLeast, static_cast<int>(kMost * window_.width()));
+    int wanted = 0;
+    for (auto* area : window_.findChildren<QScrollArea*>()) {
+        if (!area->property(kInColumn).toBool()) continue;
+        const int needed =
+            area->widget()->minimumSizeHint().width() + window_.style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+        area->setHorizontalScrollBarPolicy(needed > most ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+        area->setMinimumWidth(std::min(needed, most));
+        wanted = std::max(wanted, area->minimumWidth());
+    }
+    resizeColumn(wanted);
+}
+
+/// `wanted`: the least width now. The user's own width comes back after large text.
+void DockLayout::resizeColumn(int wanted) {
+    if (!drill_->isVisible() || drill_->isFloating()) return;
+    const int now = drill_->width();
+    if (wanted > now) {
+        if (!widthBefore_) widthBefore_ = now;
+        forcedWidth_ = wanted;
+        return;
+    }
+    if (!widthBefore_ || wanted >= forcedWidth_) return;
+    constexpr int kSame = 4;                          // pixels
+    const bool isOurs = now <= forcedWidth_ + kSame;  // the user has not made it wider meanwhile
+    if (isOurs) window_.resizeDocks({drill_}, {std::max(wanted, *widthBefore_)}, Qt::Horizontal);
+    forcedWidth_ = wanted;
+    if (!isOurs || wanted <= *widthBefore_) widthBefore_.reset();
 }
 
 void DockLayout::fitLater() { QTimer::singleShot(0, this, &DockLayout::fit); }

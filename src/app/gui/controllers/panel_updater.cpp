@@ -19,6 +19,7 @@ PanelUpdater::PanelUpdater(SessionModel& model, const WindowPanels& panels, cons
     : model_(model), panels_(panels), sound_(sound) {}
 
 void PanelUpdater::showStep(bool busy) {
+    if (model_.runner() != nullptr) trace_.setUncut(model_.runner()->feed().surface()->base);
     trace_.add(model_.log().ticks());
     panels_.busy->setVisible(busy);
     if (!replaying_) panels_.view->refresh();

@@ -12,6 +12,7 @@
 
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/model/current_work.h"
 #include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/status_line.h"
@@ -43,6 +44,8 @@ RecordingController::RecordingController(SessionModel& model, const ExaminationM
     switch_->setObjectName("recordSessions");
     switch_->setCheckable(true);
     switch_->setChecked(true);
+    setLineIcon(*switch_, "recordings");
+    setLineIcon(*open_, "folder");
     connect(switch_, &QAction::toggled, this, &RecordingController::apply);
     connect(&mode_, &ExaminationMode::changed, this, &RecordingController::followExamination);
     place_->setEnabled(false);
@@ -53,6 +56,7 @@ RecordingController::RecordingController(SessionModel& model, const ExaminationM
 void RecordingController::addTo(QMenu& menu) {
     menu_ = menu.addMenu(tr("Recor&dings"));
     menu_->setObjectName("recordings");
+    setLineIcon(*menu_->menuAction(), "recordings");
     menu_->addActions({switch_, place_, open_});
     connect(menu_, &QMenu::aboutToShow, this, &RecordingController::fillMenu);
     fillMenu();

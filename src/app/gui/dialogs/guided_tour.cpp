@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/dialogs/guided_tour.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
+#include "app/gui/scene/clear_view.h"
 #include "app/gui/scene/tooth_view.h"
+#include "session/model/surface_ray.h"
 
 namespace tactooth {
 namespace {
@@ -15,7 +18,6 @@ namespace {
 constexpr int kTickMs = 40;
 constexpr double kStroke = 0.8;  // mm to each side
 constexpr double kStrokesPerSecond = 0.5;
-constexpr double kBelowTop = 2.5;  // mm from the cusps down to the fossa of a molar
 
 }  // namespace
 
@@ -33,11 +35,29 @@ GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, Dr
 
 void GuidedTour::start() {
     if (model_.runner() == nullptr || !model_.editsAllowed()) return;  // it takes its cut back
+    model_.manipulator().resetOrientation();
     view_.resetView();
-    view_.fit();
+    lookPastTheHandpiece();
     step_ = 0;
     beginStep();
     timer_.start(kTickMs);
+}
+
+/// Handpiece and cusps must not hide what the bur does.
+void GuidedTour::lookPastTheHandpiece() {
+    const auto tooth = model_.runner()->feed().surface();
+    const auto& meshes = model_.instruments().meshes();
+    Surface handpiece;
+    if (view_.showsTurbine() && meshes) {
+        handpiece.base = std::make_shared<const SurfacePart>(*meshes->handpieces.of(model_.haptics().spindle));
+    }
+    const Quat grip = model_.manipulator().pose().rotation;
+    const std::array tools = {Pose{placeAt(-kStroke), grip}, Pose{placeAt(0), grip}, Pose{placeAt(kStroke), grip}};
+    const Obstacles obstacles{*tooth, handpiece.base != nullptr ? &handpiece : nullptr};
+    const ViewDirection view = clearView(obstacles, tools, dentistView(model_.mesialX()));
+    OrbitCamera camera = view_.orbitCamera();
+    camera.setView({view.azimuth, view.elevation});
+    view_.setOrbitCamera(camera);
 }
 
 void GuidedTour::stop() {
@@ -88,10 +108,16 @@ void GuidedTour::undo() { drill_.undoAction()->trigger(); }
 
 Viewport GuidedTour::picture() const { return view_.viewport(); }
 
-Vec2 GuidedTour::pixelAt(double aside) const {
+Vec3 GuidedTour::placeAt(double aside) const {
+    constexpr double kAbove = 1;  // mm
     const Box3 box = model_.tooth()->box();
-    const Vec3 fossa(box.center().x() - model_.mesialX() * aside, box.center().y(), box.max().z() - kBelowTop);
-    const auto pixel = project(picture().camera(), picture().size(), fossa);
+    const Vec3 above(box.center().x() - model_.mesialX() * aside, box.center().y(), box.max().z() + kAbove);
+    const auto hit = firstHit(*model_.runner()->feed().surface(), {above, -Vec3::UnitZ()});
+    return above - hit.value_or(kAbove) * Vec3::UnitZ();
+}
+
+Vec2 GuidedTour::pixelAt(double aside) const {
+    const auto pixel = project(picture().camera(), picture().size(), placeAt(aside));
     return pixel.value_or(Vec2(picture().size().width / 2.0, picture().size().height / 2.0));
 }
 

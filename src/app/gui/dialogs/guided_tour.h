@@ -45,9 +45,11 @@ private:
     void lift();
     void cut();
     void undo();
+    void lookPastTheHandpiece();
     [[nodiscard]] Viewport picture() const;
-    /// The pixel to point at, `aside` mm distal of the middle of the occlusal surface. The middle of the picture if
-    /// that place is behind the camera.
+    /// The place of the surface `aside` mm distal of the middle of the occlusal surface.
+    [[nodiscard]] Vec3 placeAt(double aside) const;
+    /// The pixel to point at for it. The middle of the picture if that place is behind the camera.
     [[nodiscard]] Vec2 pixelAt(double aside) const;
 
     SessionModel& model_;

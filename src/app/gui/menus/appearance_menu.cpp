@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/settings/window_setup.h"
 
 namespace tactooth {
 
 AppearanceMenu::AppearanceMenu(QMenu& menu) : dark_(addSwitch(menu, tr("&Dark colours"), "Ctrl+D")) {
+    setLineIcon(*dark_, "dark");
     connect(dark_, &QAction::toggled, this, [this](bool dark) {
         applyColours(dark);
         emit coloursChanged();
@@ -23,6 +25,7 @@ AppearanceMenu::AppearanceMenu(QMenu& menu) : dark_(addSwitch(menu, tr("&Dark co
 void AppearanceMenu::addTextSizes(QMenu& menu) {
     QMenu* sizes = menu.addMenu(tr("Te&xt size"));
     sizes->setObjectName("textSize");
+    setLineIcon(*sizes->menuAction(), "text-size");
     textSizes_ = new QActionGroup(sizes);
     for (const int percent : {100, 125, 150, 200}) {
         QAction* action = sizes->addAction(tr("%1 %").arg(percent));
@@ -46,6 +49,7 @@ void AppearanceMenu::setTextScale(double scale) {
 void AppearanceMenu::addLanguages(QMenu& menu) {
     QMenu* names = menu.addMenu(tr("&Language"));
     names->setObjectName("language");
+    setLineIcon(*names->menuAction(), "language");
     languages_ = new QActionGroup(names);
     const std::pair<QString, const char*> languages[] = {
         {tr("As the system"), ""}, {"English", "en"}, {QStringLiteral("\u65e5\u672c\u8a9e"), "ja"}};

@@ -6,7 +6,6 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QStyle>
 #include <QToolBar>
 #include <array>
 
@@ -14,6 +13,8 @@
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/icons/line_icon.h"
+#include "app/gui/menus/menu_switch.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -29,34 +30,42 @@ FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, Toot
 void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,
                      ExaminationController& examinations) {
     QMenu* menu = window.menuBar()->addMenu(tr("&File"));
-    const QStyle& style = *window.style();
-    QAction* open = menu->addAction(style.standardIcon(QStyle::SP_DialogOpenButton), tr("&Open tooth…"), &teeth_,
-                                    &ToothController::askForTooth);
+    const auto add = [&](const QString& text, const char* icon, const auto* receiver, auto act) {
+        QAction* action = menu->addAction(text, receiver, act);
+        setLineIcon(*action, icon);
+        return action;
+    };
+    const auto addMenu = [&](const QString& text, const char* icon) {
+        QMenu* result = menu->addMenu(text);
+        setLineIcon(*result->menuAction(), icon);
+        return result;
+    };
+    QAction* open = add(tr("&Open tooth…"), "open", &teeth_, &ToothController::askForTooth);
     open->setShortcut(QKeySequence::Open);
-    QMenu* builtin = menu->addMenu(tr("&Built-in teeth"));
+    QMenu* builtin = addMenu(tr("&Built-in teeth"), "tooth");
     addBuiltinTeeth(*builtin);
-    addMouth(*menu);
-    recentMenu_ = menu->addMenu(tr("Open &recent"));
+    addMouth(*addMenu(tr("&Whole mouth"), "mouth"));
+    recentMenu_ = addMenu(tr("Open &recent"), "recent");
     recentMenu_->setObjectName("recent");
     connect(recentMenu_, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
-    caseMenu_ = menu->addMenu(tr("Tooth of the &case"));
+    caseMenu_ = addMenu(tr("Tooth of the &case"), "case");
     caseMenu_->setObjectName("teethOfCase");
     connect(caseMenu_, &QMenu::aboutToShow, this, &FileMenu::fillCase);
-    menu->addAction(tr("&Import scan…"), &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
-    menu->addAction(tr("Open &bur…"), &teeth_, &ToothController::askForBur);
-    menu->addAction(tr("Open e&xercise…"), &exercise_, &ExerciseController::askForExercise);
-    menu->addAction(tr("Open recor&ding…"), this, &FileMenu::recordingWanted);
-    menu->addAction(tr("&Save tooth…"), &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
-    QAction* save = menu->addAction(style.standardIcon(QStyle::SP_DialogSaveButton), tr("&Export cut tooth…"), &teeth_,
-                                    &ToothController::askForExport);
-    save->setShortcut(QKeySequence::SaveAs);
+    add(tr("&Import scan…"), "import", &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
+    add(tr("Open &bur…"), "bur", &teeth_, &ToothController::askForBur);
+    add(tr("Open e&xercise…"), "exercise", &exercise_, &ExerciseController::askForExercise);
+    add(tr("Open recor&ding…"), "recording", this, &FileMenu::recordingWanted);
+    add(tr("&Save tooth…"), "save", &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
+    QAction* save = add(tr("&Export cut tooth…"), "export", &teeth_, &ToothController::askForExport);
+    save->setShortcut(QKeySequence("Ctrl+Shift+S"));  // QKeySequence::SaveAs is empty outside of some desktops
     recordings.addTo(*menu);
     examinations.addTo(*menu);
     menu->addSeparator();
-    menu->addAction(tr("&Quit"), &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
-    bar.addAction(open);
-    bar.addAction(builtin->menuAction());
-    bar.addAction(save);
+    add(tr("&Quit"), "quit", &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
+    for (QAction* action : {open, builtin->menuAction(), save}) {
+        hideMarkInBars(*action);
+        bar.addAction(action);
+    }
 }
 
 void FileMenu::addBuiltinTeeth(QMenu& menu) {
@@ -66,12 +75,11 @@ void FileMenu::addBuiltinTeeth(QMenu& menu) {
 }
 
 /// Each tooth by its number, in quadrants as on a dentist's chart.
-void FileMenu::addMouth(QMenu& menu) {
-    QMenu* mouth = menu.addMenu(tr("&Whole mouth"));
-    mouth->setObjectName("mouth");
+void FileMenu::addMouth(QMenu& mouth) {
+    mouth.setObjectName("mouth");
     const std::array quadrants = {tr("Upper right"), tr("Upper left"), tr("Lower left"), tr("Lower right")};
     for (int quadrant = 1; quadrant <= 4; ++quadrant) {
-        QMenu* side = mouth->addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
+        QMenu* side = mouth.addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
         for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
             side->addAction(QString::number(fdi), this, [this, fdi] { teeth_.loadMouth({.fdi = fdi}); });
         }

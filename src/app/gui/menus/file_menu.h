@@ -39,7 +39,7 @@ private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,
                ExaminationController& examinations);
     void addBuiltinTeeth(QMenu& menu);
-    void addMouth(QMenu& menu);
+    void addMouth(QMenu& mouth);
     void remember(const QString& file);
     void setRecent(const QStringList& files);
     void fillRecent();

@@ -9,6 +9,7 @@
 #include "app/gui/dialogs/guided_tour.h"
 #include "app/gui/dialogs/text_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/icons/line_icon.h"
 #include "session/io/commit.h"
 
 namespace tactooth {
@@ -16,10 +17,12 @@ namespace tactooth {
 HelpMenu::HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages)
     : window_(window), teeth_(teeth), tour_(tour), messages_(messages) {
     QMenu* menu = bar.addMenu(tr("&Help"));
-    menu->addAction(tr("&Welcome"), this, &HelpMenu::welcome);
-    menu->addAction(tr("Watch the &demonstration"), &tour_, &GuidedTour::start);
-    menu->addAction(tr("&Mouse and keys"), this, &HelpMenu::showMouseAndKeys)->setShortcut(QKeySequence("F1"));
-    menu->addAction(tr("&About Tactooth"), this, &HelpMenu::showAbout);
+    setLineIcon(*menu->addAction(tr("&Welcome"), this, &HelpMenu::welcome), "welcome");
+    setLineIcon(*menu->addAction(tr("Watch the &demonstration"), &tour_, &GuidedTour::start), "demonstration");
+    QAction* keys = menu->addAction(tr("&Mouse and keys"), this, &HelpMenu::showMouseAndKeys);
+    keys->setShortcut(QKeySequence("F1"));
+    setLineIcon(*keys, "keys");
+    setLineIcon(*menu->addAction(tr("&About Tactooth"), this, &HelpMenu::showAbout), "about");
 }
 
 void HelpMenu::welcome() {

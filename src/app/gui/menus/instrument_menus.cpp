@@ -4,6 +4,7 @@
 
 #include <QActionGroup>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/menus/menu_switch.h"
 #include "session/model/instrument_set.h"
 
@@ -12,6 +13,8 @@ namespace tactooth {
 void InstrumentMenus::addSpraySwitches(QMenu& menu) {
     water_ = addSwitch(menu, tr("&Water spray"), "W", "water");
     suction_ = addSwitch(menu, tr("Su&ction"), "S", "suction");
+    setLineIcon(*water_, "water");
+    setLineIcon(*suction_, "suction");
     connect(water_, &QAction::toggled, this, [this](bool on) { instruments_.setWater(on); });
     connect(suction_, &QAction::toggled, this, [this](bool on) { instruments_.setSuction(on); });
     water_->setChecked(true);
@@ -21,6 +24,7 @@ void InstrumentMenus::addSpraySwitches(QMenu& menu) {
 void InstrumentMenus::addMirrorMenu(QMenu& menu) {
     QMenu* glass = menu.addMenu(tr("Mirror &glass"));
     glass->setObjectName("mirrorGlass");
+    setLineIcon(*glass->menuAction(), "glass");
     sizes_ = new QActionGroup(glass);
     for (const MirrorSize& size : kMirrorSizes) {
         QAction* action = glass->addAction(tr("No. %1, %2 mm").arg(QString(size.number)).arg(size.diameter));
@@ -31,6 +35,8 @@ void InstrumentMenus::addMirrorMenu(QMenu& menu) {
     glass->addSeparator();
     fog_ = addSwitch(*glass, tr("&Fogged"), "B", "fogged");
     drops_ = addSwitch(*glass, tr("&Drops of spray"), "D", "drops");
+    setLineIcon(*fog_, "fog");
+    setLineIcon(*drops_, "drops");
     setMirror({});
     connect(sizes_, &QActionGroup::triggered, this, &InstrumentMenus::updateMirror);
     for (QAction* action : {fog_, drops_}) connect(action, &QAction::toggled, this, &InstrumentMenus::updateMirror);

@@ -3,8 +3,16 @@
 #pragma once
 
 #include <QMenu>
+#include <QRegularExpression>
 
 namespace tactooth {
+
+/// Lets tool bars show the text of a menu's entry without its keyboard mark: neither "&Open" nor, in Japanese,
+/// "開く(&O)".
+inline void hideMarkInBars(QAction& action) {
+    static const QRegularExpression kMark(R"(\(&\w\)|&)");
+    action.setIconText(action.text().remove(kMark));
+}
 
 /// Adds an action that the user switches on and off by the menu or by `keys`. `name`: its object name.
 inline QAction* addSwitch(QMenu& menu, const QString& text, const QString& keys, const QString& name = {}) {

@@ -8,28 +8,37 @@
 #include <array>
 
 #include "app/common/inspection.h"
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/scene/tooth_view.h"
 
 namespace tactooth {
 
+namespace {
+
+/// Its drawing has the name of the view.
+const char* iconOf(StandardView view) { return kStandardViews[static_cast<std::size_t>(view)].first.data(); }
+
+}  // namespace
+
 ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), bar_(bar), view_(view) {
-    addAction(tr("Dentist's view"), "0", &ToothView::resetView);
+    addAction(tr("Dentist's view"), "0", "dentist", &ToothView::resetView);
     const QStringList titles = addStandardViews();
-    addAction(tr("Fit"), "F", &ToothView::fit);
+    addAction(tr("Fit"), "F", "fit", &ToothView::fit);
     addSecondViews(titles);
     menu_.addSeparator();
     bar_.addSeparator();
-    mirror_ = addVisibility(tr("Mirror"), "M", &ToothView::setShowsMirror);
-    turbine_ = addVisibility(tr("Turbine"), "H", &ToothView::setShowsTurbine);
-    aim_ = addVisibility(tr("Aim"), "J", &ToothView::setShowsAim);
+    mirror_ = addVisibility(tr("Mirror"), "M", "mirror", &ToothView::setShowsMirror);
+    turbine_ = addVisibility(tr("Turbine"), "H", "handpiece", &ToothView::setShowsTurbine);
+    aim_ = addVisibility(tr("Aim"), "J", "aim", &ToothView::setShowsAim);
     aim_->setToolTip(
         tr("Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the "
            "force"));
 }
 
-void ViewMenu::addAction(const QString& text, const QString& keys, void (ToothView::*act)()) {
+void ViewMenu::addAction(const QString& text, const QString& keys, const char* icon, void (ToothView::*act)()) {
     QAction* action = menu_.addAction(text, &view_, act);
+    setLineIcon(*action, icon);
     action->setShortcut(QKeySequence(keys));
     bar_.addAction(action);
 }
@@ -46,6 +55,7 @@ QStringList ViewMenu::addStandardViews() {
     for (const auto& [name, view] : views) {
         titles.append(name);
         QAction* action = menu_.addAction(name, this, [this, view = view] { view_.setView(view); });
+        setLineIcon(*action, iconOf(view));
         action->setShortcut(QKeySequence(QString::number(key++)));
         bar_.addAction(action);
     }
@@ -55,10 +65,12 @@ QStringList ViewMenu::addStandardViews() {
 void ViewMenu::addSecondViews(const QStringList& titles) {
     QMenu* menu = menu_.addMenu(tr("&Second view"));
     menu->setObjectName("secondView");
+    setLineIcon(*menu->menuAction(), "second-view");
     secondViews_ = new QActionGroup(menu);
     const auto add = [&](const QString& title, int key, std::string_view name) {
         QAction* action = addSwitch(*menu, title, QString("Ctrl+%1").arg(key));
         action->setData(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+        setLineIcon(*action, name.data());
         secondViews_->addAction(action);
         return action;
     };
@@ -68,8 +80,10 @@ void ViewMenu::addSecondViews(const QStringList& titles) {
             [this](QAction* chosen) { setSecondView(chosen->data().toString()); });
 }
 
-QAction* ViewMenu::addVisibility(const QString& text, const QString& keys, void (ToothView::*show)(bool)) {
+QAction* ViewMenu::addVisibility(const QString& text, const QString& keys, const char* icon,
+                                 void (ToothView::*show)(bool)) {
     QAction* action = addSwitch(menu_, text, keys);
+    setLineIcon(*action, icon);
     action->setChecked(true);
     connect(action, &QAction::toggled, &view_, show);
     bar_.addAction(action);

@@ -28,10 +28,10 @@ public:
     void store(WindowSettings& settings) const;
 
 private:
-    void addAction(const QString& text, const QString& keys, void (ToothView::*act)());
+    void addAction(const QString& text, const QString& keys, const char* icon, void (ToothView::*act)());
     [[nodiscard]] QStringList addStandardViews();
     void addSecondViews(const QStringList& titles);
-    QAction* addVisibility(const QString& text, const QString& keys, void (ToothView::*show)(bool));
+    QAction* addVisibility(const QString& text, const QString& keys, const char* icon, void (ToothView::*show)(bool));
     void setSecondView(const QString& name);
 
     QMenu& menu_;

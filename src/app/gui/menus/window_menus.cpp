@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/inspection_panel.h"
@@ -34,20 +35,25 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
     menu->addSeparator();
     appearance_ = std::make_unique<AppearanceMenu>(*menu);
     menu->addSeparator();
-    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        setLineIcon(*dock->toggleViewAction(), "panel");
+        menu->addAction(dock->toggleViewAction());
+    }
 }
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
     menu->addSeparator();
-    menu->addAction(tr("Stand the bur &upright"), this, [this] { model_.manipulator().resetOrientation(); })
-        ->setShortcut(QKeySequence("U"));
+    const auto add = [&](const QString& text, const char* keys, const char* icon, const auto& act) {
+        QAction* action = menu->addAction(text, this, act);
+        action->setShortcut(QKeySequence(keys));
+        setLineIcon(*action, icon);
+    };
     constexpr double kTurn = 0.2;  // rad for one press of the key
-    menu->addAction(tr("Turn the handle &left"), this, [this] { model_.manipulator().rotateHandle(kTurn); })
-        ->setShortcut(QKeySequence("Q"));
-    menu->addAction(tr("Turn the handle &right"), this, [this] { model_.manipulator().rotateHandle(-kTurn); })
-        ->setShortcut(QKeySequence("E"));
+    add(tr("Stand the bur &upright"), "U", "upright", [this] { model_.manipulator().resetOrientation(); });
+    add(tr("Turn the handle &left"), "Q", "turn-left", [this] { model_.manipulator().rotateHandle(kTurn); });
+    add(tr("Turn the handle &right"), "E", "turn-right", [this] { model_.manipulator().rotateHandle(-kTurn); });
     menu->addSeparator();
     instruments_.addSpraySwitches(*menu);
     menu->addSeparator();
@@ -57,6 +63,7 @@ void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
 void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {
     QAction* mute = bar.addMenu(tr("&Sound"))->addAction(tr("&Mute"));
     mute->setCheckable(true);
+    setLineIcon(*mute, "mute");
     mute->setShortcut(QKeySequence("Ctrl+M"));
     connect(mute, &QAction::toggled, &panel, &SoundPanel::setMuted);
     connect(&panel, &SoundPanel::mutedChanged, mute, &QAction::setChecked);

@@ -5,6 +5,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/text/translation.h"
 #include "devices/open_device.h"
 
@@ -130,6 +131,7 @@ void DevicePanel::addHold(QGridLayout& grid) {
     clutch_->setCheckable(true);
     clutch_->setObjectName("clutch");
     clutchAction_->setCheckable(true);
+    setLineIcon(*clutchAction_, "hold");
     clutchAction_->setShortcut(QKeySequence(Qt::Key_X));
     connect(clutchAction_, &QAction::toggled, clutch_, &QPushButton::setChecked);
     connect(clutch_, &QPushButton::toggled, clutchAction_, &QAction::setChecked);

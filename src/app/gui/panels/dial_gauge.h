@@ -24,7 +24,7 @@ public:
     void setValue(double value);
     [[nodiscard]] double value() const { return value_; }
     [[nodiscard]] QSize sizeHint() const override { return QSize(140, 128) * fontScale(); }
-    [[nodiscard]] QSize minimumSizeHint() const override { return QSize(120, 110) * fontScale(); }
+    [[nodiscard]] QSize minimumSizeHint() const override { return QSize(100, 110) * fontScale(); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -4,8 +4,8 @@
 
 #include <QActionGroup>
 #include <QLabel>
-#include <QStyle>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -59,21 +59,23 @@ void DrillBar::addModes() {
     cut_->setToolTip(tr("Cut (C): with the pedal down the bur turns and cuts"));
     cut_->setShortcut(Qt::Key_C);
     for (QAction* mode : {touch_, cut_}) mode->setCheckable(true);
+    setLineIcon(*touch_, "touch");
+    setLineIcon(*cut_, "cut");
     touch_->setChecked(true);
     addActions(modes->actions());
     connect(cut_, &QAction::toggled, this, [this](bool cutting) {
         if (!showing_) emit cuttingChanged(cutting);
     });
     addSeparator();
-    undo_ = addAction(style()->standardIcon(QStyle::SP_ArrowBack), tr("Undo"));
+    undo_ = addAction(lineIcon("undo"), tr("Undo"));
     undo_->setObjectName("undo");
     undo_->setToolTip(tr("Takes back the last cut or change (Ctrl+Z)"));
     undo_->setShortcut(QKeySequence("Ctrl+Z"));
-    redo_ = addAction(style()->standardIcon(QStyle::SP_ArrowForward), tr("Redo"));
+    redo_ = addAction(lineIcon("redo"), tr("Redo"));
     redo_->setObjectName("redo");
     redo_->setToolTip(tr("Does again what was taken back (Ctrl+Shift+Z or Ctrl+Y)"));
     redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
-    reset_ = addAction(style()->standardIcon(QStyle::SP_BrowserReload), tr("Reset tooth"));
+    reset_ = addAction(lineIcon("reset"), tr("Reset tooth"));
     reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R); Undo takes that back"));
     reset_->setShortcut(QKeySequence("Ctrl+R"));
 }

@@ -21,6 +21,9 @@ public:
     /// The pedal key is down or up.
     void setKeyDown(bool down);
     [[nodiscard]] double pedal() const;
+    /// Whether the pedal stays down by itself.
+    [[nodiscard]] bool isKeptDown() const { return keep_->isChecked(); }
+    void setKeptDown(bool kept) { keep_->setChecked(kept); }
     void setSpindle(const SpindlePreset& spindle);
     void show(const Tick& tick);
     /// Whether there is a gauge of the force.

@@ -61,6 +61,7 @@ void EventPanel::addLine(const CutEvent& event) {
     lines_->scrollToBottom();
     places_.push_back(event.place);
     isTakenBack_.push_back(false);
+    emit added(event);
     if (event.kind != CutEventKind::FirstContact) emit notified(tr("At %1 s: %2").arg(time, what));
 }
 

@@ -25,6 +25,8 @@ public:
 signals:
     /// A sentence on an event that the student should notice at once.
     void notified(const QString& sentence);
+    /// A line has come to the table.
+    void added(const CutEvent& event);
     /// The user has chosen an event; `place` in the tooth frame, mm.
     void placeChosen(const Vec3& place);
     void exportRequested();

@@ -6,6 +6,8 @@
 #include <QHBoxLayout>
 #include <utility>
 
+#include "app/gui/icons/line_icon.h"
+
 namespace tactooth {
 namespace {
 
@@ -52,6 +54,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     coloured_->setToolTip(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
     ghost_->setObjectName("ghost");
     showGhost_->setCheckable(true);
+    setLineIcon(*showGhost_, "ghost");
     showGhost_->setShortcut(QKeySequence("G"));
     showGhost_->setObjectName("showGhost");
     setTarget({});

@@ -18,13 +18,13 @@
 namespace tactooth {
 namespace {
 
-constexpr std::array<std::string_view, 4> kColumns = {"t", "depth", "speed", "force"};
+constexpr std::array<std::string_view, 5> kColumns = {"t", "depth", "speed", "force", "cavity_depth"};
 
 Expected<void> writeTable(const TickTrace& trace, const std::filesystem::path& file) {
     auto table = CsvWriter::create(file, kColumns);
     if (!table) return Unexpected{table.error()};
     for (const TickTrace::Point& point : trace.points()) {
-        table->row(std::array{point.time, point.depth, point.speed, point.force});
+        table->row(std::array{point.time, point.depth, point.speed, point.force, point.cavityDepth});
     }
     return table->commit();
 }

@@ -48,9 +48,14 @@ PlotPanel::PlotPanel(QWidget* parent)
     auto* row = new QHBoxLayout(plots_);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
-    depth_ = addPlot(tr("Depth, mm"), QColor(0, 114, 178), 0.2);
-    speed_ = addPlot(tr("Speed, mm/s"), QColor(0, 158, 115), 10);
-    force_ = addPlot(tr("Force, N"), QColor(213, 94, 0), 0.5);
+    cavity_ =
+        addPlot(tr("Cavity depth, mm"), tr("How deep the tip of the bur is below the uncut surface, along its shaft"),
+                QColor(148, 82, 160), 0.5);
+    depth_ = addPlot(tr("Penetration depth, mm"),
+                     tr("How far the hand is behind the surface that the bur touches: it grows with the force"),
+                     QColor(0, 114, 178), 0.2);
+    speed_ = addPlot(tr("Speed, mm/s"), tr("Speed of the hand at the tip of the bur"), QColor(0, 158, 115), 10);
+    force_ = addPlot(tr("Force, N"), tr("Force on the hand"), QColor(213, 94, 0), 0.5);
     setColours();
     setStretch(static_cast<int>(TickTrace::kShown));
 }
@@ -85,7 +90,7 @@ QWidget* PlotPanel::makeButtons() {
 
 void PlotPanel::setStretch(int seconds) {
     stretch_->setValue(seconds);
-    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setRange(-seconds, 0);
+    for (const Plot& plot : all()) plot.time->setRange(-seconds, 0);
     fitTicks();
 }
 
@@ -93,9 +98,9 @@ void PlotPanel::setStretch(int seconds) {
 void PlotPanel::fitTicks() {
     const int seconds = stretch_->value();
     const int letters = QFontMetrics(QApplication::font()).horizontalAdvance("-10 s") + 8;
-    const int room = plots_->width() / 3 / std::max(1, letters);
+    const int room = plots_->width() / kPlots / std::max(1, letters);
     const int wanted = seconds % 5 == 0 && room >= 6 ? 6 : seconds % 2 == 0 && room >= 3 ? 3 : 2;
-    for (const Plot& plot : {depth_, speed_, force_}) plot.time->setTickCount(wanted);
+    for (const Plot& plot : all()) plot.time->setTickCount(wanted);
 }
 
 void PlotPanel::resizeEvent(QResizeEvent* event) {
@@ -105,7 +110,7 @@ void PlotPanel::resizeEvent(QResizeEvent* event) {
 
 /// Uses the program's palette: a hidden widget has not received a change yet.
 void PlotPanel::setColours() {
-    for (const Plot& plot : {depth_, speed_, force_}) {
+    for (const Plot& plot : all()) {
         styleAxis(*plot.time);
         styleAxis(*plot.value);
         plot.chart->setTitleFont(QApplication::font());
@@ -128,7 +133,8 @@ bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
     return true;
 }
 
-PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QColor& colour, double smallestRange) {
+PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QString& tip, const QColor& colour,
+                                   double smallestRange) {
     auto* chart = new QChart;
     Plot plot{new QLineSeries, new QValueAxis, new QValueAxis, smallestRange, chart};
     plot.line->setPen(QPen(colour, 1.6));
@@ -149,6 +155,8 @@ PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QColor& colour, d
     auto* view = new QChartView(chart);
     view->setRenderHint(QPainter::Antialiasing);
     view->setMinimumHeight(110);
+    view->setToolTip(tip);
+    view->setAccessibleName(title);
     view->viewport()->installEventFilter(this);
     plots_->layout()->addWidget(view);
     return plot;
@@ -172,6 +180,7 @@ void PlotPanel::show(const TickTrace& trace) {
     const bool filled = !trace.points().empty() && trace.points().back().time > TickTrace::kShown;
     if (std::exchange(flat_, trace.isFlat() && filled) && flat_) return;
     shown_ = trace;
+    draw(cavity_, trace, &TickTrace::Point::cavityDepth);
     draw(depth_, trace, &TickTrace::Point::depth);
     draw(speed_, trace, &TickTrace::Point::speed);
     draw(force_, trace, &TickTrace::Point::force);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "app/gui/panels/tick_trace.h"
 
@@ -14,7 +15,7 @@ class QValueAxis;
 
 namespace tactooth {
 
-/// Depth, speed and force over the last ten seconds.
+/// Cavity depth, penetration depth, speed and force over the last ten seconds.
 class PlotPanel final : public QWidget {
     Q_OBJECT
 
@@ -45,16 +46,18 @@ private:
         double smallestRange;  // of the value axis, so that noise does not fill the plot
         QChart* chart = nullptr;
     };
+    static constexpr int kPlots = 4;
     QWidget* makeButtons();
     void setStretch(int seconds);
     void fitTicks();
-    Plot addPlot(const QString& title, const QColor& colour, double smallestRange);
+    Plot addPlot(const QString& title, const QString& tip, const QColor& colour, double smallestRange);
+    [[nodiscard]] std::array<Plot, kPlots> all() const { return {cavity_, depth_, speed_, force_}; }
     static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
 
     QWidget* plots_;
     QToolButton* pause_;
     QSpinBox* stretch_;  // s
-    Plot depth_, speed_, force_;
+    Plot cavity_, depth_, speed_, force_;
     TickTrace shown_;
     bool flat_ = false;  // the drawn trace is flat
 };

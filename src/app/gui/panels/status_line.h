@@ -4,7 +4,6 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QProgressBar>
 #include <QStatusBar>
 
 #include "app/gui/panels/elided_label.h"
@@ -13,7 +12,7 @@
 
 namespace tactooth {
 
-/// The status line: hint, removed volume, and whether the machine keeps the rate of the servo.
+/// The status line: hint, removed volume, and whether the force comes in time.
 class StatusLine final : public QStatusBar {
     Q_OBJECT
 
@@ -27,18 +26,12 @@ public:
     /// Whether it says how much was removed.
     void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
 
-protected:
-    void changeEvent(QEvent* event) override;
-
 private:
-    void fitMeter();
-    void showServo(const QString& brief, const QString& whole);
-    void showOverrun(std::uint64_t inTime, std::uint64_t missed);
+    void showPace(double percentLate, const QString& details);
 
     ElidedLabel* hint_;
     QLabel* removed_;
-    QLabel* servo_;
-    QProgressBar* overrun_;
+    QLabel* pace_;  // whether the machine keeps the rate of the force
     QLabel* sound_;
     QElapsedTimer since_;
     std::uint64_t ticks_ = 0;

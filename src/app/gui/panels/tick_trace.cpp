@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "session/model/surface_ray.h"
 
 namespace tactooth {
 
@@ -13,12 +16,19 @@ constexpr double kRounding = 1e-6;  // of an interval: a tick on the boundary be
 
 }  // namespace
 
+/// A cavity grows by less than the plot shows within an interval: its depth is computed once for each.
+void TickTrace::endInterval(double next) {
+    if (uncut_ != nullptr) {
+        current_.cavityDepth = depthInside(*uncut_, tool_.position, tool_.rotation * Vec3::UnitZ());
+    }
+    points_.push_back(current_);
+    current_ = {kInterval * (std::floor(next / kInterval + kRounding) + 1), 0, 0, 0, 0};
+}
+
 void TickTrace::add(std::span<const Tick> ticks) {
     for (const Tick& tick : ticks) {
-        if (tick.time >= current_.time) {
-            points_.push_back(current_);
-            current_ = {kInterval * (std::floor(tick.time / kInterval + kRounding) + 1), 0, 0, 0};
-        }
+        if (tick.time >= current_.time) endInterval(tick.time);
+        tool_ = tick.proxy;
         current_.depth = std::max(current_.depth, tick.depth);
         current_.speed = std::max(current_.speed, tick.speed);
         current_.force = std::max(current_.force, tick.wrench.force.norm());
@@ -33,6 +43,10 @@ bool TickTrace::isFlat() const {
     });
 }
 
-void TickTrace::clear() { *this = TickTrace(); }
+void TickTrace::clear() {
+    TickTrace empty;
+    empty.setUncut(std::move(uncut_));
+    *this = std::move(empty);
+}
 
 }  // namespace tactooth

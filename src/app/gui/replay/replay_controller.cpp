@@ -197,10 +197,10 @@ void ReplayController::step() {
 
 SceneContents ReplayController::contents(bool withTurbine) {
     if (!isActive()) return {};
-    const auto turbine = withTurbine ? panel_->turbine() : nullptr;
-    SceneContents contents = source_->contentsAt(cursor_->moment(), turbine);
+    const HandpieceMeshes handpieces = withTurbine ? panel_->handpieces() : HandpieceMeshes();
+    SceneContents contents = source_->contentsAt(cursor_->moment(), handpieces);
     if (ghost_ == nullptr) return contents;
-    SceneContents other = ghost_->contentsAt(ghost_->track()->momentAt(cursor_->time()), turbine);
+    SceneContents other = ghost_->contentsAt(ghost_->track()->momentAt(cursor_->time()), handpieces);
     contents.other = ShownOther{std::move(other.tooth), std::move(other.tool)};
     return contents;
 }

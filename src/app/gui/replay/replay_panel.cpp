@@ -44,13 +44,12 @@ void ReplayPanel::setSource(const ReplaySource& source) {
     sign_->setText(parts.join(" — "));
     sign_->setToolTip(tr("Nothing can be cut here. The tooth on the bench waits unchanged."));
     view_->resetView();
-    view_->fit();
 }
 
-std::shared_ptr<const TriangleMesh> ReplayPanel::turbine() {
+HandpieceMeshes ReplayPanel::handpieces() {
     model_.instruments().poll();
     const std::optional<InstrumentMeshes>& meshes = model_.instruments().meshes();
-    return meshes ? meshes->turbine : nullptr;
+    return meshes ? meshes->handpieces : HandpieceMeshes();
 }
 
 }  // namespace tactooth

@@ -28,8 +28,8 @@ public:
     void setSource(const ReplaySource& source);
     [[nodiscard]] ToothView& view() const { return *view_; }
     [[nodiscard]] ReplayBar& bar() const { return *bar_; }
-    /// The handpiece as it is drawn; null until it is made.
-    [[nodiscard]] std::shared_ptr<const TriangleMesh> turbine();
+    /// The handpieces as they are drawn; null until they are made.
+    [[nodiscard]] HandpieceMeshes handpieces();
 
 private:
     SessionModel model_;

@@ -42,7 +42,7 @@ const ReplayBur& ReplaySource::shownBur(const std::shared_ptr<const TrackBur>& b
                                 : burs_.emplace(bur, ReplayBur::of(bur->begin.instrument)).first->second;
 }
 
-SceneContents ReplaySource::contentsAt(std::uint64_t moment, const std::shared_ptr<const TriangleMesh>& turbine) {
+SceneContents ReplaySource::contentsAt(std::uint64_t moment, const HandpieceMeshes& handpieces) {
     follower_.follow(moment);
     SceneContents contents;
     contents.tooth = follower_.shown().surface;
@@ -51,7 +51,7 @@ SceneContents ReplaySource::contentsAt(std::uint64_t moment, const std::shared_p
     const std::shared_ptr<const TrackBur> bur = track_->burAt(moment);
     if (bur == nullptr || moment == bur->afterTicks) return contents;  // nobody knows yet where the hand is
     const Tick tick = track_->tickBefore(moment).tick();
-    contents.tool = shownBur(bur).at(tick, tick.time, turbine);
+    contents.tool = shownBur(bur).at(tick, tick.time, handpieces.of(bur->begin.settings.spindle));
     return contents;
 }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/common/replay_scene.h"
+#include "session/model/instrument_set.h"
 #include "session/recording/session_recording.h"
 #include "session/track/session_track.h"
 #include "session/track/tooth_follower.h"
@@ -31,9 +32,9 @@ public:
     /// The materials as they were when the bur of this moment began to work.
     [[nodiscard]] MaterialTable materialsAt(std::uint64_t moment) const;
 
-    /// Tooth and instrument at a moment that the track has. The tooth follows as soon as it is there. `turbine`: the
-    /// handpiece behind the bur, or null. One thread.
-    [[nodiscard]] SceneContents contentsAt(std::uint64_t moment, const std::shared_ptr<const TriangleMesh>& turbine);
+    /// Tooth and instrument at a moment that the track has. The tooth follows as soon as it is there. The drive of
+    /// the recording chooses from `handpieces`. One thread.
+    [[nodiscard]] SceneContents contentsAt(std::uint64_t moment, const HandpieceMeshes& handpieces);
     /// Whether the tooth of the last call is that of its moment.
     [[nodiscard]] bool isToothThere() const { return follower_.isThere(); }
 

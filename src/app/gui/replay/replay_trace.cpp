@@ -6,6 +6,7 @@ namespace tactooth {
 
 TickTrace traceBefore(const SessionTrack& track, std::uint64_t moment) {
     TickTrace trace;
+    trace.setUncut(track.tooth()->outer());
     const double begin = track.tickBefore(moment).time - TickTrace::kShown - 2 * TickTrace::kInterval;
     std::array<Tick, 64> some;  // ticks are large
     std::size_t count = 0;

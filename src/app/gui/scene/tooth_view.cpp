@@ -242,9 +242,8 @@ void ToothView::refresh() {
 
 void ToothView::fit() {
     if (!model_.tooth()) return;
-    // The user works on the crown. The roots may be outside the picture, the head of the handpiece should not.
-    constexpr double kAbove = 13;  // mm
-    camera_.fit(crownBox(model_.tooth()->box(), kAbove), imageSize().aspect());
+    constexpr double kFilled = 0.8;  // of the picture: the rim shows what is around
+    camera_.fill(crownCorners(contents().tooth.get(), model_.tooth()->box()), kFilled, imageSize().aspect());
     redraw();
 }
 
@@ -280,6 +279,9 @@ void ToothView::centreOn(const Vec3& place) {
 
 void ToothView::resetView() {
     camera_.setView(defaultView(model_));
+    // The user works on the crown. The roots may be outside the picture, the head of the handpiece should not.
+    constexpr double kAbove = 13;  // mm
+    if (model_.tooth()) camera_.fit(crownBox(model_.tooth()->box(), kAbove), imageSize().aspect());
     redraw();
 }
 

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     /// Whether it shows the full-quality picture of a scene at rest.
     [[nodiscard]] bool isAtRest() const;
+    /// Lets the crown fill the picture.
     void fit();
     void setView(StandardView view);
     void setView(OrbitCamera::Direction direction);
@@ -53,7 +54,8 @@ public:
     void orbitBy(const Vec2& displacement, bool shifts);
     /// Multiplies the distance to the centre of the picture by `factor`.
     void zoomBy(double factor);
-    /// From where a dentist sees the tooth.
+    /// From where a dentist sees the tooth, with the whole crown and the head of the handpiece in the picture: turns,
+    /// shifts and zooms back.
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);

@@ -9,10 +9,11 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPalette>
-#include <QStyleFactory>
 #include <QSurfaceFormat>
 #include <QTranslator>
 
+#include "app/gui/icons/line_icon.h"
+#include "app/gui/settings/window_style.h"
 #include "sound/output/audio_libraries.h"
 
 namespace tactooth {
@@ -60,9 +61,11 @@ std::unique_ptr<QApplication> startApplication(int& argc, char** argv) {
     useOpenGl41();
     auto application = std::make_unique<QApplication>(argc, argv);
     application->installEventFilter(new KeyboardReturns(application.get()));
-    QApplication::setStyle(QStyleFactory::create("Fusion"));
+    QApplication::setStyle(new WindowStyle);
     applyColours(false);
     QApplication::setApplicationName("Tactooth");
+    QApplication::setWindowIcon(programIcon());
+    QGuiApplication::setDesktopFileName("tactooth");
     QApplication::setApplicationDisplayName(QString());
     return application;
 }
@@ -85,6 +88,9 @@ void applyColours(bool dark) {
     palette.setColor(QPalette::PlaceholderText, QColor(130, 136, 142));
     palette.setColor(QPalette::Highlight, dark ? QColor(40, 140, 190) : QColor(0, 106, 153));
     palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Light, dark ? QColor(80, 87, 95) : Qt::white);
+    palette.setColor(QPalette::Dark, dark ? QColor(20, 22, 25) : QColor(140, 146, 152));
+    palette.setColor(QPalette::Shadow, dark ? Qt::black : QColor(105, 110, 116));
     palette.setColor(QPalette::Midlight, dark ? QColor(66, 72, 79) : QColor(215, 220, 225));
     palette.setColor(QPalette::Mid, dark ? QColor(96, 103, 110) : QColor(160, 166, 172));
     palette.setColor(QPalette::Link, dark ? QColor(110, 190, 235) : QColor(0, 106, 153));

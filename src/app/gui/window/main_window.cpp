@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QScreen>
+#include <QWindow>
 #include <utility>
 
 #include "app/gui/model/current_work.h"
@@ -15,8 +18,11 @@
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/plot_panel.h"
+#include "app/gui/panels/sound_panel.h"
+#include "app/gui/scene/event_banner.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
+#include "app/gui/window/screen_fit.h"
 
 namespace tactooth {
 
@@ -56,7 +62,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
-    resize(1400, 900);
+    resize(QSize(1400, 900).boundedTo(screen()->availableSize()));
 }
 
 MainWindow::~MainWindow() = default;
@@ -88,6 +94,12 @@ void MainWindow::connectView() {
     connect(panels_.inspection, &InspectionPanel::changed, this, &MainWindow::updateInspection);
     connect(panels_.events, &EventPanel::notified, this, [this](const QString& sentence) {
         if (examination_.showsNumbers()) messages_.setHint(sentence);
+    });
+    auto* banner = new EventBanner(panels_.view);
+    connect(panels_.events, &EventPanel::added, banner, [this, banner](const CutEvent& event) {
+        constexpr double kNew = 3;  // s: older ones come with a tooth that somebody has worked on before
+        if (!examination_.showsNumbers() || event.time < model_.log().newest().time - kNew) return;
+        if (banner->announce(event.kind) && !panels_.sound->mixer().muted) QApplication::beep();
     });
     connect(panels_.events, &EventPanel::placeChosen, panels_.view, &ToothView::centreOn);
 }
@@ -132,7 +144,6 @@ void MainWindow::showNewTooth() {
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();
-    panels_.view->fit();
     exercise_.takeTooth();
     restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);
@@ -195,7 +206,9 @@ MainWindow::SessionState MainWindow::releaseSession() {
                       teeth_.source(),
                       {panels_.view->orbitCamera(), panels_.inspection->choice(), exercise_.targetState()},
                       {},
-                      model_.history().cutsAlone()};
+                      model_.history().cutsAlone(),
+                      panels_.drill->isCutting(),
+                      panels_.drive->isKeptDown()};
     if (work.tooth) {
         setExercise(*work.tooth, exercise_.active());
         work.tooth->work = currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString());
@@ -214,6 +227,8 @@ void MainWindow::restoreSession(SessionState work) {
         pendingViewState_ = std::move(work.viewState);
     }
     if (work.bur) model_.install(std::move(*work.bur));
+    if (work.cutting) panels_.drill->cutAction()->setChecked(true);
+    panels_.drive->setKeptDown(work.pedalIsKept);
 }
 
 void MainWindow::saveBeforeEnd() {
@@ -247,11 +262,26 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::FontChange) docks_.fitLater();
+    // When the window is active, the window manager has put its frame around it.
+    if (event->type() == QEvent::ActivationChange && isActiveWindow() && std::exchange(awaitsFrame_, false)) {
+        fitToScreenLater();
+    }
+}
+
+/// As soon as the docks have got their sizes.
+void MainWindow::fitToScreenLater() {
+    QTimer::singleShot(0, this, [this] {
+        if (!isVisible() || isMaximized() || isFullScreen() || windowHandle() == nullptr) return;
+        const QRect fitted = fittedInto(screen()->availableGeometry(), geometry(), windowHandle()->frameMargins());
+        if (fitted != geometry()) setGeometry(fitted);
+    });
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     docks_.fitLater();
+    awaitsFrame_ = true;
+    fitToScreenLater();
 }
 
 }  // namespace tactooth

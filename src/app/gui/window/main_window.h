@@ -74,6 +74,8 @@ public:
         ViewState viewState;
         std::unique_ptr<SessionKeeper> keeper;  ///< its recording goes on
         WorkHistory history;
+        bool cutting = false;      ///< touch or cut
+        bool pedalIsKept = false;  ///< "Keep down"
     };
     /// Ends the simulation: the work goes on in another window.
     [[nodiscard]] SessionState releaseSession();
@@ -104,6 +106,7 @@ private:
     void showNewTooth();
     void showImportNotes();
     void updateInspection();
+    void fitToScreenLater();
 
     SessionModel model_;
     ExaminationMode examination_;
@@ -128,6 +131,7 @@ private:
     ReplayController replay_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
+    bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet
 };
 
 }  // namespace tactooth

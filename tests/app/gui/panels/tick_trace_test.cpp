@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "support/shapes.h"
+
 namespace tactooth {
 namespace {
 
@@ -40,6 +44,26 @@ TEST(TickTrace, KeepsAPeakOfOneTick) {
     EXPECT_EQ(depth, 0.4);
     EXPECT_EQ(speed, 70);
     EXPECT_EQ(force, 5);
+}
+
+/// A bur that sinks by 0.1 mm a second into a box whose top is at z = 2, its shaft tilted by 60 degrees.
+TEST(TickTrace, CavityDepthIsMeasuredAlongTheShaftFromTheUncutSurface) {
+    const auto box = std::make_shared<const SurfacePart>(test::box(Vec3(-9, -9, -9), Vec3(9, 9, 2)));
+    std::vector<Tick> some = ticks(0, 3);
+    const Quat tilt(Eigen::AngleAxisd(std::numbers::pi / 3, Vec3::UnitX()));
+    for (Tick& tick : some) tick.proxy = {Vec3(0.3, 0.2, 2.1 - 0.1 * tick.time), tilt};
+    TickTrace trace;
+    trace.setUncut(box);
+    trace.add(some);
+    trace.clear();
+    trace.add(some);
+    for (const TickTrace::Point& point : trace.points()) {
+        const double below = std::max(0.0, 0.1 * (point.time - 0.001) - 0.1);
+        EXPECT_NEAR(point.cavityDepth, below / std::cos(std::numbers::pi / 3), 1e-6) << point.time;
+    }
+    trace.setUncut(nullptr);
+    trace.add(ticks(3, 4));
+    EXPECT_EQ(trace.points().back().cavityDepth, 0);
 }
 
 TEST(TickTrace, ForgetsWhatIsOlderThanThePlot) {
