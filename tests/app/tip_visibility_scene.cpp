@@ -10,8 +10,8 @@
 #include "instruments/bur_shape.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
+#include "session/control/surface_ray.h"
 #include "session/model/mouse_manipulator.h"
-#include "session/model/surface_ray.h"
 
 namespace tactooth::test {
 namespace {

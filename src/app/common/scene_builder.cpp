@@ -7,7 +7,7 @@
 
 #include "app/common/spin_blur.h"
 #include "geometry/util/pose.h"
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {

@@ -13,12 +13,14 @@ JournalSealer::JournalSealer(std::shared_ptr<const SigningKey> key) : key_(std::
 }
 
 void JournalSealer::noteWritten(std::span<const std::byte> bytes) {
+    TACTOOTH_ASSERT(!bytes.empty());
     digester_.add(bytes);
     bytes_ += bytes.size();
     hasUnsigned_ = true;
 }
 
 JournalBlock JournalSealer::sign(std::uint64_t tick, SealPoint point) const {
+    TACTOOTH_ASSERT(bytes_ > 0);
     const SealPlace place{bytes_, tick, point};
     return signatureBlock(place, key_->sign(signedMessage(place, digester_.digest())));
 }

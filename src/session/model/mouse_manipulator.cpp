@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "session/control/surface_ray.h"
 #include "session/model/instrument_poses.h"
-#include "session/model/surface_ray.h"
 
 namespace tactooth {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "collision/bvh/surface.h"
 #include "geometry/util/pose.h"
-#include "session/model/clear_travel.h"
-#include "session/model/depth_control.h"
+#include "session/control/clear_travel.h"
+#include "session/control/depth_control.h"
 #include "session/model/pointer_view.h"
 
 namespace tactooth {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "collision/bvh/closest_point.h"
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {

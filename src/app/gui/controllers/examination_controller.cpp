@@ -12,6 +12,7 @@
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/panels/event_panel.h"
@@ -49,6 +50,7 @@ ExaminationController::ExaminationController(ExaminationMode& mode, SessionModel
       window_(window),
       entry_(new QAction(tr("Begin exa&mination"), this)) {
     entry_->setObjectName("examination");
+    setLineIcon(*entry_, "examination");
     connect(entry_, &QAction::triggered, this, [this] { mode_.isOn() ? askToFinish() : askToBegin(); });
     connect(&mode_, &ExaminationMode::changed, this, &ExaminationController::apply);
 }

@@ -10,7 +10,7 @@
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/scene/clear_view.h"
 #include "app/gui/scene/tooth_view.h"
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/menus/view_aids_menu.h"
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/scene/tooth_view.h"
 
@@ -11,21 +12,23 @@ ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
     QMenu* aids = menu.addMenu(tr("&Aids"));
     aids->setObjectName("viewAids");
     aids->setToolTipsVisible(true);
-    glass_ = add(*aids, tr("&Glass handpiece"), "L", "glass",
+    glass_ = add(*aids, tr("&Glass handpiece"), "L", "glass", "glass",
                  tr("Handles and the shank turn to glass where they hide the bur's head or the place where it lands"));
-    magnifier_ = add(*aids, tr("&Magnifier"), "Z", "magnifier",
+    magnifier_ = add(*aids, tr("&Magnifier"), "Z", "magnifier", "magnifier",
                      tr("The bur's head, four times as large, in the upper left corner"));
-    scaleBar_ = add(*aids, tr("&Scale bar"), "R", "scaleBar", tr("Length in mm at the depth of the tooth"));
-    letters_ = add(*aids, tr("&Letters of the directions"), "A", "axisLetters",
+    scaleBar_ =
+        add(*aids, tr("&Scale bar"), "R", "scaleBar", "scale-bar", tr("Length in mm at the depth of the tooth"));
+    letters_ = add(*aids, tr("&Letters of the directions"), "A", "axisLetters", "letters",
                    tr("B buccal, L lingual, M mesial, D distal, O occlusal, A apical"));
-    cube_ = add(*aids, tr("View &cube"), "K", "viewCubeSwitch",
+    cube_ = add(*aids, tr("View &cube"), "K", "viewCubeSwitch", "cube",
                 tr("Shows from which side one looks; a click on a face looks from there"));
     restore({});
 }
 
-QAction* ViewAidsMenu::add(QMenu& menu, const QString& text, const QString& keys, const char* name,
+QAction* ViewAidsMenu::add(QMenu& menu, const QString& text, const QString& keys, const char* name, const char* icon,
                            const QString& tip) {
     QAction* action = addSwitch(menu, text, keys, name);
+    setLineIcon(*action, icon);
     action->setToolTip(tip);
     action->setStatusTip(tip);
     connect(action, &QAction::toggled, this, &ViewAidsMenu::show);

@@ -25,7 +25,8 @@ public:
     void store(WindowSettings& settings) const;
 
 private:
-    QAction* add(QMenu& menu, const QString& text, const QString& keys, const char* name, const QString& tip);
+    QAction* add(QMenu& menu, const QString& text, const QString& keys, const char* name, const char* icon,
+                 const QString& tip);
     [[nodiscard]] ViewAids aids() const;
     void show();
 

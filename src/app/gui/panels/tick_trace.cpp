@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 

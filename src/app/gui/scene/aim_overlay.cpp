@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {

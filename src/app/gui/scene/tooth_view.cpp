@@ -18,8 +18,8 @@
 namespace tactooth {
 namespace {
 
-constexpr int kRestMs = 400;        // without a change until the full-quality picture is drawn
-constexpr double kPressStep = 0.1;  // mm for one notch of the wheel
+constexpr int kRestMs = 400;                               // without a change until the full-quality picture is drawn
+constexpr double kPressStep = 0.1;                         // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
 constexpr double kZoomStep = 0.88;                         // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar

@@ -9,7 +9,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/contra_angle.h"
 #include "instruments/turbine.h"
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 #include "support/shapes.h"
 
 namespace tactooth {

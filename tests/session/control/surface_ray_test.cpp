@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/depth_control.h"
+#include "session/control/depth_control.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "geometry/util/assert.h"
-#include "session/model/surface_ray.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/depth_control.h"
+#include "session/control/depth_control.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/clear_travel.h"
+#include "session/control/clear_travel.h"
 
 #include <gtest/gtest.h>
 
