@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSteepest = 35 * std::numbers::pi / 180;  // rad from the axis: more, and a wall hides the floor
+constexpr double kSteepest = 15 * std::numbers::pi / 180;  // rad from the axis: more, and slopes look too narrow
 constexpr int kSteps = 12;                                 // from the dentist's direction to the axis
 constexpr double kWidth = 0.8;                             // mm around the path that the outline may take
 constexpr double kLift = 0.03;                             // mm above the surface, so that it does not hide itself

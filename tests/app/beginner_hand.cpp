@@ -11,7 +11,8 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kFollowing = 15;    // pixels between bur and pointer that are no concern
+constexpr double kFree = 6;          // pixels between bur and pointer where nothing resists
+constexpr double kFollowing = 45;    // pixels between bur and pointer that are no concern
 constexpr double kSeenProgress = 1;  // pixels
 constexpr double kRow = 3;           // pixels between two rows: less than the tremor and the eye tell apart
 
@@ -34,12 +35,12 @@ Vec2 middleOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const Vec2& halfAxes) {
+std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, double radius) {
     constexpr int kAround = 24;
     std::vector<Vec2> ring;
     for (int i = 0; i < kAround; ++i) {
         const double angle = 2 * std::numbers::pi * i / kAround;
-        ring.emplace_back(halfAxes.x() * std::cos(angle), halfAxes.y() * std::sin(angle));
+        ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     // The longer side: the main axis of the outline.
     Vec2 mean = Vec2::Zero();
@@ -83,17 +84,11 @@ Vec2 BeginnerHand::tremble(const Vec2& place) {
 
 void BeginnerHand::plan(const SeenPicture& seen) {
     const Vec2 ringMiddle = middleOf(seen.ring);
-    Vec2 halfAxes = Vec2::Zero();
-    for (const Vec2& point : seen.ring) halfAxes = halfAxes.cwiseMax((point - ringMiddle).cwiseAbs());
-    constexpr double kBlur = 1.5;  // pixels that the eye does not tell apart
-    path_ = placesWithin(seen.outline, halfAxes - Vec2::Constant(kBlur));
+    double radius = 0;
+    for (const Vec2& point : seen.ring) radius += (point - ringMiddle).norm() / static_cast<double>(seen.ring.size());
+    constexpr double kBlur = 2;  // pixels that the eye does not tell apart
+    path_ = placesWithin(seen.outline, radius - kBlur);
     for (Vec2& place : path_) place += seen.landing - ringMiddle;  // the pointer is at the landing place
-    const std::vector<Vec2> once = path_;
-    for (int pass = 1; pass < habits_.passes; ++pass) {
-        std::vector<Vec2> back = once;
-        if (pass % 2 == 1) std::ranges::reverse(back);
-        path_.insert(path_.end(), back.begin(), back.end());
-    }
     at_ = path_.front();
 }
 
@@ -136,7 +131,15 @@ BeginnerHand::Action BeginnerHand::next(double dt, const SeenPicture& picture) {
         }
     }
     if (isDeep) waited_ = 0;
-    const bool isDone = place_ + 1 >= path_.size();
+    resists_ = resists_ || !isDeep || behind > kFree;
+    const bool isAtEnd = place_ + 1 >= path_.size();
+    const bool isDone = isAtEnd && ((!resists_ && pass_ > 1) || time_ > habits_.longest);
+    if (isAtEnd && !isDone) {  // once more, the other way
+        std::ranges::reverse(path_);
+        place_ = 0;
+        ++pass_;
+        resists_ = false;
+    }
     if (isDone) button_ = Button::Up;
     return {tremble(at_), button_, isDone};
 }

@@ -29,8 +29,8 @@ public:
         double tremor = 1;        ///< pixels, standard deviation
         double speed = 2.0;       ///< mm/s
         double tolerance = 0.06;  ///< mm of the depth, within which the hand goes on
-        int passes = 2;
-        double patience = 1.5;  ///< s without progress
+        double longest = 165;     ///< s, after which no other pass is begun
+        double patience = 1.5;    ///< s without progress
     };
     enum class Button { Up, Down };
     struct Action {
@@ -58,13 +58,15 @@ private:
     double time_ = 0, waited_ = 0;
     std::vector<Vec2> path_;
     std::size_t place_ = 0;
+    int pass_ = 1;
+    bool resists_ = false;    // something was still to be cut in this pass
     double leastToDo_ = 1e9;  // pixels, since the hand has moved on
     Vec2 at_ = Vec2::Zero();
     Button button_ = Button::Up;
 };
 
-/// The middles of ellipses with these half axes (pixels) that lie within `outline`, in rows to and fro along its longer
+/// The middles of circles with this radius (pixels) that lie within `outline`, in rows to and fro along its longer
 /// side. Not empty: at least the middle of the outline.
-[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, const Vec2& halfAxes);
+[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, double radius);
 
 }  // namespace tactooth::test
