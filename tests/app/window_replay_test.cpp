@@ -63,7 +63,7 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(replay().source()->isToothThere(), kPatience);
     }
     [[nodiscard]] SceneContents shown() const {
-        return replay().source()->contentsAt(replay().cursor().moment(), nullptr);
+        return replay().source()->contentsAt(replay().cursor().moment(), {});
     }
 
     double benchRemoved_ = 0;

@@ -51,7 +51,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
       secondFrame_(new SecondViewFrame(this)),
       overlays_(new ViewOverlays(*this)) {
     secondFrame_->hide();
-    connect(&overlays_->cube(), &ViewCube::viewChosen, this, &ToothView::setView);
+    connect(&overlays_->cube(), &ViewCube::viewChosen, this, qOverload<StandardView>(&ToothView::setView));
     connect(&overlays_->cube(), &ViewCube::apicalChosen, this, [this] {
         constexpr double kRightAngle = std::numbers::pi / 2;
         camera_.setView({kRightAngle, -kRightAngle});

@@ -19,8 +19,17 @@ WindowSettings unusual() {
             .bur = "58",
             .spindle = "Micromotor, 1:1",
             .showsTurbine = false,
+            .showsAim = false,
             .showsMirror = false,
-            .force = {false, 0.75, 0.0125, 1.5, 2.2, 0.35},
+            .force = {.fromMaterial = false,
+                      .spring = 0.75,
+                      .damper = 0.0125,
+                      .scale = 1.5,
+                      .press = 2.2,
+                      .mouse = kMouseByForce,
+                      .depth = 2.1,
+                      .flatFloor = true,
+                      .friction = 0.35},
             .hand = {"gamepad:Wireless", "pen:Left", 2.5, 2000, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
@@ -44,6 +53,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.spindle, b.spindle);
     EXPECT_EQ(a.showsTurbine, b.showsTurbine);
     EXPECT_EQ(a.showsMirror, b.showsMirror);
+    EXPECT_EQ(a.showsAim, b.showsAim);
     EXPECT_EQ(a.force, b.force);
     EXPECT_EQ(a.hand, b.hand);
     EXPECT_EQ(a.sound.motor, b.sound.motor);
