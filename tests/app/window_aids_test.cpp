@@ -4,6 +4,7 @@
 // What helps to find one's way in the picture: glass, magnifier, scale bar, letters, view cube.
 #include <QAction>
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,8 @@ private slots:
     void theMarksAreSwitchedByKeysAndFollowTheEye();
     void aClickOnTheCubeLooksFromThere();
     void eachAidIsRemembered();
+    void theWheelSetsTheDepthAtWhichTheBurStops();
+    void theRingLiesUnderThePointer();
     void cleanupTestCase();
 
 private:
@@ -122,6 +125,36 @@ void WindowAidsTest::eachAidIsRemembered() {
     for (const char* name : {"glass", "magnifier", "scaleBar", "axisLetters", "viewCubeSwitch"}) {
         QVERIFY(!other.findChild<QAction*>(name)->toolTip().isEmpty());
     }
+}
+
+void WindowAidsTest::theWheelSetsTheDepthAtWhichTheBurStops() {
+    auto* depth = window_->findChild<QDoubleSpinBox*>("mouseDepth");
+    const double before = depth->value();
+    const auto turn = [&](int eighths, Qt::KeyboardModifiers with) {
+        QWheelEvent wheel(middle(), view().mapToGlobal(middle()), {}, {0, eighths}, Qt::NoButton, with,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&view(), &wheel);
+    };
+    turn(120, {});
+    QVERIFY(std::abs(depth->value() - before - 0.1) < 1e-9);
+    turn(-120, Qt::ShiftModifier);
+    QVERIFY(std::abs(depth->value() - before - 0.08) < 1e-9);
+    QVERIFY(std::abs(window_->model().manipulator().depthControl().depth() - before - 0.08) < 1e-9);
+    depth->setValue(before);
+}
+
+/// Where it lands, and its numbers.
+void WindowAidsTest::theRingLiesUnderThePointer() {
+    QTest::mouseMove(&view(), middle() + QPoint(8, 0));
+    QTest::mouseMove(&view(), middle());
+    QTRY_VERIFY_WITH_TIMEOUT((view().aim().ring().boundingRect().center() - QPointF(middle())).manhattanLength() < 12,
+                             kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(view().aim().lines().join(' ').contains("mm"), kPatience);
+    QVERIFY(view().aim().warning() == TipWarning::None);
+    QVERIFY(window_->model().log().newest().contacts == 0);
+    key(Qt::Key_J);
+    QVERIFY(view().aim().ring().empty());
+    key(Qt::Key_J);
 }
 
 }  // namespace tactooth

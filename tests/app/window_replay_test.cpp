@@ -62,9 +62,7 @@ private:
         (void)shown();
         QTRY_VERIFY_WITH_TIMEOUT(replay().source()->isToothThere(), kPatience);
     }
-    [[nodiscard]] SceneContents shown() const {
-        return replay().source()->contentsAt(replay().cursor().moment(), {});
-    }
+    [[nodiscard]] SceneContents shown() const { return replay().source()->contentsAt(replay().cursor().moment(), {}); }
 
     double benchRemoved_ = 0;
     std::shared_ptr<const Surface> bench_;

@@ -46,8 +46,6 @@ private slots:
     void whatIsSeenFirstIsSeenWhole();
     void theMouseTouchesTheToothAndTheMeterShowsIt();
     void pressingHarderGivesMoreForce();
-    void theWheelSetsTheDepthAtWhichTheBurStops();
-    void theRingLiesUnderThePointer();
     void theSpaceKeyIsThePedal();
     void aBurThatCannotCutSaysWhy();
     void aTouchingBurRemovesNothing();
@@ -141,36 +139,6 @@ void WindowTest::pressingHarderGivesMoreForce() {
     liftBur(middle());
     depth->setValue(0.4);
     mode->setCurrentIndex(mode->findData(QString(kMouseToDepth)));
-}
-
-void WindowTest::theWheelSetsTheDepthAtWhichTheBurStops() {
-    auto* depth = window_->findChild<QDoubleSpinBox*>("mouseDepth");
-    const double before = depth->value();
-    const auto turn = [&](int eighths, Qt::KeyboardModifiers with) {
-        QWheelEvent wheel(middle(), view().mapToGlobal(middle()), {}, {0, eighths}, Qt::NoButton, with,
-                          Qt::NoScrollPhase, false);
-        QApplication::sendEvent(&view(), &wheel);
-    };
-    turn(120, {});
-    QVERIFY(std::abs(depth->value() - before - 0.1) < 1e-9);
-    turn(-120, Qt::ShiftModifier);
-    QVERIFY(std::abs(depth->value() - before - 0.08) < 1e-9);
-    QVERIFY(std::abs(window_->model().manipulator().depthControl().depth() - before - 0.08) < 1e-9);
-    depth->setValue(before);
-}
-
-/// Where it lands, and its numbers.
-void WindowTest::theRingLiesUnderThePointer() {
-    QTest::mouseMove(&view(), middle() + QPoint(8, 0));
-    QTest::mouseMove(&view(), middle());
-    QTRY_VERIFY_WITH_TIMEOUT((view().aim().ring().boundingRect().center() - QPointF(middle())).manhattanLength() < 12,
-                             kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(view().aim().lines().join(' ').contains("mm"), kPatience);
-    QVERIFY(view().aim().warning() == TipWarning::None);
-    QVERIFY(window_->model().log().newest().contacts == 0);
-    key(Qt::Key_J);
-    QVERIFY(view().aim().ring().empty());
-    key(Qt::Key_J);
 }
 
 void WindowTest::theSpaceKeyIsThePedal() {
