@@ -83,9 +83,9 @@ void WindowAidsTest::theMarksAreSwitchedByKeysAndFollowTheEye() {
     key(Qt::Key_2);
     QCOMPARE(shownLetters().size(), std::size_t{4});  // buccal and lingual are along the line of sight
     const QSize before = bar->size();
-    for (int i = 0; i < 3; ++i) key(Qt::Key_Plus);
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Plus);
     QVERIFY(bar->size() != before);
-    for (int i = 0; i < 3; ++i) key(Qt::Key_Minus);
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Minus);
     for (const auto which : {Qt::Key_R, Qt::Key_A, Qt::Key_K}) key(which);
     QVERIFY(!bar->isVisible() && !cube->isVisible() && shownLetters().empty());
     key(Qt::Key_0);

@@ -109,7 +109,7 @@ void WindowExaminationTest::itHidesNumbersTargetAndHistory() {
     for (const char* name : {"startAgain", "exportReport"}) {
         QVERIFY2(!window_->findChild<QToolButton*>(name)->isEnabled(), name);
     }
-    QVERIFY(!window_->findChild<QAction*>("recordSessions")->isEnabled());
+    QVERIFY(!window_->recordings().findChild<QAction*>("recordSessions")->isEnabled());
 }
 
 void WindowExaminationTest::anotherToothCanBeTakenUntilItIsTouched() {

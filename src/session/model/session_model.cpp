@@ -205,6 +205,7 @@ void SessionModel::startRunner() {
             sound_.publish(heard);
         },
         hand_.rate, registration(), devices_.second(), motionScaling(), keeper_->begin({bur_->instrument, haptics_}));
+    runner_->setControls(currentControls());  // before its first tick, or soon after
     reportedOverload_ = false;
     Tick start;
     start.cutting = controls.cutting;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kFar = 6;         // mm: farther away from the pulp nobody asks
 constexpr double kHeadPart = 2.5;  // mm of the head above the tip that can be nearest to the pulp
+constexpr double kRings = 0.15;    // mm between two rings of places on the head
 constexpr int kAround = 8;         // places around the axis
 constexpr double kOutside = 60;    // mm, outside of every tooth
 
@@ -36,8 +37,11 @@ double headRadius(const RevolutionEnvelope& bur) {
 /// Distance of the head of the bur from one layer.
 std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {
     std::optional<double> least;
+    double lastZ = -kFar;
     for (const RevolutionEnvelope::ProfilePoint& ring : head.profile()) {
         if (ring.z > head.bottom() + kHeadPart) break;
+        if (ring.z < lastZ + kRings) continue;
+        lastZ = ring.z;
         const int places = ring.radius > 0 ? kAround : 1;
         for (int i = 0; i < places; ++i) {
             const double angle = 2 * std::numbers::pi * i / places;

@@ -34,9 +34,21 @@ protected:
         model_.setCutting(true);
         model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
         ASSERT_TRUE(test::stepUntil(model_, [&] { return model_.runner() != nullptr && removed() > 0.01; }));
-        ASSERT_TRUE(test::stepUntil(model_, [&] { return model_.log().newest().contacts == 0; }));
+        waitForCarving();
     }
     [[nodiscard]] double removed() { return total(model_.runner()->feed().removed()); }
+    /// The hand has left the tooth, and a long time (in ticks) has passed since anything was removed.
+    void waitForCarving() {
+        constexpr std::uint32_t kQuiet = 300;
+        double before = -1;
+        std::uint32_t since = 0;
+        ASSERT_TRUE(test::stepUntil(model_, [&] {
+            const Tick& tick = model_.log().newest();
+            const double now = removed();
+            if (now != before || tick.contacts > 0 || tick.hand.position.z() < 0.9) before = now, since = tick.number;
+            return tick.number > since + kQuiet;
+        }));
+    }
     void goOnFor(double seconds) {
         const double since = model_.log().seconds();
         ASSERT_TRUE(test::stepUntil(model_, [&] { return model_.log().seconds() > since + seconds; }));

@@ -55,7 +55,10 @@ ExaminationController::ExaminationController(ExaminationMode& mode, SessionModel
     connect(&mode_, &ExaminationMode::changed, this, &ExaminationController::apply);
 }
 
-void ExaminationController::addTo(QMenu& menu) { menu.addAction(entry_); }
+void ExaminationController::addTo(QMenu& menu) {
+    entry_->setParent(&menu);
+    menu.addAction(entry_);
+}
 
 void ExaminationController::store(WindowSettings& settings) const {
     if (mode_.isOn()) settings.docks = docksBefore_;

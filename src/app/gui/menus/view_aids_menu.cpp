@@ -12,6 +12,7 @@ ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
     QMenu* aids = menu.addMenu(tr("&Aids"));
     aids->setObjectName("viewAids");
     aids->setToolTipsVisible(true);
+    setLineIcon(*aids->menuAction(), "panel");
     glass_ = add(*aids, tr("&Glass handpiece"), "L", "glass", "glass",
                  tr("Handles and the shank turn to glass where they hide the bur's head or the place where it lands"));
     magnifier_ = add(*aids, tr("&Magnifier"), "Z", "magnifier", "magnifier",

@@ -5,6 +5,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "session/control/surface_ray.h"
@@ -64,10 +65,38 @@ AimOverlay::AimOverlay(QWidget* parent) : QWidget(parent) {
 }
 
 void AimOverlay::show(const SessionModel& model, const Viewport& picture) {
-    set(model.runner() != nullptr && model.bur() ? markFor(model, picture) : Mark{});
+    if (model.runner() == nullptr || !model.bur()) return showNothing();
+    const Source source = sourceOf(model, picture);
+    if (source_ == source) return;
+    source_ = source;
+    set(markFor(model, picture));
 }
 
-void AimOverlay::showNothing() { set({}); }
+void AimOverlay::showNothing() {
+    source_.reset();
+    set({});
+}
+
+/// Rounded to what somebody sees: a tool at rest still trembles by less than a micrometre.
+AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewport& picture) const {
+    constexpr double kSeen = 0.002;  // mm, and rad
+    const auto rounded = [&](const Vec3& place) { return Vec3((place / kSeen).array().round().matrix() * kSeen); };
+    const Tick& newest = model.log().newest();
+    const MouseManipulator& hand = model.manipulator();
+    const Pose& eye = picture.camera().cameraInWorld;
+    return {.surface = hand.surroundings().touchable.get(),
+            .tip = rounded(newest.proxy.position),
+            .shaft = rounded(newest.proxy.rotation * Vec3::UnitZ()),
+            .inward = hand.pressDirection(),
+            .eye = eye.position,
+            .eyeTurn = eye.rotation.coeffs(),
+            .depth = hand.depthControl().depth(),
+            .force = std::round(10 * newest.wrench.force.norm()),
+            .mode = hand.pressMode(),
+            .width = picture.size().width,
+            .height = picture.size().height,
+            .showsNumbers = showsNumbers_};
+}
 
 void AimOverlay::setShowsNumbers(bool shows) { showsNumbers_ = shows; }
 

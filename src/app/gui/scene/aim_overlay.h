@@ -4,6 +4,7 @@
 
 #include <QPolygonF>
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "app/gui/input/viewport.h"
@@ -50,12 +51,26 @@ private:
         bool operator==(const Mark&) const = default;
     };
 
+    /// What a mark is computed from. Nothing is computed anew as long as it is the same.
+    struct Source {
+        const Surface* surface = nullptr;
+        Vec3 tip = Vec3::Zero(), shaft = Vec3::Zero(), inward = Vec3::Zero(), eye = Vec3::Zero();
+        Eigen::Vector4d eyeTurn = Eigen::Vector4d::Zero();
+        double depth = 0, force = 0;
+        PressMode mode = PressMode::Depth;
+        int width = 0, height = 0;
+        bool showsNumbers = true;
+        bool operator==(const Source&) const = default;
+    };
+    [[nodiscard]] Source sourceOf(const SessionModel& model, const Viewport& picture) const;
+
     [[nodiscard]] Mark markFor(const SessionModel& model, const Viewport& picture) const;
     [[nodiscard]] QRect textPlace() const;
     [[nodiscard]] QRect bounds() const;
     void set(Mark mark);
 
     Mark mark_;
+    std::optional<Source> source_;  // of the mark; none: it shows nothing
     bool showsNumbers_ = true;
 };
 
