@@ -126,6 +126,7 @@ void WindowExaminationTest::anotherToothCanBeTakenUntilItIsTouched() {
     key(Qt::Key_G);
     QVERIFY(!ghost->isChecked());
     QVERIFY(window_->model().isSealing());
+    QTRY_VERIFY_WITH_TIMEOUT(view().aim().lines().empty(), kPatience);
 }
 
 void WindowExaminationTest::nothingIsTakenBack() {

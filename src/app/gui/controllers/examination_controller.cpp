@@ -22,6 +22,7 @@
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/status_line.h"
+#include "app/gui/scene/tooth_view.h"
 #include "session/model/session_model.h"
 #include "session/recording/station_key.h"
 
@@ -117,6 +118,7 @@ void ExaminationController::apply() {
     panels_.drive->setShowsForce(mode_.showsNumbers());
     panels_.status->setShowsRemoved(mode_.showsNumbers());
     panels_.exercise->setShowsNumbers(mode_.showsNumbers());
+    panels_.view->setShowsNumbers(mode_.showsNumbers());
     panels_.exercise->setAllowsRestart(mode_.allowsTakingBack());
     for (QAction* action : {panels_.drill->undoAction(), panels_.drill->redoAction(), panels_.drill->resetAction()}) {
         action->setEnabled(mode_.allowsTakingBack());

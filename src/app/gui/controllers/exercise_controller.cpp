@@ -38,6 +38,7 @@ ExerciseController::ExerciseController(SessionModel& model, const ExaminationMod
 }
 
 void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) {
+    if (exercise == nullptr && !mode_.allowsAnotherTooth()) return showActive();  // the task of an examination stays
     panels_.exercise->show(exercise);
     if (exercise == nullptr) return clearTarget();
     teeth_.load([exercise] { return makeSessionTooth(exercise); },

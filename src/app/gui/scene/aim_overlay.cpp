@@ -134,9 +134,9 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
             }
         }
     }
+    if (!showsNumbers_) return mark;
     const TipMeasure measure = tipMeasure(model);
     mark.warning = warningOf(measure, model);
-    if (!showsNumbers_) return mark;
     const MouseManipulator& hand = model.manipulator();
     const bool hasGoal = model.devices().first() == nullptr && hand.pressMode() == PressMode::Depth;
     if (measure.depth) {

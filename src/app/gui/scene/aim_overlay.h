@@ -25,7 +25,7 @@ public:
     void show(const SessionModel& model, const Viewport& picture);
     /// Shows nothing, for example while a recording is replayed.
     void showNothing();
-    /// Off: only the ring and the line, without numbers.
+    /// Off: only the ring and the line, without numbers and warnings.
     void setShowsNumbers(bool shows);
     /// The text beside the tip, line by line.
     [[nodiscard]] const QStringList& lines() const { return mark_.lines; }

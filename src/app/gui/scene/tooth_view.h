@@ -62,6 +62,8 @@ public:
     /// Landing ring, plumb line and numbers at the tip.
     void setShowsAim(bool shows);
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
+    /// Off: the aim shows no numbers and no warnings.
+    void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
     /// What helps to find one's way in the picture.
     void setAids(const ViewAids& aids);
     /// Section, transparency, colours and ghost, and stereo.
