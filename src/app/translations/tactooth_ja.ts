@@ -1386,8 +1386,8 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
 <context>
     <name>tactooth::WindowHints</name>
     <message>
-        <source>Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal</source>
-        <translation>左ボタン：バーを歯に押す・ホイール：強く／弱く・右：回す・スペース：ペダル</translation>
+        <source>Left button: press the bur on the tooth · wheel: how deep · right: turn · space: pedal</source>
+        <translation>左ボタン：バーを歯に押す・ホイール：削る深さ・右：回す・スペース：ペダル</translation>
     </message>
     <message>
         <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>

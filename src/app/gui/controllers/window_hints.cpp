@@ -29,8 +29,7 @@ WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const 
 
 void WindowHints::showUsual() {
     if (model_.devices().first() == nullptr) {
-        messages_.setHint(
-            tr("Left button: press the bur on the tooth · wheel: harder, softer · right: turn · space: pedal"));
+        messages_.setHint(tr("Left button: press the bur on the tooth · wheel: how deep · right: turn · space: pedal"));
     } else if (devices_.isGamepadInPanels()) {
         messages_.setHint(tr("D-pad: control and value · shoulders: panel · A: press · B: back to the tooth"));
     } else if (devices_.usesGamepad()) {
