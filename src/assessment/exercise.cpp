@@ -57,23 +57,29 @@ double meanOf(const std::vector<double>& heights) {
     return sum / static_cast<double>(heights.size());
 }
 
+/// Heights of the surface along `outward` at these places; nothing if one of them misses it.
+std::optional<std::vector<double>> heightsAt(const std::vector<Vec3>& places, const SurfacePart& outer,
+                                             const Vec3& outward) {
+    std::vector<double> heights;
+    for (const Vec3& place : places) {
+        const auto above = heightOf(outer, place, outward);
+        if (!above) return std::nullopt;
+        heights.push_back(*above + outward.dot(place));
+    }
+    return heights;
+}
+
 /// The paths of the bur's tip, one for each stroke.
 Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const SurfacePart& outer) {
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;
     for (const PreparationPlan::Stroke& stroke : plan.strokes) {
         std::vector<Vec3> path = placesOf(stroke);
-        std::vector<double> heights;
-        for (const Vec3& place : path) {
-            const auto height = heightOf(outer, place, plan.outward);
-            if (!height) {
-                return unexpected(msg::kStrokePastTooth, paths.size() + 1);
-            }
-            heights.push_back(*height + plan.outward.dot(place));
-        }
-        if (paths.empty()) floor = meanOf(heights);
+        const auto heights = heightsAt(path, outer, plan.outward);
+        if (!heights) return unexpected(msg::kStrokePastTooth, paths.size() + 1);
+        if (paths.empty()) floor = meanOf(*heights);
         for (std::size_t i = 0; i < path.size(); ++i) {
-            const double height = (plan.isFlat ? floor : heights[i]) - plan.depth;
+            const double height = (plan.isFlat ? floor : (*heights)[i]) - plan.depth;
             path[i] += (height - plan.outward.dot(path[i])) * plan.outward;
         }
         paths.push_back(std::move(path));
@@ -115,14 +121,10 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 
 std::optional<Vec3> floorReference(const PreparationPlan& plan, const SurfacePart& outer) {
     if (plan.strokes.empty()) return std::nullopt;
-    std::vector<double> heights;
     const std::vector<Vec3> places = placesOf(plan.strokes.front());
-    for (const Vec3& place : places) {
-        const auto height = heightOf(outer, place, plan.outward);
-        if (!height) return std::nullopt;
-        heights.push_back(*height + plan.outward.dot(place));
-    }
-    return places.front() + (meanOf(heights) - plan.outward.dot(places.front())) * plan.outward;
+    const auto heights = heightsAt(places, outer, plan.outward);
+    if (!heights) return std::nullopt;
+    return places.front() + (meanOf(*heights) - plan.outward.dot(places.front())) * plan.outward;
 }
 
 Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise) {
