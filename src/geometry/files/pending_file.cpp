@@ -26,15 +26,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kBufferBytes = 64 * 1024;
 constexpr mode_t kModeBits = 07777;
 
-int writeAll(int descriptor, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) return errno;
-        if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return 0;
-}
-
 /// Removes stale files once for each folder that the program writes into.
 void removeStaleOnce(const fs::path& folder) {
     static std::mutex mutex;

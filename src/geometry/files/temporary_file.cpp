@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kPrefix = ".tactooth-", kSuffix = ".tmp";
 constexpr std::size_t kDigits = 16;
 constexpr mode_t kUsualMode = 0666;  // less the user's umask
-constexpr int kMaxTries = 100;       // 64 random bits do not repeat, but another program may remove the file as stale
+constexpr mode_t kPrivateMode = 0600;
+constexpr int kMaxTries = 100;  // 64 random bits do not repeat, but another program may remove the file as stale
 
 std::uint64_t randomBits() {
     std::uint64_t bits = 0;
@@ -77,8 +78,10 @@ bool isRandomName(std::string_view name) {
            digits.find_first_not_of("0123456789abcdef") == digits.npos;
 }
 
-int openUnnamed(const fs::path& folder, TemporaryFile& file) {
-    const int descriptor = ::open(nameOrDot(folder), O_WRONLY | O_TMPFILE | O_CLOEXEC, kUsualMode);
+namespace {
+
+int openUnnamed(const fs::path& folder, TemporaryFile& file, mode_t mode) {
+    const int descriptor = ::open(nameOrDot(folder), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode);
     if (descriptor < 0) return errno;
     if (::access(openFileName(descriptor).c_str(), F_OK) != 0) {  // without /proc it could never get a name
         ::close(descriptor);
@@ -90,11 +93,11 @@ int openUnnamed(const fs::path& folder, TemporaryFile& file) {
     return 0;
 }
 
-int openNamed(const fs::path& folder, TemporaryFile& file) {
+int openNamed(const fs::path& folder, TemporaryFile& file, mode_t mode) {
     const auto lock = lockRenames();
     for (int i = 0; i < kMaxTries; ++i) {
         const fs::path name = randomNameIn(folder);
-        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kUsualMode);
+        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
         if (descriptor < 0 && errno == EEXIST) continue;
         if (descriptor < 0) return errno;
         (void)::flock(descriptor, LOCK_EX);  // waits for a program that removes stale files, and for no other
@@ -108,8 +111,27 @@ int openNamed(const fs::path& folder, TemporaryFile& file) {
     return EEXIST;
 }
 
+}  // namespace
+
+int openUnnamed(const fs::path& folder, TemporaryFile& file) { return openUnnamed(folder, file, kUsualMode); }
+
+int openNamed(const fs::path& folder, TemporaryFile& file) { return openNamed(folder, file, kUsualMode); }
+
 int openTemporary(const fs::path& folder, TemporaryFile& file) {
     return openUnnamed(folder, file) == 0 ? 0 : openNamed(folder, file);
+}
+
+int openPrivateTemporary(const fs::path& folder, TemporaryFile& file) {
+    return openUnnamed(folder, file, kPrivateMode) == 0 ? 0 : openNamed(folder, file, kPrivateMode);
+}
+
+int writeAll(int descriptor, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) return errno;
+        if (count > 0) bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+    return 0;
 }
 
 std::string openFileName(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }

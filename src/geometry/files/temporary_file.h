@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace tactooth {
@@ -28,6 +31,11 @@ struct TemporaryFile {
 [[nodiscard]] int openNamed(const std::filesystem::path& folder, TemporaryFile& file);
 /// The first of both that works, or the errno of the second.
 [[nodiscard]] int openTemporary(const std::filesystem::path& folder, TemporaryFile& file);
+/// The same for a secret: from its first moment no other user can open it.
+[[nodiscard]] int openPrivateTemporary(const std::filesystem::path& folder, TemporaryFile& file);
+
+/// Writes all bytes to an open file. Returns an errno, 0 for success.
+[[nodiscard]] int writeAll(int descriptor, std::span<const std::byte> bytes);
 
 /// Gives an unnamed file a name; EEXIST if it is taken.
 [[nodiscard]] int linkUnnamed(int descriptor, const char* name);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/recording/station_key.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,7 +14,7 @@
 #include "geometry/files/temporary_file.h"
 #include "geometry/files/unfinished_files.h"
 #include "geometry/files/write_refusal.h"
-#include "geometry/util/system_reason.h"
+#include "geometry/util/byte_text.h"
 #include "session/recording/messages.h"
 #include "session/recording/recording_folder.h"
 
@@ -27,7 +26,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kFirstLine = "Tactooth station key 1\n", kPublic = "public ", kSecret = "secret ";
 constexpr std::size_t kHexDigits = 64;
 constexpr std::size_t kFileBytes = kFirstLine.size() + kPublic.size() + kSecret.size() + 2 * kHexDigits + 2;
-constexpr mode_t kPrivate = S_IRUSR | S_IWUSR;
 constexpr std::size_t kMostBytes = 4096;
 
 /// The next part of `text`, which is `before` and a line of hexadecimal digits; nothing for anything else.
@@ -73,29 +71,6 @@ Expected<StationKey> readKey(const fs::path& file) {
     return StationKey{std::move(key), file, false};
 }
 
-/// A new file in `folder` that only this user can open, without a name where that is possible. Returns an errno.
-int openPrivate(const fs::path& folder, TemporaryFile& file) {
-    if (openUnnamed(folder, file) == 0) return ::fchmod(file.descriptor, kPrivate) == 0 ? 0 : errno;
-    const auto lock = lockRenames();
-    const fs::path name = randomNameIn(folder);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kPrivate);
-    if (descriptor < 0) return errno;
-    registerUnfinished(name, Unfinished::File);
-    file = {descriptor, name};
-    return 0;
-}
-
-int writeWhole(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t count = ::write(descriptor, text.data(), text.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        if (count == 0) return EIO;
-        text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-}
-
 /// Gives the file its name, unless there is one of that name already (EEXIST), and closes it. Returns an errno.
 int link(TemporaryFile& temporary, const fs::path& file) {
     const auto lock = lockRenames();
@@ -114,13 +89,11 @@ int link(TemporaryFile& temporary, const fs::path& file) {
 /// Writes a new key. Returns an errno; EEXIST if another program was faster.
 int writeKey(const fs::path& file, const SigningKey& key) {
     TemporaryFile temporary;
-    int failure = openPrivate(file.parent_path(), temporary);
-    if (failure == 0) {
-        std::string text = keyFileText(key);
-        failure = writeWhole(temporary.descriptor, text);
-        wipe(std::as_writable_bytes(std::span(text)));
-    }
-    if (temporary.descriptor < 0) return failure;
+    if (const int refused = openPrivateTemporary(file.parent_path(), temporary); refused != 0) return refused;
+    std::string text = keyFileText(key);
+    int failure = writeAll(temporary.descriptor, asBytes(text));
+    if (failure == 0 && ::fsync(temporary.descriptor) != 0 && errno != EINVAL) failure = errno;
+    wipe(std::as_writable_bytes(std::span(text)));
     if (failure == 0) {
         failure = link(temporary, file);
         if (failure == 0) syncFolder(file.parent_path());
