@@ -37,7 +37,7 @@ void FaultReporter::write(const ForceCut& cut) const {
 }
 
 void FaultReporter::add(const ForceCut& cut) {
-    if (waiting_ && cut.cause == HandFault::ProgramEnded) {  // that was the reason
+    if (waiting_ && cut.isAfterCut && cut.cause == HandFault::ProgramEnded) {  // that was the reason
         waiting_->cause = cut.cause;
         return;
     }

@@ -58,11 +58,21 @@ TEST_F(FaultReporterTest, SaysWhyNoForceCame) {
 
 TEST_F(FaultReporterTest, OneEndIsOneLine) {
     reporter_.add({HandFault::NoForce, now_, 2, 0.002});
-    reporter_.add({HandFault::ProgramEnded, now_ + 0.01, 0, 0});
+    reporter_.add({HandFault::ProgramEnded, now_ + 0.01, 0, 0, true});
     reporter_.finish(ProgramState::Gone);
     ASSERT_EQ(records().size(), 1U);
     EXPECT_EQ(records()[0].cause, HandFault::ProgramEnded);
     EXPECT_NEAR(records()[0].force, 2, 1e-9);
+}
+
+TEST_F(FaultReporterTest, AnEndAfterTheForceCameBackIsALineOfItsOwn) {
+    reporter_.add({HandFault::NoForce, now_ - 0.5, 2, 0.002});
+    reporter_.add({HandFault::ProgramEnded, now_, 1, 0.002});
+    reporter_.finish(ProgramState::Gone);
+    ASSERT_EQ(records().size(), 2U);
+    EXPECT_EQ(records()[0].cause, HandFault::NoForce);
+    EXPECT_EQ(records()[1].cause, HandFault::ProgramEnded);
+    EXPECT_NEAR(records()[1].force, 1, 1e-9);
 }
 
 TEST(StateOfProcess, IsThatOfTheSystem) {

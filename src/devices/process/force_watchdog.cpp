@@ -48,7 +48,7 @@ void ForceWatchdog::cut(HandFault cause, double knowable, double now) {
     fadeFrom_ = now;
     zeroSeen_ = false;
     forcesSinceZero_ = 0;
-    record_ = {cause, knowable, held_.force().norm(), 0};
+    record_ = {cause, knowable, held_.force().norm(), 0, false};
     isCutOpen_ = cause != HandFault::None;
 }
 
@@ -111,7 +111,7 @@ void ForceWatchdog::end(HandFault cause, double now) {
     if (!isCut_) return cut(cause, now, now);
     if (cause == HandFault::None) return;
     if (!isCutOpen_) {  // an earlier fault has been recorded: this is another one
-        record_ = {cause, now, held_.force().norm(), 0};
+        record_ = {cause, now, held_.force().norm(), 0, true};
         isCutOpen_ = true;
     } else if (cause_ == HandFault::NoForce) {
         record_.cause = cause;

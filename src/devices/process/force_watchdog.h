@@ -14,9 +14,10 @@ namespace tactooth {
 /// A fault for which the watchdog has cut a force.
 struct ForceCut {
     HandFault cause = HandFault::None;
-    double at = 0;      ///< s of the monotonic clock: when the fault could be known
-    double force = 0;   ///< N at that moment
-    double toZero = 0;  ///< s until the force was zero
+    double at = 0;            ///< s of the monotonic clock: when the fault could be known
+    double force = 0;         ///< N at that moment
+    double toZero = 0;        ///< s until the force was zero
+    bool isAfterCut = false;  ///< the force was zero already, from the cut before
 };
 
 /// What the watchdog knows of the device at a tick.
