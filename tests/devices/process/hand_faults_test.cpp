@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -24,6 +26,7 @@
 #include "devices/process/fault_log.h"
 #include "devices/process/process_file.h"
 #include "process/parent_program.h"
+#include "process/stall_monitor.h"
 #include "standin/pen_folder.h"
 #include "standin/pen_record.h"
 #include "standin/plane_servo.h"
@@ -166,7 +169,13 @@ protected:
         const auto records = readFaults(faultLogFile(), 1);
         return !records.empty() && records.back().time >= since ? std::optional(records.back()) : std::nullopt;
     }
+    /// Everything that the log holds, for people.
+    [[nodiscard]] static std::string logText() {
+        std::ifstream file(faultLogFile());
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
     /// Makes the fault during a press, and measures the time to zero force from the moment at which it can be known.
+    /// Measures nothing where the force had ended before the fault: a busy machine had stopped the program.
     void round();
 
     test::TemporaryFolder state_;
@@ -185,22 +194,30 @@ void HandFaults::round() {
     ASSERT_TRUE(press()) << program_->said();
     const pid_t hand = program_->hand();
     (void)stalls_.takeLongest();
+    const test::ProcessorWait ofHand(hand), ofStandin(getpid());
     const auto wallTime = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
     double start = monotonicSeconds();
     ::kill(fault.isOfProgram ? program_->id() : hand, fault.signal);
     ASSERT_TRUE(soon([this] { return standin_->zeroAt() > 0; }));
+    // For how long this machine may have kept the two from their work.
+    const double hindered = stalls_.takeLongest() + ofHand.seconds() + ofStandin.seconds();
+    if (standin_->zeroAt() < start) {
+        program_.reset();
+        return;
+    }
     if (fault.signal == SIGUSR1) {
         ASSERT_TRUE(soon([this] { return program_->spinsFrom() > 0; }));
         start = program_->spinsFrom();
     }
     const double time = standin_->zeroAt() - start - (fault.isOfProgram ? kSilence : 0);
     times_.push_back(time);
-    EXPECT_LE(time, (kKnowable + stalls_.takeLongest()) * (test::isSanitized() ? 20 : 1));
+    EXPECT_LE(time, (kKnowable + hindered) * (test::isSanitized() ? 20 : 1));
     std::this_thread::sleep_for(20ms);
     EXPECT_EQ(standin_->force(), 0) << "and it stays zero";
     std::optional<FaultRecord> record;
-    EXPECT_TRUE(soon([&] { return (record = recordSince(wallTime - 20ms)).has_value(); })) << program_->said();
-    if (record) {
+    EXPECT_TRUE(soon([&] { return (record = recordSince(wallTime - 20ms)).has_value(); }))
+        << program_->said() << logText() << "since " << wallTime.time_since_epoch().count() << " ms";
+    if (record && !(hindered > kSilence && record->cause == HandFault::NoForce)) {
         EXPECT_THAT(fault.causes, ::testing::Contains(record->cause)) << nameOf(record->cause);
     }
     if (fault.isOfProgram && fault.signal != SIGSTOP && fault.signal != SIGUSR1) {
@@ -217,10 +234,12 @@ void HandFaults::round() {
 
 TEST_P(HandFaults, MidPressLeaveNoForceWithinFiveMillisecondsAndACauseInTheLog) {
     constexpr int kRoundsOfProgram = 5;  // fewer than after which it gives a process up
-    for (int i = 0; i < rounds() && !HasFatalFailure(); ++i) {
+    const int most = rounds() + rounds() / 4 + 3;
+    for (int i = 0; i < most && std::ssize(times_) < rounds() && !HasFatalFailure(); ++i) {
         if (i % kRoundsOfProgram == 0) program_.reset();
         round();
     }
+    EXPECT_EQ(std::ssize(times_), rounds()) << "the force ended before the fault too often";
     if (times_.empty()) return;
     std::ranges::sort(times_);
     std::printf("%zu rounds, ms to zero: median %.2f, largest %.2f\n", times_.size(), 1e3 * times_[times_.size() / 2],

@@ -3,19 +3,14 @@
 #include "process/parent_program.h"
 
 #include <fcntl.h>
-#include <pthread.h>
-#include <sched.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <utility>
 
 namespace tactooth::test {
 
@@ -87,29 +82,6 @@ bool hasEnded(pid_t process) {
     std::getline(file, text);
     const std::size_t name = text.rfind(')');
     return name == std::string::npos || text.substr(name + 2, 1) == "Z";
-}
-
-StallMonitor::StallMonitor() {
-    thread_ = std::jthread([this](const std::stop_token& stop) {
-        constexpr auto kStep = std::chrono::microseconds(250);
-        sched_param priority{};
-        priority.sched_priority = 50;  // below a servo: what delays a servo delays it, too
-        pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
-        auto last = std::chrono::steady_clock::now();
-        while (!stop.stop_requested()) {
-            std::this_thread::sleep_for(kStep);
-            const auto now = std::chrono::steady_clock::now();
-            const double late = std::chrono::duration<double>(now - last - kStep).count();
-            last = now;
-            const std::lock_guard lock(mutex_);
-            longest_ = std::max(longest_, late);
-        }
-    });
-}
-
-double StallMonitor::takeLongest() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(longest_, 0.0);
 }
 
 }  // namespace tactooth::test

@@ -45,17 +45,4 @@ private:
 /// Whether a process has ended: it is gone, or a zombie.
 [[nodiscard]] bool hasEnded(pid_t process);
 
-/// Watches how long this machine keeps a thread of the highest priority waiting: no program can answer sooner.
-class StallMonitor {
-public:
-    StallMonitor();
-    /// s: the longest stall since the last call.
-    [[nodiscard]] double takeLongest();
-
-private:
-    std::mutex mutex_;
-    double longest_ = 0;
-    std::jthread thread_;
-};
-
 }  // namespace tactooth::test

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "process/stall_monitor.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+namespace tactooth::test {
+namespace {
+
+/// s: how long the threads of a process have stood in line since they began.
+double waitOf(pid_t process) {
+    double waited = 0;
+    std::error_code error;
+    for (std::filesystem::directory_iterator thread("/proc/" + std::to_string(process) + "/task", error), end;
+         !error && thread != end; thread.increment(error)) {
+        std::ifstream file(thread->path() / "schedstat");
+        double ran = 0, inLine = 0;  // ns
+        if (file >> ran >> inLine) waited += 1e-9 * inLine;
+    }
+    return waited;
+}
+
+}  // namespace
+
+StallMonitor::StallMonitor() {
+    for (unsigned processor = 0; processor < std::thread::hardware_concurrency(); ++processor) {
+        threads_.emplace_back([this, processor](const std::stop_token& stop) { watch(stop, processor); });
+    }
+}
+
+void StallMonitor::watch(const std::stop_token& stop, unsigned processor) {
+    constexpr auto kStep = std::chrono::microseconds(250);
+    // Where a call is refused, the monitor sees fewer stalls, and the test is stricter.
+    cpu_set_t only;
+    CPU_ZERO(&only);
+    CPU_SET(processor, &only);
+    pthread_setaffinity_np(pthread_self(), sizeof(only), &only);
+    sched_param priority{};
+    priority.sched_priority = 50;  // below a servo: what delays a servo delays it, too
+    pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
+    auto last = std::chrono::steady_clock::now();
+    while (!stop.stop_requested()) {
+        std::this_thread::sleep_for(kStep);
+        const auto now = std::chrono::steady_clock::now();
+        const double late = std::chrono::duration<double>(now - last - kStep).count();
+        last = now;
+        const std::lock_guard lock(mutex_);
+        longest_ = std::max(longest_, late);
+    }
+}
+
+double StallMonitor::takeLongest() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(longest_, 0.0);
+}
+
+ProcessorWait::ProcessorWait(pid_t process) : process_(process), before_(waitOf(process)) {}
+
+double ProcessorWait::seconds() const { return std::max(0.0, waitOf(process_) - before_); }
+
+}  // namespace tactooth::test
