@@ -31,8 +31,9 @@ public:
     template <class Value>
     void put(const Value& value) {
         static_assert(std::is_trivially_copyable_v<Value>);
-        const auto* first = reinterpret_cast<const std::byte*>(&value);
-        bytes_.insert(bytes_.end(), first, first + sizeof(Value));
+        const std::size_t at = bytes_.size();
+        bytes_.resize(at + sizeof(Value));
+        std::memcpy(bytes_.data() + at, &value, sizeof(Value));
     }
     template <class Value>
     void putAll(std::span<const Value> values) {
