@@ -4,7 +4,11 @@
 # for parts that neither the program nor Debian's package needs.
 find_path(TACTOOTH_OPENVDB_INCLUDE openvdb/openvdb.h)
 find_library(TACTOOTH_OPENVDB_LIBRARY openvdb)
+# Debian's package names the library of a Python module that it does not hold, and says so at length.
+set(log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
+set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(Imath QUIET)
+set(CMAKE_MESSAGE_LOG_LEVEL "${log_level}")
 mark_as_advanced(TACTOOTH_OPENVDB_INCLUDE TACTOOTH_OPENVDB_LIBRARY)
 if(TACTOOTH_OPENVDB AND TACTOOTH_OPENVDB_INCLUDE AND TACTOOTH_OPENVDB_LIBRARY AND Imath_FOUND)
   find_package(TBB REQUIRED)
