@@ -74,13 +74,6 @@ CLI::Option* addRecord(CLI::App& command, std::filesystem::path& file, const std
         ->type_name("FILE");
 }
 
-/// Goes with --record. `record`: the option that it needs; null: none.
-void addSeal(CLI::App& command, bool& seal, CLI::Option* record) {
-    CLI::Option* option =
-        command.add_flag("--seal", seal, "Signs the recording with the key of this station, which 'session key' shows");
-    if (record != nullptr) option->needs(record);
-}
-
 void addContact(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
@@ -122,7 +115,7 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->required()
         ->type_name("FILE");
     addMaterials(*command, options->materials);
-    addSeal(*command, options->seal, addRecord(*command, options->record));
+    addSealOption(*command, options->seal, addRecord(*command, options->record));
     command
         ->add_option(
             "--mode", options->mode,
@@ -206,7 +199,7 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->add_option("--save", options->save,
                      "File (*.tactooth) to save the tooth to, with its layers and cuts; --tooth opens it to continue")
         ->type_name("FILE");
-    addSeal(*command, options->seal, addRecord(*command, options->record));
+    addSealOption(*command, options->seal, addRecord(*command, options->record));
     command->add_option("--forces", options->forces, "CSV file to write, one row for each tick, as by 'feel'")
         ->type_name("FILE");
     command
@@ -272,7 +265,7 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
         ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
     (void)addRecord(*command, options->record, " (the folder has session.ttsession in any case)");
-    addSeal(*command, options->seal, nullptr);
+    addSealOption(*command, options->seal, nullptr);
     addMaterials(*command, options->materials);
     command
         ->add_option("--tooth,--case", options->tooth,
@@ -394,6 +387,12 @@ Error usageError(const CLI::App& program, const CLI::ParseError& error) {
 }
 
 }  // namespace
+
+void addSealOption(CLI::App& command, bool& seal, CLI::Option* record) {
+    CLI::Option* option =
+        command.add_flag("--seal", seal, "Signs the recording with the key of this station, which 'session key' shows");
+    if (record != nullptr) option->needs(record);
+}
 
 int runCommandLine(int argc, const char* const* argv) {
     CLI::App program("Tactooth, a dental drilling simulator: see, feel and hear a bur cut a real tooth.", "tactooth");

@@ -194,10 +194,7 @@ void addRealtime(CLI::App& program, CommandAction& chosen) {
                 "File (*.ttsession) to record the session to; see 'replay'; an older recording of that name is "
                 "replaced")
             ->type_name("FILE");
-    command
-        ->add_flag("--seal", options->seal,
-                   "Signs the recording with the key of this station, which 'session key' shows")
-        ->needs(record);
+    addSealOption(*command, options->seal, record);
     command
         ->add_option("--stream", options->stream,
                      "Sends the newest tick up to 1000 times a second to udp://HOST:PORT (docs/live-stream.md)")

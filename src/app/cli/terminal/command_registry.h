@@ -25,6 +25,9 @@ struct MouthSpec;
 /// Adds the options that select a built-in mouth. `needed`: the option that they require; null if there is none.
 void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed);
 
+/// Adds --seal. `record`: the option that it needs; null if there is none.
+void addSealOption(CLI::App& command, bool& seal, CLI::Option* record);
+
 // Each function adds the commands of one topic, which its source file defines.
 
 /// Recorded sessions.
