@@ -116,7 +116,7 @@ TEST_F(RenderCommand, SideBySideShowsTheToothTwice) {
 TEST_F(RenderCommand, ASecondViewStandsInTheCornerAlone) {
     const Image one = picture({"--no-background"});
     const Image both = picture({"--no-background", "--second", "occlusal"});
-    const SecondViewRectangle place = secondViewRectangle(one.size);
+    const CornerRectangle place = secondViewRectangle(one.size);
     std::size_t inCorner = 0, elsewhere = 0;
     for (int y = 0; y < one.size.height; ++y) {
         for (int x = 0; x < one.size.width; ++x) {

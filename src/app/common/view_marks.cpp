@@ -37,20 +37,17 @@ ScaleBar scaleBar(double pixelsPerMm, double widest) {
 
 std::array<AxisLetter, kAxisLetters> axisLetters(const Camera& camera, ImageSize size, double mesialX, double margin) {
     constexpr double kShortest = 0.3;  // of an axis in the picture: shorter ones point at the eye or away from it
-    const std::array<std::pair<char, Vec3>, kAxisLetters> axes = {{{'B', Vec3::UnitY()},
-                                                                   {'L', -Vec3::UnitY()},
-                                                                   {'M', mesialX * Vec3::UnitX()},
-                                                                   {'D', -mesialX * Vec3::UnitX()},
-                                                                   {'O', Vec3::UnitZ()},
-                                                                   {'A', -Vec3::UnitZ()}}};
+    const Vec3 mesial = mesialX * Vec3::UnitX();
+    const std::array<Vec3, kAxisLetters> axes = {Vec3::UnitY(), -Vec3::UnitY(), mesial,
+                                                 -mesial,       Vec3::UnitZ(),  -Vec3::UnitZ()};
     const Quat toCamera = camera.cameraInWorld.rotation.conjugate();
     const Vec2 middle(size.width / 2.0, size.height / 2.0);
     const Vec2 reach = (middle.array() - margin).max(1);
     std::array<AxisLetter, kAxisLetters> letters;
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        const Vec3 seen = toCamera * axes[i].second;
+        const Vec3 seen = toCamera * axes[i];
         const Vec2 inPicture(seen.x(), -seen.y());
-        letters[i].letter = axes[i].first;
+        letters[i].letter = kAxisLetterNames[i];
         letters[i].visible = inPicture.norm() > kShortest;
         if (!letters[i].visible) continue;
         // Where the axis through the middle meets the edge.

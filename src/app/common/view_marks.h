@@ -28,7 +28,9 @@ struct AxisLetter {
     bool visible = false;       ///< false: the direction is nearly along the line of sight
     Vec2 place = Vec2::Zero();  ///< of its middle, pixels from the picture's upper left corner
 };
-inline constexpr std::size_t kAxisLetters = 6;
+/// Their order.
+inline constexpr std::array kAxisLetterNames = {'B', 'L', 'M', 'D', 'O', 'A'};
+inline constexpr std::size_t kAxisLetters = kAxisLetterNames.size();
 /// `margin`: from the edge to the middle of a letter, pixels.
 [[nodiscard]] std::array<AxisLetter, kAxisLetters> axisLetters(const Camera& camera, ImageSize size, double mesialX,
                                                                double margin);

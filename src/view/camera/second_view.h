@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "view/camera/camera.h"
+#include "view/camera/corner_rectangle.h"
 
 namespace tactooth {
 
@@ -14,20 +14,7 @@ struct SecondView {
 
 inline constexpr double kSecondViewAspect = 4.0 / 3.0;  ///< a tooth with its bur is about as high as wide
 
-/// The position and size of the second view, in pixels from the picture's upper left corner.
-struct SecondViewRectangle {
-    int left = 0, top = 0;
-    ImageSize size;
-};
-[[nodiscard]] SecondViewRectangle secondViewRectangle(ImageSize picture);
-
-inline constexpr double kMagnification = 4;
-
-/// The magnifier's square in the upper left corner of the picture.
-[[nodiscard]] SecondViewRectangle magnifierRectangle(ImageSize picture);
-
-/// The camera of the magnifier: `place` (world) in its middle, kMagnification times as large as in a picture of this
-/// size by `camera`.
-[[nodiscard]] Camera magnifierCamera(const Camera& camera, ImageSize picture, const Vec3& place);
+/// Where the second view is in a picture of this size.
+[[nodiscard]] CornerRectangle secondViewRectangle(ImageSize picture);
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/render/renderer.h"
 
+#include "view/camera/magnifier.h"
 #include "view/gl/messages.h"
 #include "view/gl/shape_cache.h"
 #include "view/passes/ghost_pass.h"
@@ -116,7 +117,7 @@ void copyPicture(const RenderTarget& from, GLuint to, const PixelRectangle& plac
                       GL_COLOR_BUFFER_BIT, fits ? GL_NEAREST : GL_LINEAR);
 }
 
-PixelRectangle rowsFromBelow(const SecondViewRectangle& place, ImageSize picture) {
+PixelRectangle rowsFromBelow(const CornerRectangle& place, ImageSize picture) {
     const int top = picture.height - place.top;
     return {{place.left, top - place.size.height}, {place.left + place.size.width, top}};
 }
@@ -296,7 +297,7 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
 }
 
 Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, ImageSize size) {
-    const SecondViewRectangle place = secondViewRectangle(size);
+    const CornerRectangle place = secondViewRectangle(size);
     ShapeCache::Result shown = large.shapes;
     std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
     const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
@@ -308,7 +309,7 @@ Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, Imag
 }
 
 Expected<void> Renderer::Parts::drawMagnified(const Job& large, GLuint target, ImageSize size) {
-    const SecondViewRectangle place = magnifierRectangle(size);
+    const CornerRectangle place = magnifierRectangle(size);
     const Job job{large.scene, large.shapes, large.settings, magnifier, scaled(place.size, large.settings.resolution)};
     const auto picture = magnifier.pictures[0].fit(job.size, job.settings.samples);
     if (!picture) return Unexpected{picture.error()};

@@ -39,7 +39,7 @@ Camera fromAbove(const Scene& scene) {
     return camera.camera();
 }
 
-Image cutOut(const Image& picture, const SecondViewRectangle& place) {
+Image cutOut(const Image& picture, const CornerRectangle& place) {
     Image part{place.size, {}};
     for (int y = 0; y < place.size.height; ++y) {
         for (int x = 0; x < place.size.width; ++x) part.pixels.push_back(picture.at(place.left + x, place.top + y));
@@ -47,9 +47,9 @@ Image cutOut(const Image& picture, const SecondViewRectangle& place) {
     return part;
 }
 
-TEST(SecondViewRectangle, IsInTheUpperRightCornerOfEveryPicture) {
+TEST(CornerRectangle, IsInTheUpperRightCornerOfEveryPicture) {
     for (const ImageSize size : {ImageSize{1280, 800}, {320, 240}, {3000, 500}, {400, 1600}, {2, 2}, {1, 1}}) {
-        const SecondViewRectangle place = secondViewRectangle(size);
+        const CornerRectangle place = secondViewRectangle(size);
         EXPECT_GE(place.size.width, 1);
         EXPECT_GE(place.size.height, 1);
         EXPECT_GE(place.left, 0);
@@ -57,7 +57,7 @@ TEST(SecondViewRectangle, IsInTheUpperRightCornerOfEveryPicture) {
         EXPECT_LE(place.left + place.size.width, size.width);
         EXPECT_LE(place.top + place.size.height, size.height);
     }
-    const SecondViewRectangle usual = secondViewRectangle({1280, 800});
+    const CornerRectangle usual = secondViewRectangle({1280, 800});
     EXPECT_EQ(usual.size, (ImageSize{384, 288}));
     EXPECT_EQ(usual.left, 1280 - 384 - usual.top);
 }
@@ -67,7 +67,7 @@ TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRe
         settings.shadows = Shadows::None;  // the handle throws its shadow whether it is visible or not
         Scene scene = sceneWithSides();
         const Image whole = draw(scene, settings);
-        const SecondViewRectangle place = secondViewRectangle(kTestSize);
+        const CornerRectangle place = secondViewRectangle(kTestSize);
         Scene alone = scene;
         alone.camera = fromAbove(scene);
         alone.mirror.reset();
@@ -92,7 +92,7 @@ TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRe
 TEST_F(SecondViewTest, FollowsEveryPicture) {
     Scene scene = sceneWithSides();
     scene.second = SecondView{fromAbove(scene)};
-    const SecondViewRectangle place = secondViewRectangle(kTestSize);
+    const CornerRectangle place = secondViewRectangle(kTestSize);
     const Image before = draw(scene);
     scene.objects[1].objectInWorld.position = Vec3(-4, -2, 0);
     EXPECT_NE(cutOut(draw(scene), place).pixels, cutOut(before, place).pixels);

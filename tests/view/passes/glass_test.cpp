@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/shapes.h"
+#include "view/camera/magnifier.h"
 #include "view/renderer_fixture.h"
 
 namespace tactooth {
@@ -101,7 +102,7 @@ TEST_F(GlassTest, TheMagnifierShowsItsPlaceLargerInTheUpperLeftCorner) {
     Appearance blue;
     blue.colour = Vec3f(0.1F, 0.1F, 0.9F);
     scene.objects.push_back(test::objectOf(test::sphere(Vec3(0, 0, 3), 0.4, 32, 32), blue));
-    const auto bluePixels = [](const Image& image, const SecondViewRectangle& place) {
+    const auto bluePixels = [](const Image& image, const CornerRectangle& place) {
         int count = 0;
         for (int y = 0; y < place.size.height; ++y) {
             for (int x = 0; x < place.size.width; ++x) {
@@ -111,12 +112,12 @@ TEST_F(GlassTest, TheMagnifierShowsItsPlaceLargerInTheUpperLeftCorner) {
         }
         return count;
     };
-    const SecondViewRectangle lens = magnifierRectangle(kTestSize);
+    const CornerRectangle lens = magnifierRectangle(kTestSize);
     const Image plain = draw(scene);
     EXPECT_EQ(bluePixels(plain, lens), 0);
     scene.magnified = Vec3(0, 0, 3);
     const Image magnified = draw(scene);
-    const SecondViewRectangle whole{
+    const CornerRectangle whole{
         lens.left + lens.size.width, 0, {kTestSize.width - lens.left - lens.size.width, kTestSize.height}};
     const double ratio = static_cast<double>(bluePixels(magnified, lens)) / bluePixels(plain, whole);
     EXPECT_NEAR(ratio, kMagnification * kMagnification, 0.25 * kMagnification * kMagnification);

@@ -3,8 +3,8 @@
 #include "app/gui/scene/second_view_frame.h"
 
 #include <QPainter>
-#include <cmath>
 
+#include "app/gui/scene/corner_geometry.h"
 #include "view/camera/second_view.h"
 
 namespace tactooth {
@@ -23,10 +23,7 @@ SecondViewFrame::SecondViewFrame(QWidget* parent) : QAbstractButton(parent) {
 }
 
 void SecondViewFrame::fitTo(ImageSize picture) {
-    const SecondViewRectangle place = secondViewRectangle(picture);
-    const double scale = 1 / devicePixelRatioF();
-    const auto scaled = [scale](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
-    setGeometry(scaled(place.left), scaled(place.top), scaled(place.size.width), scaled(place.size.height));
+    setGeometry(cornerGeometry(secondViewRectangle(picture), devicePixelRatioF()));
 }
 
 void SecondViewFrame::paintEvent(QPaintEvent*) {

@@ -8,8 +8,9 @@
 #include <functional>
 #include <utility>
 
+#include "app/gui/scene/corner_geometry.h"
 #include "app/gui/scene/view_cube.h"
-#include "view/camera/second_view.h"
+#include "view/camera/magnifier.h"
 
 namespace tactooth {
 namespace {
@@ -49,12 +50,11 @@ private:
 
 ViewOverlays::ViewOverlays(QWidget& view) : QObject(&view), view_(view) {
     scaleBar_ = new Mark(&view, "scaleBarMark", [](QPainter&, const QRectF&) {});
-    // The order of axisLetters.
-    constexpr std::array<char, kAxisLetters> kLetters = {'B', 'L', 'M', 'D', 'O', 'A'};
     for (std::size_t i = 0; i < kAxisLetters; ++i) {
-        letters_[i] = new Mark(&view, "axisLetterMark", [letter = kLetters[i]](QPainter& painter, const QRectF& box) {
-            drawAxisLetter(painter, box, letter);
-        });
+        letters_[i] =
+            new Mark(&view, "axisLetterMark", [letter = kAxisLetterNames[i]](QPainter& painter, const QRectF& box) {
+                drawAxisLetter(painter, box, letter);
+            });
         letters_[i]->resize(kLetter, kLetter);
     }
     magnifier_ = new Mark(&view, "magnifierFrame", [](QPainter& painter, const QRectF& box) {
@@ -114,10 +114,7 @@ void ViewOverlays::placeLetters(const OrbitCamera& eye, ImageSize size, double m
 void ViewOverlays::placeCorners(ImageSize size) {
     cube_->move(view_.width() - cube_->width() - kMargin - kLetter,
                 view_.height() - cube_->height() - kMargin - kLetter);
-    const SecondViewRectangle place = magnifierRectangle(size);
-    const double scale = 1 / view_.devicePixelRatioF();
-    const auto scaled = [scale](int pixels) { return static_cast<int>(std::lround(scale * pixels)); };
-    magnifier_->setGeometry(scaled(place.left), scaled(place.top), scaled(place.size.width), scaled(place.size.height));
+    magnifier_->setGeometry(cornerGeometry(magnifierRectangle(size), view_.devicePixelRatioF()));
 }
 
 }  // namespace tactooth

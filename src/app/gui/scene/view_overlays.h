@@ -21,7 +21,7 @@ class ViewOverlays final : public QObject {
     Q_OBJECT
 
 public:
-    /// They are children of `view`, and hidden until the first call of `show`.
+    /// They are children of `view`, and hidden until the first call of `choose`.
     explicit ViewOverlays(QWidget& view);
 
     /// Chooses what is visible. `magnifies`: whether the picture has a magnified part now.
