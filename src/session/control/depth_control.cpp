@@ -3,6 +3,7 @@
 #include "session/control/depth_control.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "geometry/util/assert.h"
@@ -11,7 +12,6 @@
 namespace tactooth {
 namespace {
 
-constexpr double kOutside = 60;     // mm: from there every line meets the outside of a tooth first
 constexpr double kBeside = 1e-5;    // mm
 constexpr double kInCavity = 0.15;  // mm: a tip deeper than this is in a cavity
 
@@ -43,12 +43,15 @@ void DepthControl::beginAt(const Vec3& tip, const Vec3& inward) {
 std::optional<double> DepthControl::depthOf(const Vec3& tip, const Vec3& inward) const {
     TACTOOTH_ASSERT(isUnit(inward));
     if (!uncut_) return std::nullopt;
-    const Vec3 start = tip - kOutside * inward;
-    std::optional<double> hit = firstHit(*uncut_, {start, inward});
     // A line right through a corner may pass between the triangles.
-    if (!hit) hit = firstHit(*uncut_, {start + kBeside * Vec3(inward.unitOrthogonal()), inward});
-    if (!hit) return std::nullopt;
-    return kOutside - *hit;
+    const std::array places = {tip, Vec3(tip + kBeside * inward.unitOrthogonal())};
+    for (const Vec3& place : places) {
+        if (const double inside = depthInside(*uncut_->base, place, -inward); inside > 0) return inside;
+    }
+    for (const Vec3& place : places) {
+        if (const auto below = firstHit(*uncut_, {place, inward})) return -*below;
+    }
+    return std::nullopt;
 }
 
 std::optional<double> DepthControl::toFloor(const Vec3& tip, const Vec3& inward) const {

@@ -38,12 +38,8 @@ MouseManipulator::MouseManipulator(const Box3& tooth, double mesialX)
       aimedAt_(tip_) {}
 
 void MouseManipulator::setSurroundings(const Surroundings& surroundings) {
-    if (surroundings.uncut != surroundings_.uncut) {
-        uncut_.reset();
-        if (surroundings.uncut != nullptr) uncut_ = Surface{.base = surroundings.uncut};
-        depthControl_.setSurface(surroundings.uncut);
-    }
     surroundings_ = surroundings;
+    depthControl_.setSurface(surroundings.uncut);
     travel_.setTool(surroundings.tool);
     travel_.setSurface(surroundings.touchable);
 }
@@ -68,7 +64,7 @@ void MouseManipulator::noteLanding(const PointerView& picture, const Vec2& pixel
     const Ray ray = picture.rayThrough(pixel);
     std::optional<double> hit = firstHit(surface, ray);
     if (pressesToDepth()) {
-        const std::optional<double> before = firstHit(*uncut_, ray);
+        const std::optional<double> before = firstHit(*depthControl_.surface(), ray);
         if (before && (!hit || *before < *hit)) hit = before;
     }
     landing_.reset();
@@ -91,14 +87,14 @@ void MouseManipulator::press(const PointerView& picture, const Vec2& pixel) {
     floorAlong_.reset();
     grabbed_ = pixel;
     if (!pressesToDepth()) return;
-    noteLanding(picture, pixel, surroundings_.touchable ? *surroundings_.touchable : *uncut_);
+    noteLanding(picture, pixel, surroundings_.touchable ? *surroundings_.touchable : *depthControl_.surface());
     if (landing_) aimedAt_ = clampedToWorkspace(*landing_ - kHover * pressDirection_);
 }
 
 void MouseManipulator::drag(const PointerView& picture, const Vec2& pixel) {
     if (pressesToDepth()) {
         const Ray ray = picture.rayThrough(pixel);
-        if (const auto hit = firstHit(*uncut_, ray)) {
+        if (const auto hit = firstHit(*depthControl_.surface(), ray)) {
             landing_ = ray.origin + *hit * ray.direction;
             grabbed_ = pixel;
             return;

@@ -29,7 +29,7 @@ public:
     MouseManipulator(const Box3& tooth, double mesialX);
 
     /// What the hand knows of the scene: what the tool could touch now, the tool, and the uncut surface of the tooth.
-    /// Null: nothing is known of it.
+    /// Null: nothing is known of it, and the hand goes straight; a tool that is caught is drawn out along its shaft.
     struct Surroundings {
         std::shared_ptr<const Surface> touchable;
         std::shared_ptr<const ToolShape> tool;
@@ -88,7 +88,7 @@ private:
     void retract(double dt, const Vec3& toolTip);
     [[nodiscard]] Vec3 clampedToWorkspace(const Vec3& tip) const;
     [[nodiscard]] Vec3 onPlane(const PointerView& picture, const Vec2& pixel) const;
-    [[nodiscard]] bool pressesToDepth() const { return mode_ == PressMode::Depth && uncut_.has_value(); }
+    [[nodiscard]] bool pressesToDepth() const { return mode_ == PressMode::Depth && surroundings_.uncut != nullptr; }
     void choosePressDirection(const PointerView& picture);
     void hold(const Quat& handle);
     void noteLanding(const PointerView& picture, const Vec2& pixel, const Surface& surface);
@@ -96,7 +96,6 @@ private:
     Box3 tooth_;
     double mesialX_;
     Surroundings surroundings_;
-    std::optional<Surface> uncut_;
     DepthControl depthControl_;
     ClearTravel travel_;
     PressMode mode_ = PressMode::Depth;

@@ -24,16 +24,6 @@ Vec3 inwardOf(const SessionModel& model) {
     return model.log().newest().proxy.rotation * -Vec3::UnitZ();
 }
 
-/// Of the head, without the shank, which may be thicker.
-double headRadius(const RevolutionEnvelope& bur) {
-    double radius = 0;
-    for (const RevolutionEnvelope::ProfilePoint& ring : bur.profile()) {
-        if (ring.z > bur.bottom() + kHeadPart) break;
-        radius = std::max(radius, ring.radius);
-    }
-    return radius;
-}
-
 /// Distance of the head of the bur from one layer.
 std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {
     std::optional<double> least;
@@ -82,18 +72,18 @@ TipWarning warningOf(const TipMeasure& measure, const SessionModel& model) {
     return isDeep && newest.contacts > 0 ? TipWarning::Deep : TipWarning::None;
 }
 
-AimMark aimMark(const MouseManipulator& hand, const Instrument& instrument, const Pose& tool) {
+AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& tool) {
     const MouseManipulator::Surroundings& there = hand.surroundings();
     AimMark mark;
     mark.tip = tool.position;
-    if (there.touchable == nullptr || there.uncut == nullptr) return mark;
+    const std::optional<Surface>& uncut = hand.depthControl().surface();
+    if (there.touchable == nullptr || !uncut) return mark;
     const Vec3& inward = hand.pressDirection();
-    const Surface uncut{.base = there.uncut};
     // In a cavity: from outside onto the uncut surface. Over the tooth: onto what is there now.
     const auto depth = hand.depthControl().depthOf(mark.tip, inward);
     const bool isInside = depth && *depth > 0;
     const double back = isInside ? kOutside : 0;
-    const Surface& below = isInside ? uncut : *there.touchable;
+    const Surface& below = isInside ? *uncut : *there.touchable;
     const auto landingOf = [&](const Vec3& place) -> std::optional<Vec3> {
         const Vec3 start = place - back * inward;
         const auto hit = firstHit(below, {start, inward});
@@ -102,12 +92,11 @@ AimMark aimMark(const MouseManipulator& hand, const Instrument& instrument, cons
     };
     mark.landing = landingOf(mark.tip);
     if (!mark.landing) return mark;
-    const double radius = headRadius(instrument.cutting.envelope);
     const Vec3 u = inward.unitOrthogonal();
     const Vec3 v = inward.cross(u);
     for (int i = 0; i < kRingPlaces; ++i) {
         const double angle = 2 * std::numbers::pi * i / kRingPlaces;
-        const auto place = landingOf(mark.tip + radius * (std::cos(angle) * u + std::sin(angle) * v));
+        const auto place = landingOf(mark.tip + headRadius * (std::cos(angle) * u + std::sin(angle) * v));
         if (place) mark.ring.push_back(*place);
     }
     return mark;

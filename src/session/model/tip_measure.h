@@ -43,7 +43,8 @@ struct AimMark {
 };
 inline constexpr int kRingPlaces = 32;
 
-/// For a tool that the mouse's hand holds at `tool`. In a cavity the ring lies at the height of its rim.
-[[nodiscard]] AimMark aimMark(const MouseManipulator& hand, const Instrument& instrument, const Pose& tool);
+/// For a bur that the mouse's hand holds at `tool`; `headRadius`: of its head, mm. In a cavity the ring lies at the
+/// height of its rim.
+[[nodiscard]] AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& tool);
 
 }  // namespace tactooth
