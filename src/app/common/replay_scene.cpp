@@ -11,10 +11,10 @@
 namespace tactooth {
 
 ReplayBur ReplayBur::of(const Instrument& instrument) {
+    const BurHead head = burHeadOf(instrument.shape->mesh());
     return {std::make_shared<const TriangleMesh>(instrument.shape->mesh()),
-            std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge,
-            burHeadOf(instrument.shape->mesh()),
-            std::make_shared<const TriangleMesh>(headCap(burHeadOf(instrument.shape->mesh())))};
+            std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge, head,
+            std::make_shared<const TriangleMesh>(headCap(head))};
 }
 
 ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const {

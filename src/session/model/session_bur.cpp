@@ -15,17 +15,23 @@ constexpr int kShownTriangles = 6000;  // blades look round at full zoom
 
 }  // namespace
 
+SessionBur withHead(SessionBur bur) {
+    bur.head = burHeadOf(*bur.shown);
+    bur.headCap = std::make_shared<const TriangleMesh>(headCap(bur.head));
+    return bur;
+}
+
 Expected<SessionBur> makeSessionBur(const BurSpec& spec) {
     const Bur coarse = makeBur(spec);
     Expected<CuttingTool> cutting = makeCuttingTool(coarse.surface, spec.sharpness);
     if (!cutting) return Unexpected{cutting.error()};
     auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
-    return SessionBur{spec.name,
-                      {std::make_shared<const ToolShape>(coarse.surface), std::move(*cutting), spec.edge()},
-                      std::make_shared<const TriangleMesh>(makeBur(spec, kShownTriangles).surface),
-                      std::move(blurred),
-                      spec.material,
-                      {}};
+    return withHead({spec.name,
+                     {std::make_shared<const ToolShape>(coarse.surface), std::move(*cutting), spec.edge()},
+                     std::make_shared<const TriangleMesh>(makeBur(spec, kShownTriangles).surface),
+                     std::move(blurred),
+                     spec.material,
+                     {}});
 }
 
 Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file) {
@@ -34,10 +40,12 @@ Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& 
     auto shown = std::make_shared<const TriangleMesh>(bur.surface);
     auto blurred = std::make_shared<const TriangleMesh>(spinEnvelopeMesh(cutting->envelope));
     const BurEdge edge = bur.edge();
-    return SessionBur{
-        bur.name,         {std::make_shared<const ToolShape>(std::move(bur.surface)), std::move(*cutting), edge},
-        std::move(shown), std::move(blurred),
-        bur.material,     file};
+    return withHead({bur.name,
+                     {std::make_shared<const ToolShape>(std::move(bur.surface)), std::move(*cutting), edge},
+                     std::move(shown),
+                     std::move(blurred),
+                     bur.material,
+                     file});
 }
 
 Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {

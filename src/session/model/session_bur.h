@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "instruments/bur_head.h"
 #include "session/cases/custom_bur.h"
 #include "session/live/live_runner.h"
 #include "session/simulation/session_work.h"
@@ -20,7 +21,12 @@ struct SessionBur {
     std::shared_ptr<const TriangleMesh> blurred;  ///< spinEnvelopeMesh: the bur as the eye sees it turning fast
     BurMaterial material = BurMaterial::Carbide;
     std::filesystem::path file;  ///< that describes it; empty for a bur of the catalogue or of a case
+    BurHead head = {};           ///< of `shown`
+    std::shared_ptr<const TriangleMesh> headCap = {};  ///< closes it where the neck begins; null: unknown
 };
+
+/// The bur with its head measured.
+[[nodiscard]] SessionBur withHead(SessionBur bur);
 
 // These take up to a second: run them in a Task. They fail with one sentence for the user.
 [[nodiscard]] Expected<SessionBur> makeSessionBur(const BurSpec& spec);

@@ -54,9 +54,15 @@ public:
     /// The next tooth that is installed comes with this history, from another model.
     void adopt(WorkHistory history) { adoptedHistory_ = std::move(history); }
     /// Undo, redo and jumps take effect in the next steps, in their order.
-    void undo() { editsAllowed_ ? history_.undo() : void(); }
-    void redo() { editsAllowed_ ? history_.redo() : void(); }
-    void goTo(std::size_t position) { editsAllowed_ ? history_.goTo(position) : void(); }
+    void undo() {
+        if (editsAllowed_) history_.undo();
+    }
+    void redo() {
+        if (editsAllowed_) history_.redo();
+    }
+    void goTo(std::size_t position) {
+        if (editsAllowed_) history_.goTo(position);
+    }
     /// Whether anything can be taken back: undo, redo, jumps and resetTooth have an effect. Not so in an examination.
     void setEditsAllowed(bool allowed) { editsAllowed_ = allowed; }
     [[nodiscard]] bool editsAllowed() const { return editsAllowed_; }

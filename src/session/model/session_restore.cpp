@@ -101,12 +101,9 @@ private:
     std::optional<SessionBur> bur() const {
         if (std::optional<SessionBur> known = burOf(work_, {})) return known;
         if (!instrument_) return std::nullopt;
-        return SessionBur{work_.bur,
-                          *instrument_,
-                          std::make_shared<const TriangleMesh>(instrument_->shape->mesh()),
-                          std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument_->cutting.envelope)),
-                          instrument_->edge.flutes == 0 ? BurMaterial::Diamond : BurMaterial::Carbide,
-                          work_.burFile};
+        return withHead({work_.bur, *instrument_, std::make_shared<const TriangleMesh>(instrument_->shape->mesh()),
+                         std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument_->cutting.envelope)),
+                         instrument_->edge.flutes == 0 ? BurMaterial::Diamond : BurMaterial::Carbide, work_.burFile});
     }
 
     const SessionRecording& recording_;

@@ -123,7 +123,7 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
     if (!tip) return mark;
     mark.tip = tip->at;
     if (model.devices().first() == nullptr) {
-        const AimMark aim = aimMark(model.manipulator(), model.bur()->instrument, newest.proxy);
+        const AimMark aim = aimMark(model.manipulator(), model.bur()->head.radius, newest.proxy);
         for (const Vec3& point : aim.ring) {
             if (const auto place = placeOf(point)) mark.ring.push_back(*place);
         }

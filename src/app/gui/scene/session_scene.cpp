@@ -44,7 +44,9 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
                   .spin = model.animation().spin(),
                   .speedRpm = newest.speedRpm,
                   .edge = bur.instrument.edge,
-                  .blurred = bur.blurred};
+                  .blurred = bur.blurred,
+                  .head = bur.head,
+                  .cap = bur.headCap};
     contents.flying = particlesOf(model.animation().particles(), contents.materials);
     if (!meshes) return contents;
     if (model.instruments().suction()) {

@@ -94,18 +94,11 @@ SceneContents ToothView::contents() const {
     return contents_ ? contents_(showsTurbine_, showsMirror_) : sceneContents(model_, showsTurbine_, showsMirror_);
 }
 
-/// Adds what glass and magnifier need to know about the tool.
-void ToothView::addGlass(SceneContents& contents) {
+/// Adds what the glass needs to know about the hand.
+void ToothView::addGlass(SceneContents& contents) const {
     contents.glass = aids_.glass;
-    if (!contents.tool) return;
-    if (std::exchange(measuredBur_, contents.tool->bur) != contents.tool->bur) {
-        burHead_ = burHeadOf(*contents.tool->bur);
-        headCap_ = std::make_shared<const TriangleMesh>(headCap(burHead_));
-    }
-    contents.tool->head = burHead_;
-    contents.tool->cap = headCap_;
     const bool byMouse = !contents_ && model_.devices().first() == nullptr;
-    if (byMouse) contents.tool->heading = model_.manipulator().pressDirection();
+    if (byMouse && contents.tool) contents.tool->heading = model_.manipulator().pressDirection();
 }
 
 void ToothView::setContents(ContentsSource contents) {

@@ -98,7 +98,7 @@ protected:
 
 private:
     [[nodiscard]] SceneContents contents() const;
-    void addGlass(SceneContents& contents);
+    void addGlass(SceneContents& contents) const;
     [[nodiscard]] ImageSize imageSize() const;
     [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     [[nodiscard]] FramePacer::Change changeTo(const SceneContents& now) const;
@@ -126,9 +126,6 @@ private:
     bool showsTurbine_ = true;
     bool showsMirror_ = true;
     ViewAids aids_;
-    std::shared_ptr<const TriangleMesh> measuredBur_;  // whose head is burHead_
-    BurHead burHead_;
-    std::shared_ptr<const TriangleMesh> headCap_;
     Inspection inspection_;
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
