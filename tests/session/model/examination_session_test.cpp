@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "devices/simulated/scripted_device.h"
 #include "model/model_scene.h"
 #include "session/model/session_model.h"
 #include "session/recording/recording_seal.h"
@@ -26,29 +25,7 @@ protected:
         (void)model_.step(0);
         ASSERT_TRUE(model_.runner() != nullptr);
     }
-    void cut() {
-        const auto at = [](double time, double z) {
-            return DeviceKeyframe{time, {.hand = {Vec3(0, 0, z), Quat::Identity()}, .pedal = 1}};
-        };
-        std::vector<DeviceKeyframe> script{at(0, 1), at(0.2, 1), at(0.4, -0.4), at(0.8, -0.4), at(1, 1)};
-        model_.setCutting(true);
-        model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
-        ASSERT_TRUE(test::stepUntil(model_, [&] { return model_.runner() != nullptr && removed() > 0.01; }));
-        waitForCarving();
-    }
     [[nodiscard]] double removed() { return total(model_.runner()->feed().removed()); }
-    /// The hand has left the tooth, and a long time (in ticks) has passed since anything was removed.
-    void waitForCarving() {
-        constexpr std::uint32_t kQuiet = 300;
-        double before = -1;
-        std::uint32_t since = 0;
-        ASSERT_TRUE(test::stepUntil(model_, [&] {
-            const Tick& tick = model_.log().newest();
-            const double now = removed();
-            if (now != before || tick.contacts > 0 || tick.hand.position.z() < 0.9) before = now, since = tick.number;
-            return tick.number > since + kQuiet;
-        }));
-    }
     void goOnFor(double seconds) {
         const double since = model_.log().seconds();
         ASSERT_TRUE(test::stepUntil(model_, [&] { return model_.log().seconds() > since + seconds; }));
@@ -64,7 +41,7 @@ TEST_F(ExaminationSession, NothingIsTakenBackAndTheRecordingIsSigned) {
     begin();
     EXPECT_TRUE(model_.isSealing());
     EXPECT_FALSE(model_.isTouched());
-    cut();
+    test::cutBlock(model_);
     EXPECT_TRUE(model_.isTouched());
     const double cut = removed();
     model_.undo();
@@ -88,7 +65,7 @@ TEST_F(ExaminationSession, NothingIsTakenBackAndTheRecordingIsSigned) {
 
 TEST_F(ExaminationSession, AfterwardsUndoWorksAgain) {
     begin();
-    cut();
+    test::cutBlock(model_);
     model_.setEditsAllowed(true);
     model_.undo();
     EXPECT_TRUE(test::stepUntil(model_, [&] { return removed() == 0; }));
@@ -102,7 +79,7 @@ TEST_F(ExaminationSession, ARecordingThatRunsUnsignedIsReplacedByASignedOneIfNot
     ASSERT_TRUE(model_.isRecording() && !model_.isSealing());
     model_.recordTo(RecordingFolder(folder_.path()), key_);
     EXPECT_TRUE(test::stepUntil(model_, [&] { return model_.runner() != nullptr && model_.isSealing(); }));
-    cut();
+    test::cutBlock(model_);
     model_.finishRecording();
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -9,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "devices/simulated/scripted_device.h"
 #include "session/bench_scene.h"
 #include "session/model/session_model.h"
 
@@ -108,7 +111,7 @@ private:
 
 [[nodiscard]] inline SessionBur flatSessionBur() {
     const auto mesh = std::make_shared<const TriangleMesh>(flatBurMesh());
-    return {.name = "Flat", .instrument = flatBur(), .shown = mesh, .blurred = mesh, .file = {}};
+    return withHead({.name = "Flat", .instrument = flatBur(), .shown = mesh, .blurred = mesh, .file = {}});
 }
 
 /// Steps the model until the condition holds; false if it does not within 20 s.
@@ -120,6 +123,28 @@ private:
         std::this_thread::yield();
     }
     return false;
+}
+
+/// A scripted hand cuts the block. Returns when it has left the block and a long time (in ticks) has passed since
+/// anything was removed.
+inline void cutBlock(SessionModel& model) {
+    const auto at = [](double time, double z) {
+        return DeviceKeyframe{time, {.hand = {Vec3(0, 0, z), Quat::Identity()}, .pedal = 1}};
+    };
+    std::vector<DeviceKeyframe> script{at(0, 1), at(0.2, 1), at(0.4, -0.4), at(0.8, -0.4), at(1, 1)};
+    model.setCutting(true);
+    model.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
+    ASSERT_TRUE(
+        stepUntil(model, [&] { return model.runner() != nullptr && total(model.runner()->feed().removed()) > 0.01; }));
+    constexpr std::uint32_t kQuiet = 300;
+    MaterialVolumes removed;
+    std::uint32_t since = 0;
+    ASSERT_TRUE(stepUntil(model, [&] {
+        const Tick& tick = model.log().newest();
+        const MaterialVolumes now = model.runner()->feed().removed();
+        if (now != removed || tick.contacts > 0 || tick.hand.position.z() < 0.9) removed = now, since = tick.number;
+        return tick.number > since + kQuiet;
+    }));
 }
 
 }  // namespace tactooth::test

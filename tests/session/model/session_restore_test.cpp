@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "devices/simulated/scripted_device.h"
 #include "model/model_scene.h"
 #include "session/recording/session_recording.h"
 #include "session/recording/session_replay.h"
@@ -37,29 +36,6 @@ protected:
         ASSERT_TRUE(model.runner() != nullptr && model.isRecording());
         model.describeWork(R"({"title":"Own block","bur":"Flat","seconds":7,"events":[]})");
     }
-    void cut(SessionModel& model) {
-        const auto at = [](double time, double z) {
-            return DeviceKeyframe{time, {.hand = {Vec3(0, 0, z), Quat::Identity()}, .pedal = 1}};
-        };
-        std::vector<DeviceKeyframe> script{at(0, 1), at(0.2, 1), at(0.4, -0.4), at(0.8, -0.4), at(1, 1)};
-        model.setCutting(true);
-        model.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
-        ASSERT_TRUE(test::stepUntil(
-            model, [&] { return model.runner() != nullptr && total(model.runner()->feed().removed()) > 0.01; }));
-        waitForCarving(model);
-    }
-    /// The hand has left the tooth, and a long time (in ticks) has passed since anything was removed.
-    static void waitForCarving(SessionModel& model) {
-        constexpr std::uint32_t kQuiet = 300;
-        MaterialVolumes removed;
-        std::uint32_t since = 0;
-        ASSERT_TRUE(test::stepUntil(model, [&] {
-            const Tick& tick = model.log().newest();
-            const MaterialVolumes now = model.runner()->feed().removed();
-            if (now != removed || tick.contacts > 0 || tick.hand.position.z() < 0.9) removed = now, since = tick.number;
-            return tick.number > since + kQuiet;
-        }));
-    }
     /// What a crash would leave: a copy of the recording while it is written.
     fs::path copyOfLive() const {
         const fs::path copy = crashed_ / "live-1-0.ttsession";
@@ -76,7 +52,7 @@ TEST_F(RecordedSession, IsKeptUnderTheNameOfItsToothAndReplays) {
     {
         SessionModel model(sound_, test::runInline);
         begin(model);
-        cut(model);
+        test::cutBlock(model);
         model.finishRecording();
         hash = model.tooth()->piece->hash();
     }
@@ -104,7 +80,7 @@ TEST_F(RecordedSession, InWhichNothingWasTouchedLeavesNothing) {
 TEST_F(RecordedSession, AnotherToothGetsAnotherRecordingAndABurDoesNot) {
     SessionModel model(sound_, test::runInline);
     begin(model);
-    cut(model);
+    test::cutBlock(model);
     model.install(test::flatSessionBur());
     (void)model.step(0);
     EXPECT_EQ(filesIn(folder_.path()).size(), 1U);
@@ -120,7 +96,7 @@ TEST_F(RecordedSession, AnotherToothGetsAnotherRecordingAndABurDoesNot) {
 TEST_F(RecordedSession, GoesOnInAnotherModel) {
     SessionModel model(sound_, test::runInline);
     begin(model);
-    cut(model);
+    test::cutBlock(model);
     const SessionTooth tooth = *model.tooth();
     {
         SessionModel other(sound_, test::runInline);
@@ -148,7 +124,7 @@ TEST_F(RecordedSession, AFolderThatCannotBeUsedIsSaidOnceAndTheSessionGoesOn) {
     for (int i = 0; i < 3; ++i) sentences += model.step(0).recordingFault ? 1 : 0;
     EXPECT_LE(sentences, 1);
     EXPECT_FALSE(model.isRecording());
-    cut(model);
+    test::cutBlock(model);
 }
 
 TEST_F(RecordedSession, ComesBackAfterACrashWithItsCutsTimeAndEvents) {
@@ -157,7 +133,7 @@ TEST_F(RecordedSession, ComesBackAfterACrashWithItsCutsTimeAndEvents) {
     {
         SessionModel model(sound_, test::runInline);
         begin(model);
-        cut(model);
+        test::cutBlock(model);
         removed = total(model.runner()->feed().removed());
         events = model.log().events().all();
         // The recorder writes each half second.
@@ -208,7 +184,7 @@ TEST_F(RecordedSession, ARestorationCanBeStopped) {
     {
         SessionModel model(sound_, test::runInline);
         begin(model);
-        cut(model);
+        test::cutBlock(model);
         (void)copyOfLive();
     }
     const std::vector<Leftover> found = RecordingFolder(crashed_.path()).leftovers();
@@ -224,7 +200,7 @@ TEST_F(RecordedSession, IsModifiedFromTheFirstCutUntilItIsSavedOrUndone) {
     EXPECT_FALSE(model.isModified());
     begin(model);
     EXPECT_FALSE(model.isModified());
-    cut(model);
+    test::cutBlock(model);
     EXPECT_TRUE(model.isModified());
     model.markSaved(model.runner()->feed().removed());
     EXPECT_FALSE(model.isModified());
@@ -236,7 +212,7 @@ TEST_F(RecordedSession, IsModifiedFromTheFirstCutUntilItIsSavedOrUndone) {
     EXPECT_TRUE(test::stepUntil(model, [&] { return removed() > 0; }));
     EXPECT_FALSE(model.isModified()) << "it is that of the file";
     const MaterialVolumes before = model.runner()->feed().removed();
-    cut(model);
+    test::cutBlock(model);
     EXPECT_TRUE(model.isModified());
     model.markSaved(before);
     EXPECT_TRUE(model.isModified()) << "what was cut while the file was written is not in it";
@@ -245,7 +221,7 @@ TEST_F(RecordedSession, IsModifiedFromTheFirstCutUntilItIsSavedOrUndone) {
 TEST_F(RecordedSession, ASavedToothGoesOnWhereOneStopped) {
     SessionModel model(sound_, test::runInline);
     begin(model);
-    cut(model);
+    test::cutBlock(model);
     const SessionWork work{.title = "Block",
                            .bur = burCatalogue().front().name,
                            .seconds = model.log().seconds(),
