@@ -45,8 +45,11 @@ std::optional<double> freeWay(const ToothToSee& tooth, const Aim& aim) {
 
 ToothToSee toothToSee(int fdi, const BurSpec& bur) {
     ToothToSee result{.mesialX = mesialX(fdi), .box = {}, .contents = {}};
+    ToothRequest request;
+    request.fdi = fdi;
+    request.triangles = kToothTriangles;
     auto surface = std::make_shared<Surface>();
-    surface->base = std::make_shared<const SurfacePart>(makeTooth({.fdi = fdi, .triangles = kToothTriangles}).outer);
+    surface->base = std::make_shared<const SurfacePart>(makeTooth(request).outer);
     result.box = surface->base->tree().box();
     SceneContents& contents = result.contents;
     contents.tooth = surface;
@@ -102,7 +105,7 @@ Scene sceneOf(const ToothToSee& tooth, const Aim& aim) {
 }
 
 TipVisibility TipVisibilityTest::measure(const Scene& scene) {
-    const auto measured = measureTipVisibility(*renderer_, scene, kPicture);
+    const auto measured = measureTipVisibility(renderer(), scene, kPicture);
     EXPECT_TRUE(measured) << measured.error().message();
     return measured ? *measured : TipVisibility();
 }

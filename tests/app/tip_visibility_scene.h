@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <optional>
 #include <vector>
 
 #include "app/common/tip_visibility.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_catalogue.h"
-#include "view/camera/orbit_camera.h"
+#include "view/renderer_fixture.h"
 
 namespace tactooth::test {
 
@@ -37,21 +34,11 @@ struct Aim {
 inline constexpr ImageSize kPicture{700, 450};  // half of the window's
 inline constexpr double kSeen = 0.9;
 
-class TipVisibilityTest : public ::testing::Test {
+class TipVisibilityTest : public RendererTest {
 protected:
-    static void SetUpTestSuite() {
-        auto made = OffscreenRenderer::create();
-        ASSERT_TRUE(made) << made.error().message();
-        renderer_.emplace(std::move(*made));
-    }
-    static void TearDownTestSuite() { renderer_.reset(); }
-
     static TipVisibility measure(const Scene& scene);
     /// Checks every standard view of a tooth, with a bur of the catalogue.
     static void expectSeen(int fdi, const char* bur);
-
-private:
-    static inline std::optional<OffscreenRenderer> renderer_;
 };
 
 }  // namespace tactooth::test

@@ -56,8 +56,8 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(replay().isActive() && !replay().isLoading(), kLoadPatience);
         QTRY_VERIFY_WITH_TIMEOUT(replay().source()->track()->isFinished(), kLoadPatience);
     }
-    /// The tooth in the picture is that of the cursor.
-    /// The tooth of the cursor's moment is there. Asking for it first: the next picture may not have been drawn yet.
+    /// The tooth in the picture is that of the cursor's moment. It asks for it first: the next picture may not have
+    /// been drawn yet.
     void waitForTooth() const {
         (void)shown();
         QTRY_VERIFY_WITH_TIMEOUT(replay().source()->isToothThere(), kPatience);
