@@ -8,6 +8,7 @@
 #include "geometry/mesh/simplify.h"
 
 #include <algorithm>
+#include <iterator>
 #include <queue>
 #include <tuple>
 
@@ -67,7 +68,11 @@ public:
           offers_(at_.size()),
           alive_(mesh.triangles.size(), true),
           left_(mesh.triangles.size()) {
-        for (std::size_t v = 0; v < at_.size(); ++v) at_[v] = mesh.vertices[v].cast<double>();
+        constexpr std::size_t kUsualTriangles = 6;  // at a vertex
+        for (std::size_t v = 0; v < at_.size(); ++v) {
+            at_[v] = mesh.vertices[v].cast<double>();
+            around_[v].reserve(2 * kUsualTriangles);
+        }
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) addTriangle(t);
         for (std::uint32_t v = 0; v < at_.size(); ++v) offerCollapses(v);
     }
@@ -120,8 +125,9 @@ private:
         }
     }
 
-    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
-        std::vector<std::uint32_t> found;
+    /// Writes the neighbours of a vertex, in the order of their numbers.
+    void findNeighbours(std::uint32_t vertex, std::vector<std::uint32_t>& found) const {
+        found.clear();
         for (const std::uint32_t t : around_[vertex]) {
             for (const std::uint32_t v : mesh_.triangles[t]) {
                 if (v != vertex) found.push_back(v);
@@ -129,7 +135,6 @@ private:
         }
         std::ranges::sort(found);
         found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
     }
 
     void offerCollapses(std::uint32_t from) {
@@ -137,7 +142,8 @@ private:
         constexpr double kLengthShare = 1e-6;
         std::vector<Collapse>& offers = offers_[from];
         offers.clear();
-        for (const std::uint32_t to : neighbours(from)) {
+        findNeighbours(from, ofFrom_);
+        for (const std::uint32_t to : ofFrom_) {
             Quadric sum = quadrics_[from];
             sum.add(quadrics_[to]);
             const double cost = sum.at(at_[to]) + kLengthShare * (at_[to] - at_[from]).squaredNorm();
@@ -153,12 +159,13 @@ private:
         queue_.push({next.cost, from, next.to, stamps_[from]});
     }
 
-    [[nodiscard]] bool keepsTopology(std::uint32_t from, std::uint32_t to) const {
-        const std::vector<std::uint32_t> a = neighbours(from), b = neighbours(to);
-        std::vector<std::uint32_t> common;
-        std::ranges::set_intersection(a, b, std::back_inserter(common));
+    [[nodiscard]] bool keepsTopology(std::uint32_t from, std::uint32_t to) {
+        findNeighbours(from, ofFrom_);
+        findNeighbours(to, ofTo_);
+        common_.clear();
+        std::ranges::set_intersection(ofFrom_, ofTo_, std::back_inserter(common_));
         constexpr std::size_t kTetrahedron = 4;
-        return common.size() == 2 && left_ > kTetrahedron && std::ranges::all_of(common, [&](std::uint32_t v) {
+        return common_.size() == 2 && left_ > kTetrahedron && std::ranges::all_of(common_, [&](std::uint32_t v) {
                    return around_[v].size() > 3;  // otherwise two triangles would coincide
                });
     }
@@ -202,11 +209,11 @@ private:
         around_[from].clear();
         quadrics_[to].add(quadrics_[from]);
         ++stamps_[from];
-        const std::vector<std::uint32_t> changed = neighbours(to);
+        findNeighbours(to, ofTo_);
         ++stamps_[to];
-        for (const std::uint32_t v : changed) ++stamps_[v];
+        for (const std::uint32_t v : ofTo_) ++stamps_[v];
         offerCollapses(to);
-        for (const std::uint32_t v : changed) offerCollapses(v);
+        for (const std::uint32_t v : ofTo_) offerCollapses(v);
     }
 
     TriangleMesh mesh_;
@@ -218,6 +225,7 @@ private:
     std::vector<bool> alive_;
     std::size_t left_;
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue_;
+    std::vector<std::uint32_t> ofFrom_, ofTo_, common_;  // vertices, for the moment
 };
 
 }  // namespace
