@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -14,7 +15,9 @@ namespace {
 constexpr double kFree = 6;          // pixels between bur and pointer where nothing resists
 constexpr double kFollowing = 45;    // pixels between bur and pointer that are no concern
 constexpr double kSeenProgress = 1;  // pixels
-constexpr double kRow = 3;           // pixels between two rows: less than the tremor and the eye tell apart
+constexpr double kRowShare = 0.5;    // of the bur's radius between two rows: they overlap by three quarters
+constexpr double kAlongRim = 2;      // pixels between two places of the way round
+constexpr int kAround = 24;          // places of a ring
 
 bool isInside(const std::vector<Vec2>& outline, const Vec2& place) {
     bool inside = false;
@@ -27,6 +30,15 @@ bool isInside(const std::vector<Vec2>& outline, const Vec2& place) {
     return inside;
 }
 
+/// Whether a circle lies within the outline.
+bool fitsWithin(const std::vector<Vec2>& outline, const Vec2& middle, double radius) {
+    for (int i = 0; i < kAround; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kAround;
+        if (!isInside(outline, middle + radius * Vec2(std::cos(angle), std::sin(angle)))) return false;
+    }
+    return true;
+}
+
 Vec2 middleOf(const std::vector<Vec2>& points) {
     Vec2 low = points.front(), high = low;
     for (const Vec2& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
@@ -35,13 +47,7 @@ Vec2 middleOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, double radius) {
-    constexpr int kAround = 24;
-    std::vector<Vec2> ring;
-    for (int i = 0; i < kAround; ++i) {
-        const double angle = 2 * std::numbers::pi * i / kAround;
-        ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-    }
+std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius) {
     // The longer side: the main axis of the outline.
     Vec2 mean = Vec2::Zero();
     for (const Vec2& point : outline) mean += point / static_cast<double>(outline.size());
@@ -56,20 +62,40 @@ std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, double radius) 
     }
     std::vector<Vec2> places;
     bool forth = true;
-    for (double row = left; row <= right; row += kRow) {
+    const double width = std::max(0.0, right - left - 2 * radius);
+    const int rows = 1 + static_cast<int>(std::ceil(width / std::max(1.0, kRowShare * radius)));
+    for (int i = 0; i < rows; ++i) {
+        const double row = (left + right) / 2 + (rows > 1 ? width * (static_cast<double>(i) / (rows - 1) - 0.5) : 0);
         std::vector<Vec2> line;
         for (double column = low; column <= high; column += 1) {
             const Vec2 place = mean + column * along + row * across;
-            const bool fits =
-                std::ranges::all_of(ring, [&](const Vec2& point) { return isInside(outline, place + point); });
-            if (fits) line.push_back(place);
+            if (fitsWithin(outline, place, radius)) line.push_back(place);
         }
         if (line.empty()) continue;
         if (!forth) std::ranges::reverse(line);
         forth = !forth;
         places.insert(places.end(), line.begin(), line.end());
     }
-    if (places.empty()) places.push_back(middleOf(outline));
+    return places;
+}
+
+std::vector<Vec2> wayRound(const std::vector<Vec2>& outline, double radius) {
+    double area = 0;  // twice, signed: which side is within
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        area += outline[j].x() * outline[i].y() - outline[i].x() * outline[j].y();
+    }
+    const double side = area > 0 ? 1 : -1;
+    std::vector<Vec2> places;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Vec2 step = outline[i] - outline[j];
+        if (step.norm() == 0) continue;
+        const Vec2 inward = side * Vec2(-step.y(), step.x()).normalized();
+        for (double done = 0; done < step.norm(); done += kAlongRim) {
+            const Vec2 place = outline[j] + done / step.norm() * step + radius * inward;
+            if (fitsWithin(outline, place, radius - 0.5)) places.push_back(place);
+        }
+    }
+    if (!places.empty()) places.push_back(places.front());
     return places;
 }
 
@@ -87,7 +113,9 @@ void BeginnerHand::plan(const SeenPicture& seen) {
     double radius = 0;
     for (const Vec2& point : seen.ring) radius += (point - ringMiddle).norm() / static_cast<double>(seen.ring.size());
     constexpr double kBlur = 2;  // pixels that the eye does not tell apart
-    path_ = placesWithin(seen.outline, radius - kBlur);
+    path_ = rowsWithin(seen.outline, radius - kBlur);
+    std::ranges::copy(wayRound(seen.outline, radius - kBlur), std::back_inserter(path_));
+    if (path_.empty()) path_.push_back(middleOf(seen.outline));
     for (Vec2& place : path_) place += seen.landing - ringMiddle;  // the pointer is at the landing place
     at_ = path_.front();
 }

@@ -19,8 +19,9 @@ struct SeenPicture {
     std::optional<double> depth;  ///< the number at the tip, mm
 };
 
-/// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, waits for the
-/// depth that was set, and lets go at the end. Sees everything a reaction time late and trembles by a pixel.
+/// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, then along
+/// it, waits for the depth that was set, and lets go at the end. Sees everything a reaction time late and trembles by a
+/// pixel.
 class BeginnerHand {
 public:
     struct Habits {
@@ -65,7 +66,10 @@ private:
 };
 
 /// The middles of circles with this radius (pixels) that lie within `outline`, in rows to and fro along its longer
-/// side. Not empty: at least the middle of the outline.
-[[nodiscard]] std::vector<Vec2> placesWithin(const std::vector<Vec2>& outline, double radius);
+/// side. Empty where none fits.
+[[nodiscard]] std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius);
+
+/// The middles of such circles that touch the outline, once round. Empty where none fits.
+[[nodiscard]] std::vector<Vec2> wayRound(const std::vector<Vec2>& outline, double radius);
 
 }  // namespace tactooth::test
