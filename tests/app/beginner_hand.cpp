@@ -13,10 +13,13 @@ namespace tactooth::test {
 namespace {
 
 constexpr double kFree = 6;          // pixels between bur and pointer where nothing resists
-constexpr double kFollowing = 45;    // pixels between bur and pointer that are no concern
+constexpr double kFollowing = 20;    // pixels between bur and pointer that are no concern
 constexpr double kSeenProgress = 1;  // pixels
 constexpr double kRowShare = 0.5;    // of the bur's radius between two rows: they overlap by three quarters
+constexpr int kPasses = 3;           // at least
+constexpr double kMostPush = 15;     // pixels
 constexpr double kAlongRim = 2;      // pixels between two places of the way round
+constexpr double kRoughly = 0.8;     // of the ring: on a slope it looks narrower, and the hand then steers by it
 constexpr int kAround = 24;          // places of a ring
 
 bool isInside(const std::vector<Vec2>& outline, const Vec2& place) {
@@ -47,7 +50,7 @@ Vec2 middleOf(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius) {
+std::vector<HandPlace> rowsWithin(const std::vector<Vec2>& outline, double radius) {
     // The longer side: the main axis of the outline.
     Vec2 mean = Vec2::Zero();
     for (const Vec2& point : outline) mean += point / static_cast<double>(outline.size());
@@ -60,16 +63,16 @@ std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius) {
         low = std::min(low, along.dot(point - mean)), high = std::max(high, along.dot(point - mean));
         left = std::min(left, across.dot(point - mean)), right = std::max(right, across.dot(point - mean));
     }
-    std::vector<Vec2> places;
+    std::vector<HandPlace> places;
     bool forth = true;
     const double width = std::max(0.0, right - left - 2 * radius);
     const int rows = 1 + static_cast<int>(std::ceil(width / std::max(1.0, kRowShare * radius)));
     for (int i = 0; i < rows; ++i) {
         const double row = (left + right) / 2 + (rows > 1 ? width * (static_cast<double>(i) / (rows - 1) - 0.5) : 0);
-        std::vector<Vec2> line;
+        std::vector<HandPlace> line;
         for (double column = low; column <= high; column += 1) {
             const Vec2 place = mean + column * along + row * across;
-            if (fitsWithin(outline, place, radius)) line.push_back(place);
+            if (fitsWithin(outline, place, radius)) line.push_back({place, {}});
         }
         if (line.empty()) continue;
         if (!forth) std::ranges::reverse(line);
@@ -79,20 +82,21 @@ std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius) {
     return places;
 }
 
-std::vector<Vec2> wayRound(const std::vector<Vec2>& outline, double radius) {
+std::vector<HandPlace> wayRound(const std::vector<Vec2>& outline, double radius) {
     double area = 0;  // twice, signed: which side is within
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
         area += outline[j].x() * outline[i].y() - outline[i].x() * outline[j].y();
     }
     const double side = area > 0 ? 1 : -1;
-    std::vector<Vec2> places;
+    std::vector<HandPlace> places;
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
         const Vec2 step = outline[i] - outline[j];
         if (step.norm() == 0) continue;
         const Vec2 inward = side * Vec2(-step.y(), step.x()).normalized();
         for (double done = 0; done < step.norm(); done += kAlongRim) {
-            const Vec2 place = outline[j] + done / step.norm() * step + radius * inward;
-            if (fitsWithin(outline, place, radius - 0.5)) places.push_back(place);
+            const Vec2 rim = outline[j] + done / step.norm() * step;
+            const Vec2 place = rim + radius * inward;
+            if (fitsWithin(outline, place, kRoughly * radius)) places.push_back({place, HandPlace::Rim{rim, -inward}});
         }
     }
     if (!places.empty()) places.push_back(places.front());
@@ -112,20 +116,43 @@ void BeginnerHand::plan(const SeenPicture& seen) {
     const Vec2 ringMiddle = middleOf(seen.ring);
     double radius = 0;
     for (const Vec2& point : seen.ring) radius += (point - ringMiddle).norm() / static_cast<double>(seen.ring.size());
-    constexpr double kBlur = 2;  // pixels that the eye does not tell apart
-    path_ = rowsWithin(seen.outline, radius - kBlur);
-    std::ranges::copy(wayRound(seen.outline, radius - kBlur), std::back_inserter(path_));
-    if (path_.empty()) path_.push_back(middleOf(seen.outline));
-    for (Vec2& place : path_) place += seen.landing - ringMiddle;  // the pointer is at the landing place
-    at_ = path_.front();
+    path_ = rowsWithin(seen.outline, radius);
+    std::ranges::copy(wayRound(seen.outline, radius), std::back_inserter(path_));
+    if (path_.empty()) path_.push_back({middleOf(seen.outline), {}});
+    for (HandPlace& place : path_) place.at += seen.landing - ringMiddle;  // the pointer is at the landing place
+    at_ = on_ = path_.front().at;
+}
+
+/// Where the ring does not touch the outline, or is over it, the hand goes by this farther out or in.
+void BeginnerHand::steerToRim(double dt, const SeenPicture& seen, double behind) {
+    const std::optional<HandPlace::Rim>& rim = path_[place_].rim;
+    const bool isBeside = rim && (on_ - path_[place_].at).norm() < 2 * kAlongRim;
+    if (!isBeside || seen.ring.empty() || behind > kFree) return;
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const Vec2& point : seen.ring) reach = std::max(reach, (point - rim->place).dot(rim->outward));
+    push_ = std::clamp(push_ - reach * dt / (2 * habits_.reaction), -kMostPush, kMostPush);
+}
+
+/// On along the path.
+void BeginnerHand::goOn(double dt) {
+    const double speed = path_[place_].rim ? habits_.speed / 2 : habits_.speed;
+    for (double left = speed * dt / pixelPitch_; left > 0 && place_ + 1 < path_.size();) {
+        const Vec2 toNext = path_[place_ + 1].at - on_;
+        if (toNext.norm() > left) {
+            on_ += toNext.normalized() * left;
+            break;
+        }
+        left -= toNext.norm();
+        on_ = path_[++place_].at;
+    }
 }
 
 BeginnerHand::Action BeginnerHand::next(double dt, const SeenPicture& picture) {
     time_ += dt;
-    seen_.emplace_back(time_, picture);
-    while (seen_.size() > 1 && seen_[1].first <= time_ - habits_.reaction) seen_.pop_front();
-    if (seen_.front().first > time_ - habits_.reaction) return {tremble(at_), button_, false};  // nothing seen yet
-    const SeenPicture& seen = seen_.front().second;
+    seen_.push_back({time_, picture, at_});
+    while (seen_.size() > 1 && seen_[1].time <= time_ - habits_.reaction) seen_.pop_front();
+    if (seen_.front().time > time_ - habits_.reaction) return {tremble(at_), button_, false};  // nothing seen yet
+    const SeenPicture& seen = seen_.front().picture;
     if (path_.empty()) {
         if (seen.outline.empty()) return {tremble(at_), button_, false};
         at_ = middleOf(seen.outline);
@@ -141,32 +168,27 @@ BeginnerHand::Action BeginnerHand::next(double dt, const SeenPicture& picture) {
     }
     // Waits for the bur as long as it gets on.
     const bool isDeep = seen.depth && *seen.depth > goalDepth_ - habits_.tolerance;
-    const double behind = seen.ring.empty() ? 0 : (seen.landing - at_).norm();
+    const bool isAtRim = path_[place_].rim.has_value();
+    const double behind = seen.ring.empty() ? 0 : (seen.landing - seen_.front().at).norm();
     const double toDo = (isDeep ? 0 : goalDepth_ - seen.depth.value_or(0)) / pixelPitch_ + behind;
     if (toDo < leastToDo_ - kSeenProgress) leastToDo_ = toDo, waited_ = 0;
-    if ((!isDeep || behind > kFollowing) && waited_ < habits_.patience) return {tremble(at_), button_, false};
-    leastToDo_ = std::numeric_limits<double>::infinity();
-    // On along the path.
-    double left = habits_.speed * dt / pixelPitch_;
-    while (left > 0 && place_ + 1 < path_.size()) {
-        const Vec2 toNext = path_[place_ + 1] - at_;
-        if (toNext.norm() > left) {
-            at_ += toNext.normalized() * left;
-            left = 0;
-        } else {
-            left -= toNext.norm();
-            at_ = path_[++place_];
-        }
+    const double allowed = isAtRim ? kFree : kFollowing;
+    if ((!isDeep || behind > allowed) && waited_ < habits_.patience) {
+        waitedInPass_ += dt;
+        return {tremble(at_), button_, false};
     }
+    leastToDo_ = std::numeric_limits<double>::infinity();
     if (isDeep) waited_ = 0;
-    resists_ = resists_ || !isDeep || behind > kFree;
+    steerToRim(dt, seen, behind);
+    goOn(dt);
+    at_ = on_ + (path_[place_].rim ? Vec2(push_ * path_[place_].rim->outward) : Vec2(Vec2::Zero()));
     const bool isAtEnd = place_ + 1 >= path_.size();
-    const bool isDone = isAtEnd && ((!resists_ && pass_ > 1) || time_ > habits_.longest);
+    const bool isDone = isAtEnd && ((waitedInPass_ < habits_.patience && pass_ >= kPasses) || time_ > habits_.longest);
     if (isAtEnd && !isDone) {  // once more, the other way
         std::ranges::reverse(path_);
         place_ = 0;
         ++pass_;
-        resists_ = false;
+        waitedInPass_ = 0;
     }
     if (isDone) button_ = Button::Up;
     return {tremble(at_), button_, isDone};

@@ -19,15 +19,25 @@ struct SeenPicture {
     std::optional<double> depth;  ///< the number at the tip, mm
 };
 
-/// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, then along
-/// it, waits for the depth that was set, and lets go at the end. Sees everything a reaction time late and trembles by a
-/// pixel.
+/// A place to which the hand goes, in the picture.
+struct HandPlace {
+    Vec2 at = Vec2::Zero();
+    /// Beside the outline: the place of the outline that the ring is to touch there, and the direction to it, unit.
+    struct Rim {
+        Vec2 place, outward;
+    };
+    std::optional<Rim> rim;
+};
+
+/// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, then along it, so
+/// that the ring touches it, waits for the depth that was set, and lets go at the end. Sees everything a reaction time
+/// late and trembles by a pixel.
 class BeginnerHand {
 public:
     struct Habits {
         double reaction = 0.25;   ///< s
         double tremor = 1;        ///< pixels, standard deviation
-        double speed = 2.0;       ///< mm/s
+        double speed = 2.0;       ///< mm/s; half of it along the outline
         double tolerance = 0.06;  ///< mm of the depth, within which the hand goes on
         double longest = 165;     ///< s, after which no other pass is begun
         double patience = 1.5;    ///< s without progress
@@ -54,22 +64,31 @@ private:
     Habits habits_;
     double goalDepth_, pixelPitch_;
     std::mt19937 random_;
-    std::deque<std::pair<double, SeenPicture>> seen_;  // with their times
+    struct Moment {
+        double time;  // s
+        SeenPicture picture;
+        Vec2 at;  // where the hand was
+    };
+    std::deque<Moment> seen_;
     double time_ = 0, waited_ = 0;
-    std::vector<Vec2> path_;
+    void steerToRim(double dt, const SeenPicture& seen, double behind);
+    void goOn(double dt);
+    std::vector<HandPlace> path_;
     std::size_t place_ = 0;
+    Vec2 on_ = Vec2::Zero();  // the place on the path, between two of its places
+    double push_ = 0;         // pixels farther out than the path, as the ring has shown
     int pass_ = 1;
-    bool resists_ = false;    // something was still to be cut in this pass
-    double leastToDo_ = 1e9;  // pixels, since the hand has moved on
+    double waitedInPass_ = 0;  // s: something was still to be cut
+    double leastToDo_ = 1e9;   // pixels, since the hand has moved on
     Vec2 at_ = Vec2::Zero();
     Button button_ = Button::Up;
 };
 
 /// The middles of circles with this radius (pixels) that lie within `outline`, in rows to and fro along its longer
 /// side. Empty where none fits.
-[[nodiscard]] std::vector<Vec2> rowsWithin(const std::vector<Vec2>& outline, double radius);
+[[nodiscard]] std::vector<HandPlace> rowsWithin(const std::vector<Vec2>& outline, double radius);
 
 /// The middles of such circles that touch the outline, once round. Empty where none fits.
-[[nodiscard]] std::vector<Vec2> wayRound(const std::vector<Vec2>& outline, double radius);
+[[nodiscard]] std::vector<HandPlace> wayRound(const std::vector<Vec2>& outline, double radius);
 
 }  // namespace tactooth::test
