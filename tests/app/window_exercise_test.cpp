@@ -155,7 +155,11 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     window->exercise().openTarget(QString::fromStdString(file.string()));
     const auto find = [&](const char* name) { return holder.window().findChild<QCheckBox*>(name); };
     QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), kLoadPatience);
+    const auto* legend = window->findChild<QWidget*>("distanceLegend");
+    QVERIFY(legend->isVisible());
+    QVERIFY(window->findChild<ToothView*>("toothView")->rect().contains(legend->geometry()));
     find("ghost")->click();
+    QVERIFY(!legend->isVisible());
     window->findChild<QComboBox*>("section")->setCurrentIndex(2);
     auto* view = window->findChild<ToothView*>("toothView");
     view->setView(StandardView::Lingual);

@@ -85,6 +85,23 @@ TEST_F(RenderCommand, WhatLiesOutsideTheTargetIsBlueAndWhatLiesInsideOrange) {
     EXPECT_GT(inside.at(80, 60)[0], inside.at(80, 60)[2] + 30);
 }
 
+TEST_F(RenderCommand, WithinTheToleranceTheToothIsWhite) {
+    ASSERT_TRUE(writeStl(sphere(Vec3::Zero(), 5.3, 48, 24), folder_ / "near.stl").has_value());
+    const std::vector<std::string> common = {"--view", "buccal", "--target", folder_ / "near.stl", "--range", "2"};
+    const auto yellow = [&](const std::string& tolerance) {
+        std::vector<std::string> words = common;
+        words.insert(words.end(), {"--tolerance", tolerance});
+        const Image image = picture(words);
+        return image.at(80, 60)[0] - image.at(80, 60)[2];
+    };
+    EXPECT_GT(yellow("0.2"), yellow("0.4") + 15) << "0.3 mm were cut too deep";
+}
+
+TEST_F(RenderCommand, AToleranceBeyondTheRangeHasASentence) {
+    EXPECT_THAT(refusal({"--target", folder_ / "smaller.stl", "--tolerance", "0.5"}),
+                HasSubstr("--tolerance 0.5 must be smaller than --range (0.5)"));
+}
+
 TEST_F(RenderCommand, TheGhostOfATargetTintsTheToothBlueWhereItLiesInIt) {
     TriangleMesh withVoid = sphere(Vec3(0, 0, 2), 1.5, 48, 24);
     for (Triangle& triangle : withVoid.triangles) std::swap(triangle[1], triangle[2]);

@@ -96,6 +96,16 @@ protected:
         return scene;
     }
 
+    /// The cut molar in the colours of its distance to a ball.
+    [[nodiscard]] static Scene coloured(const DistanceScale& scale) {
+        Scene scene = seenFrom({molar(true).front()}, {1.4, 0.9});
+        const SurfacePart target(test::sphere(Vec3(0, 0, 2), 5, 64, 32));
+        const Box3 box = tooth_->outer()->tree().box();
+        scene.objects.front().distances =
+            DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, box, 48)), scale};
+        return scene;
+    }
+
     /// A mirror at such an angle that the eye of `scene` sees the crown in it.
     [[nodiscard]] SceneMirror mirrorBehindTheCrown(const Scene& scene) const {
         SceneMirror mirror;
@@ -150,14 +160,9 @@ TEST_F(InsightPictures, GlassyEnamelShowsDentinAndCaries) { expectBaseline("tran
 
 TEST_F(InsightPictures, NothingOfALayerStandsInACavity) { expectBaseline("transparent-cut", glassy(true)); }
 
-TEST_F(InsightPictures, ColoursByDistance) {
-    Scene scene = seenFrom({molar(true).front()}, {1.4, 0.9});
-    const SurfacePart target(test::sphere(Vec3(0, 0, 2), 5, 64, 32));
-    const Box3 box = tooth_->outer()->tree().box();
-    scene.objects.front().distances =
-        DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, box, 48)), 2};
-    expectBaseline("distances", scene);
-}
+TEST_F(InsightPictures, ColoursByDistance) { expectBaseline("distances", coloured({.range = 2})); }
+
+TEST_F(InsightPictures, ATolerance) { expectBaseline("distances-tolerance", coloured({.range = 2, .tolerance = 0.5})); }
 
 TEST_F(InsightPictures, TheGhostOfACavityIsSeenThroughTheTooth) {
     expectBaseline("ghost-buccal", seenFrom(withGhost(uncut()), {1.4, 0.35}));

@@ -19,42 +19,53 @@ QColor colourAt(double share) {
     return QColor::fromRgbF(colour.x(), colour.y(), colour.z());
 }
 
-void drawRow(QPainter& painter, const QRectF& bar) {
+void drawRow(QPainter& painter, const QRectF& bar, const DistanceScale& scale) {
     const int columns = static_cast<int>(bar.width());
     for (int x = 0; x < columns; ++x) {
-        painter.fillRect(QRectF(bar.x() + x, bar.y(), 1, bar.height()), colourAt(2.0 * x / (columns - 1) - 1));
+        const double distance = scale.range * (2.0 * x / (columns - 1) - 1);
+        painter.fillRect(QRectF(bar.x() + x, bar.y(), 1, bar.height()), colourAt(scale.shareOf(distance)));
     }
     painter.setPen(QColor(255, 255, 255, 120));
+    painter.setBrush(Qt::NoBrush);
     painter.drawRect(bar);
 }
 
+QString millimetres(const QString& sign, double number) { return sign + QLocale().toString(number, 'g', 3) + " mm"; }
+
 }  // namespace
 
-void drawDistanceLegend(Image& image, double range) {
-    const OffscreenApplication application;
-    QImage canvas(reinterpret_cast<uchar*>(image.pixels.data()), image.size.width, image.size.height,
-                  QImage::Format_RGBA8888);
-    QPainter painter(&canvas);
+void drawDistanceLegend(QPainter& painter, const QRectF& box, const DistanceScale& scale,
+                        const DistanceLegendWords& words) {
     painter.setRenderHint(QPainter::Antialiasing);
-    const double unit = std::max(1.0, image.size.height / 60.0);  // a line of text takes two units
+    const double unit = box.height() / 8;  // a line of text takes two units
     QFont font = painter.font();
-    font.setPixelSize(static_cast<int>(std::lround(1.6 * unit)));
+    font.setPixelSize(std::max(1, static_cast<int>(std::lround(1.6 * unit))));
     painter.setFont(font);
-    const QRectF box(1.5 * unit, image.size.height - 9.5 * unit, 30 * unit, 8 * unit);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(20, 26, 32, 190));
     painter.drawRoundedRect(box, unit / 2, unit / 2);
     const QRectF bar(box.x() + unit, box.y() + 3.2 * unit, box.width() - 2 * unit, 1.8 * unit);
-    drawRow(painter, bar);
+    drawRow(painter, bar, scale);
     painter.setPen(Qt::white);
     const QRectF above(bar.x(), box.y() + 0.6 * unit, bar.width(), 2.2 * unit);
-    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, "cut too deep");
-    painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, "still to cut");
+    painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, words.tooDeep);
+    painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, words.stillToCut);
     const QRectF below(bar.x(), bar.bottom() + 0.3 * unit, bar.width(), 2.2 * unit);
-    const QString number = QLocale().toString(range, 'g', 3);
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("\u2212") + number + " mm");
-    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, "0");
-    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, "+" + number + " mm");
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, millimetres(QStringLiteral("\u2212"), scale.range));
+    const bool hasBand = scale.tolerance > 0;
+    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
+                     hasBand ? words.within + millimetres(QStringLiteral(" \u00b1"), scale.tolerance) : "0");
+    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, millimetres("+", scale.range));
+}
+
+void drawDistanceLegend(Image& image, const DistanceScale& scale) {
+    const OffscreenApplication application;
+    QImage canvas(reinterpret_cast<uchar*>(image.pixels.data()), image.size.width, image.size.height,
+                  QImage::Format_RGBA8888);
+    QPainter painter(&canvas);
+    const double unit = std::max(1.0, image.size.height / 60.0);
+    drawDistanceLegend(painter, QRectF(1.5 * unit, image.size.height - 9.5 * unit, 30 * unit, 8 * unit), scale,
+                       {"cut too deep", "still to cut", "within"});
 }
 
 }  // namespace tactooth

@@ -418,6 +418,18 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
 <context>
     <name>tactooth::InspectionPanel</name>
     <message>
+        <source>Tolerance</source>
+        <translation>許容差</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>A smaller distance to the target is shown white</source>
+        <translation>目標との差がこれより小さい所は白で示します</translation>
+    </message>
+    <message>
         <source>Where the section runs: from the far to the near side</source>
         <translation>断面の位置：奥側から手前側まで</translation>
     </message>
@@ -2344,6 +2356,21 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>The examination is over: its recording is signed and closed</source>
         <translation>試験が終わりました。記録は署名され、閉じられています</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ViewOverlays</name>
+    <message>
+        <source>cut too deep</source>
+        <translation>削りすぎ</translation>
+    </message>
+    <message>
+        <source>still to cut</source>
+        <translation>まだ削る所</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>許容差</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
@@ -43,6 +44,14 @@ DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int lon
         }
     });
     return grid;
+}
+
+double DistanceScale::shareOf(double distance) const {
+    TACTOOTH_ASSERT(range > 0 && tolerance >= 0 && tolerance < range);
+    if (tolerance == 0) return std::clamp(distance / range, -1.0, 1.0);
+    const double beyond = (std::abs(distance) - tolerance) / (range - tolerance);
+    if (beyond <= 0) return 0;
+    return std::copysign(std::min(1.0, kToleranceStep + (1 - kToleranceStep) * beyond), distance);
 }
 
 Vec3f distanceColour(double share) {

@@ -22,10 +22,23 @@ struct DistanceGrid {
 /// side. The result is the same for any number of threads.
 [[nodiscard]] DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest = 96);
 
-/// Colours a surface by its distance to another one, with `distanceColour` from -range to range.
+/// Which colours belong to which distances, mm: those of `distanceColour` from -range to range.
+struct DistanceScale {
+    double range = 1;
+    /// Less than `range`. Up to it a distance has the colour of 0, and beyond it a colour that is easily told from
+    /// that; 0: there is no such band.
+    double tolerance = 0;
+
+    /// The place of a distance between the colours, -1..1.
+    [[nodiscard]] double shareOf(double distance) const;
+    bool operator==(const DistanceScale&) const = default;
+};
+inline constexpr double kToleranceStep = 0.3;  ///< the share just beyond the tolerance
+
+/// Colours a surface by its distance to another one.
 struct DistanceColourMap {
     std::shared_ptr<const DistanceGrid> grid;  ///< frame of the coloured object
-    double range = 1;                          ///< mm
+    DistanceScale scale;
 
     bool operator==(const DistanceColourMap&) const = default;
 };

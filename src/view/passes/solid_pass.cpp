@@ -231,8 +231,10 @@ void SolidPass::setRichUniforms(const ShaderProgram& program, const SolidInputs&
     program.set("glassAbove", drawable.object->glassAbove.value_or(kAllGlass));
     program.set("inner", drawable.object->inner && inputs.shell != nullptr ? 1 : 0);
     const auto& distances = drawable.object->distances;
-    program.set("distanceRange", distances ? static_cast<float>(distances->range) : 0.0F);
+    program.set("distanceRange", distances ? static_cast<float>(distances->scale.range) : 0.0F);
     if (!distances) return;
+    program.set("distanceTolerance", static_cast<float>(distances->scale.tolerance));
+    program.set("toleranceStep", static_cast<float>(kToleranceStep));
     gl::bindTexture(kFieldUnit, GL_TEXTURE_3D, inputs.fields.of(distances->grid.get()));
     program.set("objectToField", objectToField(*distances->grid));
 }

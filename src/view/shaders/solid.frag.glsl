@@ -15,6 +15,8 @@ uniform sampler3D distanceField;   // object frame, mm
 uniform mat4 objectToField;        // to texture coordinates
 uniform sampler2D distanceColours; // linear, from -range to range
 uniform float distanceRange;       // mm; 0: the colours of the appearances
+uniform float distanceTolerance;   // mm: up to it the colour of 0
+uniform float toleranceStep;       // place of the colour just beyond it, 0..1
 uniform int glassPhase;            // 0: the body is no glass, 1: without its glass part, 2: only that part
 uniform float glassAbove;          // object frame, mm: the height where it begins
 #endif
@@ -103,7 +105,12 @@ void main() {
     if (inner == 1 && gl_FragCoord.z < texelFetch(shellDepth, ivec2(gl_FragCoord.xy), 0).r) discard;
     if (distanceRange > 0.0) {
         float away = texture(distanceField, (objectToField * vec4(objectPosition, 1.0)).xyz).r;
-        colour = texture(distanceColours, vec2(0.5 + 0.5 * away / distanceRange, 0.5)).rgb;
+        float share = away / distanceRange;
+        if (distanceTolerance > 0.0) {
+            float beyond = (abs(away) - distanceTolerance) / (distanceRange - distanceTolerance);
+            share = beyond <= 0.0 ? 0.0 : sign(away) * mix(toleranceStep, 1.0, beyond);
+        }
+        colour = texture(distanceColours, vec2(0.5 + 0.5 * share, 0.5)).rgb;
     }
 #endif
     vec3 toEye = normalize(eye.xyz - worldPosition);

@@ -47,6 +47,23 @@ TEST(DistanceColour, TooDeepAndStillToCutDifferForColourBlindEyes) {
     }
 }
 
+TEST(DistanceScale, RunsEvenlyWithoutATolerance) {
+    const DistanceScale scale{0.5};
+    EXPECT_DOUBLE_EQ(scale.shareOf(0.25), 0.5);
+    EXPECT_DOUBLE_EQ(scale.shareOf(-0.125), -0.25);
+    EXPECT_DOUBLE_EQ(scale.shareOf(7), 1);
+}
+
+TEST(DistanceScale, HasAnEdgeAtTheTolerance) {
+    const DistanceScale scale{0.5, 0.1};
+    for (const double within : {0.0, 0.05, -0.05, 0.1, -0.1}) EXPECT_EQ(scale.shareOf(within), 0);
+    EXPECT_NEAR(scale.shareOf(0.1 + 1e-9), kToleranceStep, 1e-6);
+    EXPECT_NEAR(scale.shareOf(-0.1 - 1e-9), -kToleranceStep, 1e-6);
+    EXPECT_NEAR(scale.shareOf(0.3), (1 + kToleranceStep) / 2, 1e-12);
+    EXPECT_DOUBLE_EQ(scale.shareOf(-0.5), -1);
+    EXPECT_DOUBLE_EQ(scale.shareOf(-3), -1);
+}
+
 TEST(DistanceColour, GetsDarkerToBothEnds) {
     const auto lightness = [](double share) {
         const Vec3f c = linearColour(distanceColour(share));

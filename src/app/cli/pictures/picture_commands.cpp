@@ -111,6 +111,12 @@ void addInspection(CLI::App& command, RenderOptions& options) {
     command.add_option("--range", options.range, "Distance with the strongest colour, mm (default: 0.5)")
         ->transform(numberFrom(0.001, 100.0))
         ->type_name("MM");
+    command
+        .add_option("--tolerance", options.tolerance,
+                    "Smaller distances are white, and an edge shows where they end, mm (default: 0: no edge)")
+        ->transform(numberFrom(0.0, 100.0))
+        ->type_name("MM")
+        ->needs("--target");
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
+#include "geometry/util/number_text.h"
 #include "instruments/mirror.h"
 #include "session/io/material_file.h"
 #include "session/model/session_tooth.h"
@@ -41,12 +42,16 @@ Expected<SessionTooth> toothOf(const RenderOptions& options, const MaterialRegis
 }
 
 Expected<DistanceColourMap> distancesFor(const RenderOptions& options, const Box3& box) {
+    if (options.tolerance >= options.range) {
+        return unexpected(msg::kToleranceBeyondRange, numberText(options.tolerance), numberText(options.range));
+    }
     auto mesh = loadIdealShape(options.target);
     if (!mesh) return Unexpected{mesh.error()};
     const SurfacePart target(std::move(*mesh));
     constexpr double kMargin = 0.1;  // mm: the grid extends beyond the surface that samples it
     const Box3 around(box.min().array() - kMargin, box.max().array() + kMargin);
-    return DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, around)), options.range};
+    return DistanceColourMap{std::make_shared<const DistanceGrid>(sampleDistances(target, around)),
+                             {options.range, options.tolerance}};
 }
 
 Expected<std::shared_ptr<CavityGhost>> ghostFor(const RenderOptions& options, const SurfacePart& uncut) {
@@ -151,7 +156,7 @@ Scene sceneFor(const RenderSetup& studio, const OrbitCamera& eye) {
 Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
     Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
     if (!image) return Unexpected{image.error()};
-    if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->range);
+    if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->scale);
     if (studio.options.marks) {
         drawViewMarks(*image, eye.camera(), studio.tooth.mesialX, 1 / eye.pixelPitch(studio.size));
     }

@@ -26,6 +26,7 @@ struct RenderOptions {
     std::vector<std::string> transparent;  ///< "NAME=OPACITY"
     std::filesystem::path target;          ///< STL
     double range = 0.5;                    ///< of the colour scale, mm
+    double tolerance = 0;                  ///< of the colour scale, mm
     bool ghost = false;                    ///< shows the cavity of `target` instead of the distance colours
     std::string stereo;                    ///< "side-by-side" or "anaglyph"
     std::string second;                    ///< a name of kStandardViews: adds a small picture from that side

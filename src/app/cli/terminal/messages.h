@@ -57,6 +57,10 @@ inline constexpr MessageText kTargetLeavesNothing{
     "in the same frame.",
     "%1 には削るところがありません。削る前の歯の内側にある部分がありません。同じ座標系で、"
     "窩洞のある同じ歯を選んでください。"};
+inline constexpr MessageText kToleranceBeyondRange{
+    "tolerance_beyond_range",
+    "--tolerance %1 must be smaller than --range (%2): beyond the range all colours are equal.",
+    "--tolerance %1 は --range（%2）より小さくしてください。範囲の外では色が変わりません。"};
 inline constexpr MessageText kTargetLeavesNoGhost{
     "target_leaves_no_ghost",
     "%1 leaves nothing to cut: no part of it lies inside the uncut tooth, so there is no ghost; choose the "

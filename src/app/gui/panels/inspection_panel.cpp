@@ -15,6 +15,7 @@ constexpr int kFull = 100;            // percent
 constexpr int kFarthest = 60;         // tenths of a mm: half a molar
 constexpr double kTenth = 0.1;        // mm
 constexpr double kColourRange = 0.5;  // mm; an examiner calls that too deep or too shallow
+constexpr double kMostTolerance = 0.4;
 
 QSlider* slider(int low, int high, int value, const QString& tip, const char* name) {
     auto* result = new QSlider(Qt::Horizontal);
@@ -38,6 +39,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
       stereo_(new QComboBox),
       choose_(new QPushButton(tr("Target…"))),
       coloured_(new QCheckBox(tr("Show distance"))),
+      tolerance_(new QDoubleSpinBox),
       ghost_(new QCheckBox(tr("Show what to cut"))),
       showGhost_(new QAction(tr("What to &cut: ghost of the target"), this)) {
     section_->addItem(tr("None"));
@@ -52,6 +54,12 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     coloured_->setEnabled(false);
     coloured_->setObjectName("coloured");
     coloured_->setToolTip(tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
+    tolerance_->setRange(0, kMostTolerance);
+    tolerance_->setSingleStep(kTenth / 2);
+    tolerance_->setValue(kUsualTolerance);
+    tolerance_->setSuffix(tr(" mm"));
+    tolerance_->setObjectName("tolerance");
+    tolerance_->setToolTip(tr("A smaller distance to the target is shown white"));
     ghost_->setObjectName("ghost");
     showGhost_->setCheckable(true);
     setLineIcon(*showGhost_, "ghost");
@@ -69,6 +77,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     form->addRow(tr("Dentin"), dentin_);
     form->addRow(tr("Depth"), stereo_);
     form->addRow(colours);
+    form->addRow(tr("Tolerance"), tolerance_);
     form->addRow(ghost_);
     place_->setEnabled(false);
     connect(section_, &QComboBox::currentIndexChanged, this, [this](int index) { place_->setEnabled(index > 0); });
@@ -87,6 +96,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
         if (on) coloured_->setChecked(false);
         emit changed();
     });
+    connect(tolerance_, &QDoubleSpinBox::valueChanged, this, &InspectionPanel::changed);
     connect(choose_, &QPushButton::clicked, this, &InspectionPanel::targetRequested);
 }
 
@@ -101,7 +111,8 @@ Inspection InspectionPanel::inspection(const Box3& box, double mesialX, const Ma
         if (materials.hasRole(id, MaterialRole::Enamel)) result.opacity[static_cast<std::size_t>(id)] = share(enamel_);
         if (materials.hasRole(id, MaterialRole::Dentin)) result.opacity[static_cast<std::size_t>(id)] = share(dentin_);
     }
-    if (coloured_->isChecked()) result.distances = DistanceColourMap{target_.distances, kColourRange};
+    if (coloured_->isChecked())
+        result.distances = DistanceColourMap{target_.distances, {kColourRange, tolerance_->value()}};
     if (ghost_->isChecked()) result.ghost = target_.ghost;
     return result;
 }
@@ -109,8 +120,8 @@ Inspection InspectionPanel::inspection(const Box3& box, double mesialX, const Ma
 Stereo::Mode InspectionPanel::stereo() const { return static_cast<Stereo::Mode>(stereo_->currentIndex()); }
 
 InspectionPanel::Choice InspectionPanel::choice() const {
-    return {section_->currentIndex(), place_->value(),        enamel_->value(),   dentin_->value(),
-            stereo_->currentIndex(),  coloured_->isChecked(), ghost_->isChecked()};
+    return {section_->currentIndex(), place_->value(),        enamel_->value(),    dentin_->value(),
+            stereo_->currentIndex(),  coloured_->isChecked(), ghost_->isChecked(), tolerance_->value()};
 }
 
 void InspectionPanel::choose(const Choice& choice) {
@@ -121,6 +132,7 @@ void InspectionPanel::choose(const Choice& choice) {
     stereo_->setCurrentIndex(choice.stereo);
     coloured_->setChecked(choice.coloured && coloured_->isEnabled());
     ghost_->setChecked(choice.ghost && ghost_->isEnabled());
+    tolerance_->setValue(choice.tolerance);
 }
 
 void InspectionPanel::setTarget(Target target) {
@@ -128,6 +140,7 @@ void InspectionPanel::setTarget(Target target) {
     const bool isThere = target_.distances != nullptr;
     coloured_->setEnabled(isThere);
     coloured_->setChecked(isThere);
+    tolerance_->setEnabled(isThere);
     ghost_->setChecked(false);
     explainGhost();
     constexpr int kLetters = 14;  // a longer name would widen the panel

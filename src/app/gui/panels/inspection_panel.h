@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QWidget>
@@ -27,10 +28,12 @@ public:
     [[nodiscard]] Stereo::Mode stereo() const;
     /// Sets the target of the tooth and shows its colours; empty: no target.
     void setTarget(Target target);
+    static constexpr double kUsualTolerance = 0.1;  ///< mm
     /// The user's choices.
     struct Choice {
         int section = 0, place = 0, enamel = 100, dentin = 100, stereo = 0;  ///< in the units of the controls
         bool coloured = false, ghost = false;
+        double tolerance = kUsualTolerance;  ///< mm
     };
     [[nodiscard]] Choice choice() const;
     /// Colours and ghost are chosen only if the target has them.
@@ -53,6 +56,7 @@ private:
     QComboBox* stereo_;
     QPushButton* choose_;
     QCheckBox* coloured_;
+    QDoubleSpinBox* tolerance_;  // mm
     QCheckBox* ghost_;
     QAction* showGhost_;
     Target target_;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "app/common/distance_legend.h"
 #include "app/gui/scene/corner_geometry.h"
 #include "app/gui/scene/view_cube.h"
 #include "view/camera/magnifier.h"
@@ -63,6 +64,7 @@ ViewOverlays::ViewOverlays(QWidget& view) : QObject(&view), view_(view) {
         painter.drawText(box.adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
                          QStringLiteral("\u00d7%1").arg(kMagnification));
     });
+    legend_ = new Mark(&view, "distanceLegend", [](QPainter&, const QRectF&) {});
     cube_ = new ViewCube(&view);
     cube_->hide();
 }
@@ -75,6 +77,17 @@ void ViewOverlays::choose(const ViewAids& aids, bool magnifies) {
     for (Mark* letter : letters_) {
         if (!aids.letters) letter->hide();
     }
+}
+
+void ViewOverlays::showLegend(const std::optional<DistanceScale>& scale) {
+    legend_->setVisible(scale.has_value());
+    if (!scale) return;
+    const DistanceLegendWords words{tr("cut too deep"), tr("still to cut"), tr("within")};
+    legend_->setPaint([scale = *scale, words](QPainter& painter, const QRectF& box) {
+        drawDistanceLegend(painter, box, scale, words);
+    });
+    const double lines = 4.2 * view_.fontMetrics().height();  // so that its text is as large as that of the window
+    legend_->resize(static_cast<int>(4 * lines), static_cast<int>(lines));
 }
 
 void ViewOverlays::follow(const OrbitCamera& eye, ImageSize size, double mesialX) {
@@ -112,6 +125,7 @@ void ViewOverlays::placeLetters(const OrbitCamera& eye, ImageSize size, double m
 }
 
 void ViewOverlays::placeCorners(ImageSize size) {
+    legend_->move(kMargin + kLetter, view_.height() - legend_->height() - kMargin - kLetter);
     cube_->move(view_.width() - cube_->width() - kMargin - kLetter,
                 view_.height() - cube_->height() - kMargin - kLetter);
     magnifier_->setGeometry(cornerGeometry(magnifierRectangle(size), view_.devicePixelRatioF()));

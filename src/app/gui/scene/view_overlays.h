@@ -4,10 +4,12 @@
 
 #include <QObject>
 #include <array>
+#include <optional>
 
 #include "app/common/view_marks.h"
 #include "app/gui/settings/window_settings.h"
 #include "view/camera/orbit_camera.h"
+#include "view/mesh/distance_grid.h"
 
 class QWidget;
 
@@ -15,7 +17,8 @@ namespace tactooth {
 
 class ViewCube;
 
-/// What lies over the tooth's picture: scale bar, letters of the directions, view cube, frame of the magnifier. Each is
+/// What lies over the tooth's picture: scale bar, letters of the directions, view cube, frame of the magnifier,
+/// legend of the colours. Each is
 /// a small widget of its own: a picture of motion repaints only what has changed.
 class ViewOverlays final : public QObject {
     Q_OBJECT
@@ -26,6 +29,8 @@ public:
 
     /// Chooses what is visible. `magnifies`: whether the picture has a magnified part now.
     void choose(const ViewAids& aids, bool magnifies);
+    /// Shows what the colours of the tooth mean; nothing: it has its own colours.
+    void showLegend(const std::optional<DistanceScale>& scale);
     /// Follows the eye. `size`: of the picture in pixels.
     void follow(const OrbitCamera& eye, ImageSize size, double mesialX);
     [[nodiscard]] ViewCube& cube() { return *cube_; }
@@ -42,6 +47,7 @@ private:
     Mark* scaleBar_;
     std::array<Mark*, kAxisLetters> letters_ = {};
     Mark* magnifier_;
+    Mark* legend_;
     ViewCube* cube_;
 };
 
