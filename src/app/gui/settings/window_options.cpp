@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of what the window remembers.
+#include <algorithm>
 #include <array>
 
 #include "app/gui/settings/window_settings.h"
@@ -24,7 +25,7 @@ constexpr std::array kOptions = {
                  "Folder that file dialogs open first"},
     WindowOption{"window", "recent", Text([](S& s) -> std::string& { return s.recent; }), 0, nullptr},
     WindowOption{"window", "language", Text([](S& s) -> std::string& { return s.language; }), 0,
-                 "en or ja (default: the system's)"},
+                 "en or ja (default: the system's)", 0, nullptr, "en, ja"},
     WindowOption{"window", "dark", Switch([](S& s) -> bool& { return s.dark; }), 0, "Dark colours"},
     WindowOption{"window", "text", Number([](S& s) -> double& { return s.textScale; }), kMaxTextScale,
                  "Size of all texts: 1 (default) to 2"},
@@ -33,7 +34,8 @@ constexpr std::array kOptions = {
     WindowOption{"window", "aim", Switch([](S& s) -> bool& { return s.showsAim; }), 0,
                  "Shows where the bur will land, and the depth at its tip"},
     WindowOption{"window", "second_view", Text([](S& s) -> std::string& { return s.secondView; }), 0,
-                 "Second view: occlusal, buccal, lingual, mesial, distal or none"},
+                 "Second view: occlusal, buccal, lingual, mesial, distal or none", 0, nullptr,
+                 "occlusal, buccal, lingual, mesial, distal, none"},
     WindowOption{"view", "glass", Switch([](S& s) -> bool& { return s.aids.glass; }), 0,
                  "Handles turn to glass where they hide the bur's head (default: yes)"},
     WindowOption{"view", "scale_bar", Switch([](S& s) -> bool& { return s.aids.scaleBar; }), 0,
@@ -45,7 +47,7 @@ constexpr std::array kOptions = {
     WindowOption{"view", "magnifier", Switch([](S& s) -> bool& { return s.aids.magnifier; }), 0,
                  "Magnifier of the bur's head (default: no)"},
     WindowOption{"mirror", "size", Text([](S& s) -> std::string& { return s.mirror.number; }), 0,
-                 "2, 4 or 5: 18, 22 or 24 mm"},
+                 "2, 4 or 5: 18, 22 or 24 mm", 0, nullptr, "2, 4, 5"},
     WindowOption{"mirror", "fogged", Switch([](S& s) -> bool& { return s.mirror.fogged; }), 0, "Fog on the glass"},
     WindowOption{"mirror", "wet", Switch([](S& s) -> bool& { return s.mirror.wet; }), 0, "Drops on the glass"},
     WindowOption{"drill", "bur", Text([](S& s) -> std::string& { return s.bur; }), 0,
@@ -68,7 +70,7 @@ constexpr std::array kOptions = {
                  MouseManipulator::kMaxPressDepth,
                  "How far the mouse presses beyond the surface, mm: 1 mm is about 1 N on enamel"},
     WindowOption{"force", "mouse", Text([](S& s) -> std::string& { return s.force.mouse; }), 0,
-                 "What ends a press of the mouse: depth (default) or force"},
+                 "What ends a press of the mouse: depth (default) or force", 0, nullptr, "depth, force"},
     WindowOption{"force", "depth", Number([](S& s) -> double& { return s.force.depth; }), DepthControl::kMaxDepth,
                  "Depth below the uncut surface at which a press of the mouse ends, mm"},
     WindowOption{"force", "flat_floor", Switch([](S& s) -> bool& { return s.force.flatFloor; }), 0,
@@ -127,8 +129,19 @@ std::string flagOf(const WindowOption& option) {
     return flag;
 }
 
+bool takesText(const WindowOption& option, std::string_view text) {
+    if (option.words == nullptr || text.empty()) return true;
+    for (std::string_view rest = option.words; !rest.empty();) {
+        const std::string_view word = rest.substr(0, rest.find(", "));
+        if (word == text) return true;
+        rest.remove_prefix(std::min(rest.size(), word.size() + 2));
+    }
+    return false;
+}
+
 Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& option, const std::string& text) {
     if (const auto* value = std::get_if<Text>(&option.value)) {
+        if (!takesText(option, text)) return unexpected(msg::kFlagTakesWord, flagOf(option), option.words, text);
         (*value)(settings) = text;
         return {};
     }

@@ -25,13 +25,16 @@ class SettingsReader {
 public:
     SettingsReader(const toml::table& root, std::string_view name) : root_(root), name_(name) {}
 
-    void text(std::string_view table, std::string_view key, std::string& value) {
-        const toml::node* found = node(table, key);
+    void text(const WindowOption& option, std::string& value) {
+        const toml::node* found = node(option.table, option.key);
         if (found == nullptr) return;
-        if (const auto* held = found->as_string()) {
-            value = held->get();
+        const auto* held = found->as_string();
+        if (held == nullptr) {
+            refuse(*found, option.key, msg::kTextInQuotes);
+        } else if (!takesText(option, held->get())) {
+            refuse(*found, option.key, {msg::kOneOfWords, option.words});
         } else {
-            refuse(*found, key, msg::kTextInQuotes);
+            value = held->get();
         }
     }
     void yesOrNo(std::string_view table, std::string_view key, bool& value) {
@@ -95,7 +98,7 @@ ParsedSettings settingsFrom(const toml::table& root, std::string_view name) {
     ParsedSettings settings;
     for (const WindowOption& option : windowOptions()) {
         if (const auto* text = std::get_if<WindowOption::Text>(&option.value)) {
-            reader.text(option.table, option.key, (*text)(settings));
+            reader.text(option, (*text)(settings));
         } else if (const auto* on = std::get_if<WindowOption::Switch>(&option.value)) {
             reader.yesOrNo(option.table, option.key, (*on)(settings));
         } else {

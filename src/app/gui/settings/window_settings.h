@@ -133,11 +133,14 @@ struct WindowOption {
     const char* table;
     const char* key;
     std::variant<Text, Switch, Number> value;
-    double highest;              ///< of a number
-    const char* help;            ///< null: not for the command line
-    double lowest = 0;           ///< of a number
-    const char* zero = nullptr;  ///< a word for 0, which may be below `lowest`
+    double highest;               ///< of a number
+    const char* help;             ///< null: not for the command line
+    double lowest = 0;            ///< of a number
+    const char* zero = nullptr;   ///< a word for 0, which may be below `lowest`
+    const char* words = nullptr;  ///< the values that a text may have ("en, ja"); null: any
 };
+/// Whether a text is a value of the option: one of its words, or empty, which is the default.
+[[nodiscard]] bool takesText(const WindowOption& option, std::string_view text);
 [[nodiscard]] std::span<const WindowOption> windowOptions();
 
 /// "--force-spring"

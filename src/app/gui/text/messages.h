@@ -13,6 +13,9 @@ inline constexpr MessageText kSettingRefused{"setting_refused", "%1, line %2: '%
 inline constexpr MessageText kNumberFromTo{"number_from_to", "a number from %1 to %2", "%1 から %2 までの数値"};
 inline constexpr MessageText kNumberFromToOr{"number_from_to_or", "a number from %1 to %2, or \"%3\"",
                                              "%1 から %2 までの数値、または \"%3\""};
+inline constexpr MessageText kOneOfWords{"one_of_words", "one of %1, in quotes", "引用符で囲んだ %1 のどれか"};
+inline constexpr MessageText kFlagTakesWord{"flag_takes_word", "%1 takes one of %2, not '%3'.",
+                                            "%1 に '%3' は指定できません。%2 のどれかを指定してください。"};
 inline constexpr MessageText kFlagTakesYesOrNo{"flag_takes_yes_or_no", "%1 takes yes or no, not '%2'.",
                                                "%1 に '%2' は指定できません。yes か no を指定してください。"};
 inline constexpr MessageText kFlagTakesNumber{"flag_takes_number", "%1 takes a number from %2 to %3, not '%4'.",

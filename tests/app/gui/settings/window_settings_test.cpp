@@ -230,6 +230,17 @@ TEST(WindowSettings, EachIsAFlagToo) {
     EXPECT_EQ(settings.language, "ja");
 }
 
+TEST(WindowSettings, AWordThatAFileCannotMeanIsRefusedWithItsLine) {
+    const auto settings = parseWindowSettings("[force]\nmouse = \"deep\"\n[window]\nlanguage = \"ja\"\n", "w.toml");
+    ASSERT_TRUE(settings);
+    ASSERT_EQ(settings->refused.size(), 1U);
+    const std::string sentence = settings->refused[0].message();
+    EXPECT_NE(sentence.find("line 2"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("one of depth, force"), std::string::npos) << sentence;
+    EXPECT_EQ(settings->force.mouse, WindowSettings().force.mouse);
+    EXPECT_EQ(settings->language, "ja");
+}
+
 TEST(WindowSettings, AFlagThatCannotBeMeantIsRefused) {
     WindowSettings settings;
     EXPECT_EQ(setOption(settings, "--force-spring", "4"), "--force-spring takes a number from 0 to 3, not '4'.");
@@ -238,6 +249,12 @@ TEST(WindowSettings, AFlagThatCannotBeMeantIsRefused) {
               "--hand-fineness takes fit or a number from 1 to 3, not '0'.");
     EXPECT_EQ(setOption(settings, "--hand-rate", "fit"), "--hand-rate takes a number from 500 to 4000, not 'fit'.");
     EXPECT_EQ(setOption(settings, "--force-damper", "x"), "--force-damper takes a number from 0 to 0.02, not 'x'.");
+    EXPECT_EQ(setOption(settings, "--force-mouse", "deep"), "--force-mouse takes one of depth, force, not 'deep'.");
+    EXPECT_EQ(setOption(settings, "--window-language", "de"), "--window-language takes one of en, ja, not 'de'.");
+    EXPECT_EQ(setOption(settings, "--mirror-size", "3"), "--mirror-size takes one of 2, 4, 5, not '3'.");
+    EXPECT_EQ(setOption(settings, "--window-second-view", "mesia"),
+              "--window-second-view takes one of occlusal, buccal, lingual, mesial, distal, none, not 'mesia'.");
+    EXPECT_EQ(settings.force.mouse, WindowSettings().force.mouse);
     EXPECT_EQ(setOption(settings, "--window-dark", "1"), "--window-dark takes yes or no, not '1'.");
     EXPECT_EQ(settings.force.spring, WindowSettings().force.spring);
     EXPECT_FALSE(settings.dark);
