@@ -426,8 +426,8 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <translation> mm</translation>
     </message>
     <message>
-        <source>A smaller distance to the target is shown white</source>
-        <translation>目標との差がこれより小さい所は白で示します</translation>
+        <source>Tolerance: a smaller distance to the target is shown white</source>
+        <translation>許容差：目標との差がこれより小さい所は白で示します</translation>
     </message>
     <message>
         <source>Where the section runs: from the far to the near side</source>

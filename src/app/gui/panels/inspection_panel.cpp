@@ -57,9 +57,11 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     tolerance_->setRange(0, kMostTolerance);
     tolerance_->setSingleStep(kTenth / 2);
     tolerance_->setValue(kUsualTolerance);
+    tolerance_->setPrefix(QStringLiteral("\u00b1"));
     tolerance_->setSuffix(tr(" mm"));
+    tolerance_->setAccessibleName(tr("Tolerance"));
     tolerance_->setObjectName("tolerance");
-    tolerance_->setToolTip(tr("A smaller distance to the target is shown white"));
+    tolerance_->setToolTip(tr("Tolerance: a smaller distance to the target is shown white"));
     ghost_->setObjectName("ghost");
     showGhost_->setCheckable(true);
     setLineIcon(*showGhost_, "ghost");
@@ -69,7 +71,11 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     auto* colours = new QHBoxLayout;
     colours->addWidget(coloured_);
     colours->addStretch();
-    colours->addWidget(choose_);
+    colours->addWidget(tolerance_);
+    auto* cavity = new QHBoxLayout;
+    cavity->addWidget(ghost_);
+    cavity->addStretch();
+    cavity->addWidget(choose_);
     auto* form = new QFormLayout(this);
     form->addRow(tr("Section"), section_);
     form->addRow(tr("Place"), place_);
@@ -77,8 +83,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     form->addRow(tr("Dentin"), dentin_);
     form->addRow(tr("Depth"), stereo_);
     form->addRow(colours);
-    form->addRow(tr("Tolerance"), tolerance_);
-    form->addRow(ghost_);
+    form->addRow(cavity);
     place_->setEnabled(false);
     connect(section_, &QComboBox::currentIndexChanged, this, [this](int index) { place_->setEnabled(index > 0); });
     for (QComboBox* box : {section_, stereo_})
