@@ -281,6 +281,7 @@ TEST(ForceWatchdog, TheEndOfAProgramThatWasSilentBeforeIsTheCause) {
     ASSERT_TRUE(cut);
     EXPECT_EQ(cut->cause, HandFault::ProgramEnded);
     EXPECT_NEAR(cut->force, 3, 1e-9);
+    EXPECT_FALSE(cut->isAfterCut);
 
     Bench later;
     later.press(3);
@@ -295,6 +296,7 @@ TEST(ForceWatchdog, TheEndOfAProgramThatWasSilentBeforeIsTheCause) {
     ASSERT_TRUE(cut);
     EXPECT_EQ(cut->cause, HandFault::ProgramEnded);
     EXPECT_EQ(cut->force, 0);
+    EXPECT_TRUE(cut->isAfterCut);
 }
 
 /// Messages of a program that has lost its mind, at arbitrary moments: no force is beyond the limits, rises faster than

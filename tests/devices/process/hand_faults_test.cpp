@@ -217,7 +217,7 @@ void HandFaults::round() {
     std::optional<FaultRecord> record;
     EXPECT_TRUE(soon([&] { return (record = recordSince(wallTime - 20ms)).has_value(); }))
         << program_->said() << logText() << "since " << wallTime.time_since_epoch().count() << " ms";
-    if (record && !(hindered > kSilence && record->cause == HandFault::NoForce)) {
+    if (record) {
         EXPECT_THAT(fault.causes, ::testing::Contains(record->cause)) << nameOf(record->cause);
     }
     if (fault.isOfProgram && fault.signal != SIGSTOP && fault.signal != SIGUSR1) {

@@ -15,17 +15,17 @@
 namespace tactooth::test {
 namespace {
 
-/// s: how long the threads of a process have stood in line since they began.
-double waitOf(pid_t process) {
-    double waited = 0;
+/// s: how long each thread of a process has stood in line since it began, by its number.
+std::map<std::string, double> waitsOf(pid_t process) {
+    std::map<std::string, double> waits;
     std::error_code error;
     for (std::filesystem::directory_iterator thread("/proc/" + std::to_string(process) + "/task", error), end;
          !error && thread != end; thread.increment(error)) {
         std::ifstream file(thread->path() / "schedstat");
         double ran = 0, inLine = 0;  // ns
-        if (file >> ran >> inLine) waited += 1e-9 * inLine;
+        if (file >> ran >> inLine) waits[thread->path().filename()] = 1e-9 * inLine;
     }
-    return waited;
+    return waits;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void StallMonitor::watch(const std::stop_token& stop, unsigned processor) {
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);
     auto last = std::chrono::steady_clock::now();
     while (!stop.stop_requested()) {
-        std::this_thread::sleep_for(kStep);
+        std::this_thread::sleep_for(kStep);  // the beat that a stall makes late
         const auto now = std::chrono::steady_clock::now();
         const double late = std::chrono::duration<double>(now - last - kStep).count();
         last = now;
@@ -62,8 +62,15 @@ double StallMonitor::takeLongest() {
     return std::exchange(longest_, 0.0);
 }
 
-ProcessorWait::ProcessorWait(pid_t process) : process_(process), before_(waitOf(process)) {}
+ProcessorWait::ProcessorWait(pid_t process) : process_(process), before_(waitsOf(process)) {}
 
-double ProcessorWait::seconds() const { return std::max(0.0, waitOf(process_) - before_); }
+double ProcessorWait::seconds() const {
+    double longest = 0;
+    for (const auto& [thread, waited] : waitsOf(process_)) {
+        const auto known = before_.find(thread);
+        longest = std::max(longest, waited - (known != before_.end() ? known->second : 0));
+    }
+    return longest;
+}
 
 }  // namespace tactooth::test

@@ -4,7 +4,9 @@
 
 #include <sys/types.h>
 
+#include <map>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -26,18 +28,18 @@ private:
     std::vector<std::jthread> threads_;
 };
 
-/// How long the threads of a process stand in line for a processor. Source: the second number of
+/// How long a thread of a process stands in line for a processor. Source: the second number of
 /// /proc/PID/task/TID/schedstat.
 class ProcessorWait {
 public:
     /// Begins to measure.
     explicit ProcessorWait(pid_t process);
-    /// s, all threads together; 0 where the process has ended.
+    /// s: the time of the thread that has waited the longest; 0 where the process has ended.
     [[nodiscard]] double seconds() const;
 
 private:
     pid_t process_;
-    double before_;  // s, since the threads began
+    std::map<std::string, double> before_;  // s, since each thread began, by its number
 };
 
 }  // namespace tactooth::test
