@@ -58,21 +58,21 @@ public:
     [[nodiscard]] Action next(double dt, const SeenPicture& picture);
 
 private:
-    void plan(const SeenPicture& seen);
-    [[nodiscard]] Vec2 tremble(const Vec2& place);
-
-    Habits habits_;
-    double goalDepth_, pixelPitch_;
-    std::mt19937 random_;
     struct Moment {
         double time;  // s
         SeenPicture picture;
         Vec2 at;  // where the hand was
     };
-    std::deque<Moment> seen_;
-    double time_ = 0, waited_ = 0;
+    void plan(const SeenPicture& seen);
     void steerToRim(double dt, const SeenPicture& seen, double behind);
     void goOn(double dt);
+    [[nodiscard]] Vec2 tremble(const Vec2& place);
+
+    Habits habits_;
+    double goalDepth_, pixelPitch_;
+    std::mt19937 random_;
+    std::deque<Moment> seen_;
+    double time_ = 0, waited_ = 0;
     std::vector<HandPlace> path_;
     std::size_t place_ = 0;
     Vec2 on_ = Vec2::Zero();  // the place on the path, between two of its places
