@@ -21,6 +21,7 @@ class DepthControl {
 public:
     /// The uncut surface; null: there is none, and nothing has a depth.
     void setSurface(std::shared_ptr<const SurfacePart> uncut);
+    /// That surface; none: there is none.
     [[nodiscard]] const std::optional<Surface>& surface() const { return uncut_; }
 
     /// Depth of the floor, clamped to 0..kMaxDepth.

@@ -11,11 +11,11 @@
 namespace tactooth {
 namespace {
 
-constexpr int kFull = 100;            // percent
-constexpr int kFarthest = 60;         // tenths of a mm: half a molar
-constexpr double kTenth = 0.1;        // mm
-constexpr double kColourRange = 0.5;  // mm; an examiner calls that too deep or too shallow
-constexpr double kMostTolerance = 0.4;
+constexpr int kFull = 100;              // percent
+constexpr int kFarthest = 60;           // tenths of a mm: half a molar
+constexpr double kTenth = 0.1;          // mm
+constexpr double kColourRange = 0.5;    // mm; an examiner calls that too deep or too shallow
+constexpr double kMostTolerance = 0.4;  // mm; less than the range
 
 QSlider* slider(int low, int high, int value, const QString& tip, const char* name) {
     auto* result = new QSlider(Qt::Horizontal);

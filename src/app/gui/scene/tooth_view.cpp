@@ -315,7 +315,6 @@ void ToothView::showOverlays() {
     overlays_->choose(aids_, magnifies());
     const auto& distances = inspection_.distances;
     overlays_->showLegend(distances ? std::optional(distances->scale) : std::nullopt);
-    overlays_->follow(camera_, imageSize(), model_.mesialX());
 }
 
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {

@@ -86,8 +86,13 @@ void ViewOverlays::showLegend(const std::optional<DistanceScale>& scale) {
     legend_->setPaint([scale = *scale, words](QPainter& painter, const QRectF& box) {
         drawDistanceLegend(painter, box, scale, words);
     });
-    const double lines = 4.2 * view_.fontMetrics().height();  // so that its text is as large as that of the window
-    legend_->resize(static_cast<int>(4 * lines), static_cast<int>(lines));
+    placeLegend();
+}
+
+/// As large as its text needs to be as large as that of the window.
+void ViewOverlays::placeLegend() {
+    const int height = static_cast<int>(4.2 * view_.fontMetrics().height());
+    legend_->setGeometry(kMargin + kLetter, view_.height() - height - kMargin - kLetter, 4 * height, height);
 }
 
 void ViewOverlays::follow(const OrbitCamera& eye, ImageSize size, double mesialX) {
@@ -125,7 +130,7 @@ void ViewOverlays::placeLetters(const OrbitCamera& eye, ImageSize size, double m
 }
 
 void ViewOverlays::placeCorners(ImageSize size) {
-    legend_->move(kMargin + kLetter, view_.height() - legend_->height() - kMargin - kLetter);
+    placeLegend();
     cube_->move(view_.width() - cube_->width() - kMargin - kLetter,
                 view_.height() - cube_->height() - kMargin - kLetter);
     magnifier_->setGeometry(cornerGeometry(magnifierRectangle(size), view_.devicePixelRatioF()));

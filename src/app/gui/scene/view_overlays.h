@@ -17,9 +17,8 @@ namespace tactooth {
 
 class ViewCube;
 
-/// What lies over the tooth's picture: scale bar, letters of the directions, view cube, frame of the magnifier,
-/// legend of the colours. Each is
-/// a small widget of its own: a picture of motion repaints only what has changed.
+/// What lies over the tooth's picture: scale bar, letters of the directions, view cube, frame of the magnifier, legend
+/// of the colours. Each is a small widget of its own: a picture of motion repaints only what has changed.
 class ViewOverlays final : public QObject {
     Q_OBJECT
 
@@ -39,6 +38,7 @@ private:
     class Mark;
     void placeScaleBar(const OrbitCamera& eye, ImageSize size);
     void placeLetters(const OrbitCamera& eye, ImageSize size, double mesialX);
+    void placeLegend();
     void placeCorners(ImageSize size);
 
     QWidget& view_;
