@@ -39,6 +39,20 @@ const Message kTooManyAnswers(msg::kHaplyTooManyAnswers);
 const Message kLost(msg::kHaplyLost);
 const Message kNoAnswer(msg::kHaplyNoAnswer);
 
+/// Receives a message of the handshake. A service that hangs up and one that is silent are different faults: a service
+/// that takes and drops each new connection has not stopped answering.
+Expected<void> receiveInTime(HaplyConnection& connection, std::string& text) {
+    switch (connection.receive(text, kConnectTimeout)) {
+        case HaplyConnection::ReceiveStatus::Message:
+            return {};
+        case HaplyConnection::ReceiveStatus::Broken:
+            return unexpected(msg::kHaplyLost);
+        case HaplyConnection::ReceiveStatus::Nothing:
+            break;
+    }
+    return unexpected(msg::kHaplyNoAnswer);
+}
+
 }  // namespace
 
 HaplyDevice::HaplyDevice(std::string device, std::string address)
@@ -74,16 +88,13 @@ Expected<std::unique_ptr<HaplyConnection>> HaplyDevice::handshake(const std::str
     auto link = HaplyConnection::open(address_, kConnectTimeout);
     if (!link) return link;
     std::string first;
-    if ((*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message)
-        return unexpected(msg::kHaplyNoAnswer);
+    if (const Expected<void> answered = receiveInTime(**link, first); !answered) return Unexpected{answered.error()};
     const Expected<HaplyNames> names = findHaply(first, wanted);
     if (!names) return Unexpected{names.error()};
     const Expected<HaplyReading> reading = readHaply(first, *names);
     if (!reading) return Unexpected{reading.error()};
-    if (!(*link)->send(haplyHandshake(names->device), kConnectTimeout) ||
-        (*link)->receive(first, kConnectTimeout) != HaplyConnection::ReceiveStatus::Message) {
-        return unexpected(msg::kHaplyNoAnswer);
-    }
+    if (!(*link)->send(haplyHandshake(names->device), kConnectTimeout)) return unexpected(msg::kHaplyLost);
+    if (const Expected<void> answered = receiveInTime(**link, first); !answered) return Unexpected{answered.error()};
     names_ = *names;
     outstanding_ = 0;
     return link;

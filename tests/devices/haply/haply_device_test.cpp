@@ -111,6 +111,8 @@ TEST(HaplyDevice, EachFailureToStartHasItsSentence) {
     EXPECT_THAT(openError("", service.address()), HasSubstr("not in metres"));
     service.setFault(HaplyFault::Mute);
     EXPECT_THAT(openError("", service.address()), HasSubstr("has stopped answering"));
+    service.setFault(HaplyFault::Drop);
+    EXPECT_THAT(openError("", service.address()), HasSubstr("has closed the connection"));
     service.setFault(HaplyFault::None);
     service.setForeign(true);
     EXPECT_THAT(openError("", service.address()), HasSubstr("is not the Haply Inverse Service"));
