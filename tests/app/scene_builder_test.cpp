@@ -182,7 +182,7 @@ TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     const MirrorDisc disc{.radius = 10};
     const Vec3 toEye = Vec3(0.3, 0.8, 0.5).normalized();
-    const Pose mirror = parkedMirror(tooth, disc, toEye, 1);
+    const Pose mirror = parkedMirror(tooth, toEye, 1);
     const Vec3 normal = mirror.rotation * disc.normal;
     const Vec3 centre = mirror * disc.centre;
     const Vec3 onward = -toEye + 2 * toEye.dot(normal) * normal;
@@ -197,8 +197,8 @@ TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
 TEST(SceneBuilder, TheMirrorAndTheGripOfTheOtherSideAreMirrorImages) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));
     const MirrorDisc disc{.radius = 10};
-    const Pose one = parkedMirror(tooth, disc, Vec3(0.3, 0.8, 0.5).normalized(), 1);
-    const Pose other = parkedMirror(tooth, disc, Vec3(-0.3, 0.8, 0.5).normalized(), -1);
+    const Pose one = parkedMirror(tooth, Vec3(0.3, 0.8, 0.5).normalized(), 1);
+    const Pose other = parkedMirror(tooth, Vec3(-0.3, 0.8, 0.5).normalized(), -1);
     const auto inX = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
     EXPECT_TRUE((one * disc.centre).isApprox(inX(other * disc.centre), 1e-12));
     EXPECT_TRUE((one.rotation * disc.normal).isApprox(inX(other.rotation * disc.normal), 1e-12));

@@ -59,8 +59,8 @@ ToothToSee toothToSee(int fdi, const BurSpec& bur) {
     contents.tool = std::move(tool);
     DentalMirror mirror = makeMirror();
     const Vec3 toEye = directionToEye(dentistView(result.mesialX));
-    contents.mirror = ShownMirror{shared(std::move(mirror.surface)), mirror.disc,
-                                  parkedMirror(result.box, mirror.disc, toEye, result.mesialX)};
+    contents.mirror =
+        ShownMirror{shared(std::move(mirror.surface)), mirror.disc, parkedMirror(result.box, toEye, result.mesialX)};
     contents.suction = ShownSuction{shared(makeSuctionTube()), parkedSuction(result.box, result.mesialX)};
     contents.glass = true;
     return result;

@@ -26,6 +26,8 @@ private slots:
     void eachAidIsRemembered();
     void theWheelSetsTheDepthAtWhichTheBurStops();
     void theRingLiesUnderThePointer();
+    void whileItsKeyIsHeldTheMouseMovesTheMirror();
+    void theMirrorIsPlacedBehindTheBurAndPutBack();
     void cleanupTestCase();
 
 private:
@@ -112,6 +114,58 @@ void WindowAidsTest::aClickOnTheCubeLooksFromThere() {
     QVERIFY(std::abs(elevation()) < 1e-9);
     QVERIFY(!window_->model().manipulator().isPressing());
     key(Qt::Key_0);
+}
+
+void WindowAidsTest::whileItsKeyIsHeldTheMouseMovesTheMirror() {
+    key(Qt::Key_0);
+    QTest::mouseMove(&view(), middle());
+    waitForSteps(3);
+    const auto mirror = [this] { return window_->model().mirror().pose(); };
+    const auto aimedAt = [this] { return *window_->model().manipulator().landing(); };
+    const Pose parked = mirror();
+    const Vec3 target = aimedAt();
+    key(Qt::Key_M);  // hidden: whoever takes it wants to see it
+    QVERIFY(!view().showsMirror());
+    QTest::keyPress(&view(), Qt::Key_V);
+    QVERIFY(view().showsMirror());
+    QTest::mouseMove(&view(), middle() + QPoint(40, 25));
+    QVERIFY((mirror().position - parked.position).norm() > 0.5);
+    const Pose moved = mirror();
+    QTest::mousePress(&view(), Qt::LeftButton, {}, middle() + QPoint(40, 25));
+    QVERIFY2(!window_->model().manipulator().isPressing(), "the hand is at the mirror");
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle() + QPoint(40, 25));
+    const QPointF place = middle() + QPoint(40, 25);
+    QWheelEvent nearer(place, view().mapToGlobal(place), {}, QPoint(0, 240), Qt::NoButton, {}, Qt::NoScrollPhase,
+                       false);
+    QApplication::sendEvent(&view(), &nearer);
+    QVERIFY(std::abs((mirror().position - moved.position).norm() - 2) < 1e-9);
+    QMouseEvent tilt(QEvent::MouseMove, place + QPoint(30, 0), view().mapToGlobal(place), Qt::NoButton, {},
+                     Qt::ShiftModifier);
+    QApplication::sendEvent(&view(), &tilt);
+    QVERIFY(mirror().rotation.angularDistance(parked.rotation) > 0.05);
+    QCOMPARE(aimedAt(), target);
+    QTest::keyRelease(&view(), Qt::Key_V);
+    const Pose left = mirror();
+    QTest::mouseMove(&view(), middle());
+    QCOMPARE(mirror().position, left.position);
+    window_->findChild<QAction*>("parkMirror")->trigger();
+    QCOMPARE(mirror().position, parked.position);
+}
+
+void WindowAidsTest::theMirrorIsPlacedBehindTheBurAndPutBack() {
+    key(Qt::Key_0);
+    QTest::mouseMove(&view(), middle());
+    waitForSteps(3);
+    const Pose parked = window_->model().mirror().pose();
+    QTest::keyClick(&view(), Qt::Key_M, Qt::ShiftModifier);
+    const Pose placed = window_->model().mirror().pose();
+    QVERIFY((placed.position - parked.position).norm() > 0.1);
+    const Pose bur = window_->model().log().newest().proxy;
+    const Vec3 toEye = (view().camera().cameraInWorld.position - bur.position).normalized();
+    QVERIFY((placed.position - bur.position).normalized().dot(toEye) < 0.5);
+    QVERIFY((placed.rotation * Vec3::UnitZ()).dot(toEye) > 0);
+    QTest::keyClick(&view(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(window_->model().mirror().pose().position, parked.position);
 }
 
 void WindowAidsTest::eachAidIsRemembered() {

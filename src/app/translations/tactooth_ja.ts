@@ -1122,6 +1122,22 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>do it again</source>
         <translation>もう一度行う</translation>
     </message>
+    <message>
+        <source>V, held</source>
+        <translation>V（押している間）</translation>
+    </message>
+    <message>
+        <source>the mouse moves the mirror, with Shift it tilts it; the wheel brings it nearer</source>
+        <translation>マウスでミラーを動かす。Shift で傾け、ホイールで近づける</translation>
+    </message>
+    <message>
+        <source>Shift + M, Ctrl + Shift + M</source>
+        <translation>Shift + M、Ctrl + Shift + M</translation>
+    </message>
+    <message>
+        <source>place the mirror behind the bur, put it back</source>
+        <translation>バーを後ろから映す位置にミラーを置く、元に戻す</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::InstrumentMenus</name>
@@ -1394,6 +1410,22 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>None</source>
         <translation>なし</translation>
     </message>
+    <message>
+        <source>&amp;Place the mirror</source>
+        <translation>ミラーを合わせる(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Holds the mirror where it shows the bur from behind; with V held, the mouse moves the mirror</source>
+        <translation>バーを後ろから映す位置にミラーを置きます。V を押している間は、マウスでミラーを動かします</translation>
+    </message>
+    <message>
+        <source>Put the mirror &amp;back</source>
+        <translation>ミラーを戻す(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The mirror waits again behind the tooth</source>
+        <translation>ミラーは歯の後ろの待機位置に戻ります</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::WindowHints</name>
@@ -1436,6 +1468,10 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>The bur only touches: choose Cut (C) to remove something</source>
         <translation>バーは触れているだけです。削るには「切削」（C）を選んでください</translation>
+    </message>
+    <message>
+        <source>No place of the mirror shows the bur from behind: turn the tooth, or hold V and move the mirror</source>
+        <translation>バーを後ろから映せるミラーの位置がありません。歯の向きを変えるか、V を押したままミラーを動かしてください</translation>
     </message>
 </context>
 <context>

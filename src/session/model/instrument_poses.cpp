@@ -17,7 +17,7 @@ Quat uprightGrip(double mesialX, double towardLingual) {
     return Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
 }
 
-Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX) {
+Pose parkedMirror(const Box3& tooth, const Vec3& toEye, double mesialX) {
     constexpr double kBehind = 8;      // mm between the tooth and the glass: room for a bur, and for a view into it
     constexpr double kAside = 6;       // mm to distal: beside the instrument, not behind it
     constexpr double kBelowTop = 3.5;  // mm from the crown's top down to the middle of its lingual side
@@ -29,8 +29,7 @@ Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, 
     const Vec3 handle = (distal - distal.dot(normal) * normal).normalized();
     Mat3 axes;
     axes << handle, normal.cross(handle), normal;
-    const Quat rotation(axes);
-    return {centre - rotation * disc.centre, rotation};
+    return {centre, Quat(axes)};
 }
 
 Pose parkedSuction(const Box3& tooth, double mesialX) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "geometry/util/pose.h"
-#include "instruments/mirror.h"
 
 namespace tactooth {
 
@@ -14,7 +13,7 @@ namespace tactooth {
 /// Pose of a mirror that shows the lingual side of a tooth's crown to an eye in the direction `toEye` (unit). The
 /// mirror is behind the crown and level with it, a little to distal, where its handle leaves. `tooth`: the tooth's box;
 /// `mesialX`: direction of mesial along x.
-[[nodiscard]] Pose parkedMirror(const Box3& tooth, const MirrorDisc& disc, const Vec3& toEye, double mesialX);
+[[nodiscard]] Pose parkedMirror(const Box3& tooth, const Vec3& toEye, double mesialX);
 
 /// Pose in which an assistant holds the suction tube: the opening is beside the crown, distal and buccal, clear of bur
 /// and mirror.

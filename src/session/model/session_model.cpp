@@ -29,12 +29,13 @@ void SessionModel::install(SessionTooth tooth) {
     tooth_ = std::move(tooth);
     if (!tooth_->savedAt) tooth_->savedAt = tooth_->piece->removed();
     resetManipulator();
+    mirror_.reset();
     haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
     if (tooth_->bur) bur_ = tooth_->bur;
     needsRunner_ = isToothNew_ = true;
 }
 
-/// The hand starts above the tooth again; how it presses stays.
+/// The hand starts above the tooth again; how it presses stays. The mirror waits where this hand would hold it.
 void SessionModel::resetManipulator() {
     MouseManipulator next(tooth_ ? tooth_->box() : kNoTooth, handleX(*this));
     next.setPressDepth(manipulator_.pressDepth());
@@ -42,6 +43,8 @@ void SessionModel::resetManipulator() {
     next.depthControl() = manipulator_.depthControl();
     manipulator_ = std::move(next);
     seenSurface_.reset();
+    const Vec3 toEye = directionToEye(dentistView(mesialX()));
+    if (tooth_) mirror_.park(parkedMirror(tooth_->box(), toEye, handleX(*this)));
 }
 
 /// Tells the manipulator what is there now. A device in the hand needs none of it.

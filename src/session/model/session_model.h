@@ -7,6 +7,7 @@
 
 #include "session/model/device_slots.h"
 #include "session/model/instrument_set.h"
+#include "session/model/mirror_placement.h"
 #include "session/model/mouse_manipulator.h"
 #include "session/model/scene_animation.h"
 #include "session/model/session_keeper.h"
@@ -122,6 +123,9 @@ public:
     [[nodiscard]] const HapticSettings& haptics() const { return haptics_; }
     [[nodiscard]] MouseManipulator& manipulator() { return manipulator_; }
     [[nodiscard]] const MouseManipulator& manipulator() const { return manipulator_; }
+    /// The mouth mirror as the mouse holds it; a device moves it from there.
+    [[nodiscard]] MirrorPlacement& mirror() { return mirror_; }
+    [[nodiscard]] const MirrorPlacement& mirror() const { return mirror_; }
     [[nodiscard]] DeviceSlots& devices() { return devices_; }
     [[nodiscard]] const DeviceSlots& devices() const { return devices_; }
     [[nodiscard]] InstrumentSet& instruments() { return instruments_; }
@@ -155,6 +159,7 @@ private:
     bool isToothNew_ = false;
     bool reportedOverload_ = false;
     MouseManipulator manipulator_;
+    MirrorPlacement mirror_;
     std::shared_ptr<const Surface> seenSurface_;  // of the tooth, that the manipulator knows
     std::shared_ptr<const ToolShape> seenTool_;
     std::shared_ptr<const SurfacePart> uncut_;  // surface of the tooth before any cut

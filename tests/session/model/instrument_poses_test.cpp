@@ -25,9 +25,8 @@ TEST(ParkedMirror, TheGlassSendsTheLineOfSightToTheLingualSideOfTheCrown) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (int i = 0; i < 100; ++i) {
         const Vec3 eye = Vec3(uniform(random), 1 + uniform(random) * 0.3, 0.8).normalized();
-        const MirrorDisc disc{Vec3(0.1, 0, 0.2), Vec3::UnitZ(), 10};
-        const Pose pose = parkedMirror(kTooth, disc, eye, i % 2 == 0 ? 1 : -1);
-        const Vec3 centre = pose * disc.centre, normal = pose.rotation * disc.normal;
+        const Pose pose = parkedMirror(kTooth, eye, i % 2 == 0 ? 1 : -1);
+        const Vec3 centre = pose.position, normal = pose.rotation * Vec3::UnitZ();
         const Vec3 reflected = (2 * normal.dot(eye) * normal - eye).normalized();
         const Vec3 lingual(0, kTooth.min().y(), kTooth.max().z() - 3.5);
         EXPECT_LT(((lingual - centre).normalized() - reflected).norm(), 1e-9);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/pinhole.h"
 #include "session/model/instrument_poses.h"
 #include "support/shapes.h"
 
@@ -15,44 +16,16 @@ namespace {
 
 const Box3 kTooth(Vec3(-5, -5, -10), Vec3(5, 5, 5));
 
-/// A pinhole camera that looks at the origin's neighbourhood, 1000 x 800 pixels.
-class Pinhole final : public PointerView {
-public:
-    explicit Pinhole(const ViewDirection& view = {1.2, 0.8}) {
-        constexpr double kDistance = 60;  // mm
-        const Vec3 back = directionToEye(view);
-        const Vec3 right = Vec3::UnitZ().cross(back).normalized();
-        Mat3 axes;
-        axes << right, back.cross(right), back;
-        rotation_ = Quat(axes);
-        eye_ = kDistance * back;
-    }
-    [[nodiscard]] Ray rayThrough(const Vec2& pixel) const override {
-        const Vec3 inCamera((pixel.x() - 500) / kFocal, (400 - pixel.y()) / kFocal, -1);
-        return {eye_, (rotation_ * inCamera).normalized()};
-    }
-    [[nodiscard]] Quat cameraRotation() const override { return rotation_; }
-    [[nodiscard]] Vec2 pixelOf(const Vec3& point) const {
-        const Vec3 inCamera = rotation_.conjugate() * (point - eye_);
-        return {500 - kFocal * inCamera.x() / inCamera.z(), 400 + kFocal * inCamera.y() / inCamera.z()};
-    }
-
-private:
-    static constexpr double kFocal = 1800;  // pixels
-    Quat rotation_;
-    Vec3 eye_;
-};
-
 class MouseManipulatorTest : public testing::Test {
 protected:
     MouseManipulatorTest() {
         surface_.base = std::make_shared<const SurfacePart>(test::box(kTooth.min(), kTooth.max()));
     }
-    void lookFrom(const ViewDirection& direction) { picture_ = Pinhole(direction); }
+    void lookFrom(const ViewDirection& direction) { picture_ = test::Pinhole(direction); }
     [[nodiscard]] Vec2 pixelOf(const Vec3& point) const { return picture_.pixelOf(point); }
 
     Surface surface_;
-    Pinhole picture_;
+    test::Pinhole picture_;
     MouseManipulator hand_{kTooth, 1};
 };
 

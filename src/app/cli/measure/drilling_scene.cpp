@@ -71,7 +71,7 @@ Expected<DrillingScene> DrillingScene::make(std::shared_ptr<const LayeredTooth> 
     work.contents_.glass = true;  // as in the window
     DentalMirror mirror = makeMirror();
     const Vec3 toEye = (eye.camera().cameraInWorld.position - box.center()).normalized();
-    const Pose held = parkedMirror(box, mirror.disc, toEye, 1);
+    const Pose held = parkedMirror(box, toEye, 1);
     work.contents_.mirror =
         ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
     CutModel piece(work.tooth_, kVoxel);

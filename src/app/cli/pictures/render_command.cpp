@@ -135,9 +135,8 @@ Scene sceneFor(const RenderSetup& studio, const OrbitCamera& eye) {
     contents.camera = eye.camera();
     if (studio.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - studio.tooth.box().center()).normalized();
-        contents.mirror =
-            ShownMirror{std::make_shared<const TriangleMesh>(studio.mirror->surface), studio.mirror->disc,
-                        parkedMirror(studio.tooth.box(), studio.mirror->disc, toEye, studio.tooth.mesialX)};
+        contents.mirror = ShownMirror{std::make_shared<const TriangleMesh>(studio.mirror->surface), studio.mirror->disc,
+                                      parkedMirror(studio.tooth.box(), toEye, studio.tooth.mesialX)};
     }
     Scene scene = makeScene(contents);
     applyInspection(scene, studio.tooth.piece->tooth(), studio.inspection);

@@ -75,7 +75,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.mirror = props.mirror;
     if (contents.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - subject).normalized();
-        contents.mirror->mirrorInTooth = parkedMirror(props.box, contents.mirror->disc, toEye, props.mesialX);
+        contents.mirror->mirrorInTooth = parkedMirror(props.box, toEye, props.mesialX);
     }
     Scene scene = makeScene(contents);
     if (shot.loupeLamp) scene.lighting.toKey = toLoupeLamp(contents.camera);

@@ -12,6 +12,7 @@
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -24,6 +25,10 @@ WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const 
     connect(panels_.inspection->ghostAction(), &QAction::toggled, this, &WindowHints::showGhost);
     connect(panels_.tour, &GuidedTour::stepExplained, this,
             [this](const QString& sentence) { messages_.setHint(sentence); });
+    connect(panels_.view, &ToothView::mirrorNotPlaced, this, [this] {
+        messages_.setHint(
+            tr("No place of the mirror shows the bur from behind: turn the tooth, or hold V and move the mirror"));
+    });
     connect(panels_.tour, &GuidedTour::ended, this, &WindowHints::showUsual);
 }
 

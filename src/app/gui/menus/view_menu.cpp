@@ -29,11 +29,28 @@ ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), b
     menu_.addSeparator();
     bar_.addSeparator();
     mirror_ = addVisibility(tr("Mirror"), "M", "mirror", &ToothView::setShowsMirror);
+    addMirrorPlaces();
     turbine_ = addVisibility(tr("Turbine"), "H", "handpiece", &ToothView::setShowsTurbine);
     aim_ = addVisibility(tr("Aim"), "J", "aim", &ToothView::setShowsAim);
     aim_->setToolTip(
         tr("Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the "
            "force"));
+}
+
+void ViewMenu::addMirrorPlaces() {
+    connect(&view_, &ToothView::mirrorUsed, mirror_, [this] { mirror_->setChecked(true); });
+    QAction* place = menu_.addAction(tr("&Place the mirror"), &view_, &ToothView::placeMirror);
+    place->setObjectName("placeMirror");
+    place->setShortcut(QKeySequence("Shift+M"));
+    place->setToolTip(
+        tr("Holds the mirror where it shows the bur from behind; with V held, the mouse moves the mirror"));
+    place->setStatusTip(place->toolTip());
+    setLineIcon(*place, "mirror");
+    QAction* park = menu_.addAction(tr("Put the mirror &back"), &view_, &ToothView::parkMirror);
+    park->setObjectName("parkMirror");
+    park->setShortcut(QKeySequence("Ctrl+Shift+M"));
+    park->setStatusTip(tr("The mirror waits again behind the tooth"));
+    setLineIcon(*park, "reset");
 }
 
 void ViewMenu::addAction(const QString& text, const QString& keys, const char* icon, void (ToothView::*act)()) {

@@ -33,6 +33,7 @@ private:
     void addSecondViews(const QStringList& titles);
     QAction* addVisibility(const QString& text, const QString& keys, const char* icon, void (ToothView::*show)(bool));
     void setSecondView(const QString& name);
+    void addMirrorPlaces();
 
     QMenu& menu_;
     QToolBar& bar_;

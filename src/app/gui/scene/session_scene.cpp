@@ -12,8 +12,7 @@ namespace {
 constexpr float kFog = 0.6F, kDrops = 0.5F;  // share of the glass, 0..1: the crown can still be seen in it
 
 ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
-    const Vec3 toEye = directionToEye(dentistView(model.mesialX()));
-    Pose mirror = parkedMirror(model.tooth()->box(), meshes.disc, toEye, handleX(model));
+    Pose mirror = model.mirror().pose();
     const Pose& moved = model.runner()->feed().mirrorMotion();
     mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
     const MirrorState& state = model.instruments().mirror();

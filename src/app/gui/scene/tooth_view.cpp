@@ -47,6 +47,7 @@ bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<Show
 ToothView::ToothView(SessionModel& model, QWidget* parent)
     : QOpenGLWidget(parent),
       model_(model),
+      mirrorMouse_(model),
       aim_(new AimOverlay(this)),
       secondFrame_(new SecondViewFrame(this)),
       overlays_(new ViewOverlays(*this)) {
@@ -341,7 +342,8 @@ void ToothView::resizeEvent(QResizeEvent* event) {
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() == Qt::LeftButton && !contents_) model_.manipulator().press(viewport(), mouse_);
+    if (event->button() != Qt::LeftButton || contents_ || mirrorMouse_.isHeld()) return;
+    model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -369,10 +371,12 @@ void ToothView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
-    const Vec2 displacement = to - mouse_;
-    mouse_ = to;
+    const Vec2 from = std::exchange(mouse_, to);
+    const Vec2 displacement = to - from;
     if (model_.runner() == nullptr) return;
-    if (with & Qt::ShiftModifier) {
+    if (mirrorMouse_.isHeld()) {
+        mirrorMouse_.move(viewport(), from, to, with);
+    } else if (with & Qt::ShiftModifier) {
         model_.manipulator().tilt(viewport(), displacement);
     } else if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(viewport(), to);
@@ -405,6 +409,10 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
         isPressedByKey_ = true;
         return true;
     }
+    if (!contents_ && key.key() == MirrorMouse::kKey && !(key.modifiers() & ~Qt::ShiftModifier)) {
+        holdMirror(true);
+        return true;
+    }
     if (key.key() != Qt::Key_Plus && key.key() != Qt::Key_Minus) return false;
     camera_.zoom(key.key() == Qt::Key_Plus ? kZoomStep : 1 / kZoomStep, mouse_, size);
     redraw();
@@ -416,6 +424,7 @@ void ToothView::keyPressEvent(QKeyEvent* event) {
 }
 
 void ToothView::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == MirrorMouse::kKey && !event->isAutoRepeat()) return holdMirror(false);
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!isEnter) return QOpenGLWidget::keyReleaseEvent(event);
     if (!event->isAutoRepeat()) endKeyPress();
@@ -424,7 +433,26 @@ void ToothView::keyReleaseEvent(QKeyEvent* event) {
 /// A dialog in front receives the key's release.
 void ToothView::focusOutEvent(QFocusEvent* event) {
     endKeyPress();
+    holdMirror(false);
     QOpenGLWidget::focusOutEvent(event);
+}
+
+void ToothView::holdMirror(bool held) {
+    if (!mirrorMouse_.hold(held)) return;
+    setCursor(held ? Qt::SizeAllCursor : contents_ ? Qt::OpenHandCursor : Qt::CrossCursor);
+    if (held) emit mirrorUsed();
+}
+
+void ToothView::placeMirror() {
+    if (contents_) return;
+    if (!mirrorMouse_.placeBehindBur(viewport())) return emit mirrorNotPlaced();
+    emit mirrorUsed();
+    redraw();
+}
+
+void ToothView::parkMirror() {
+    mirrorMouse_.park();
+    redraw();
 }
 
 void ToothView::endKeyPress() {
@@ -434,7 +462,9 @@ void ToothView::endKeyPress() {
 void ToothView::wheelEvent(QWheelEvent* event) {
     constexpr double kNotch = 120;  // eighths of a degree
     const double notches = event->angleDelta().y() / kNotch;
-    if (contents_ || (event->modifiers() & Qt::ControlModifier)) {
+    if (mirrorMouse_.isHeld()) {
+        mirrorMouse_.turnWheel(viewport(), notches);
+    } else if (contents_ || (event->modifiers() & Qt::ControlModifier)) {
         camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
         redraw();
     } else {

@@ -9,6 +9,7 @@
 
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
+#include "app/gui/input/mirror_mouse.h"
 #include "app/gui/input/viewport.h"
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
@@ -59,6 +60,10 @@ public:
     void resetView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
+    /// Holds the mirror where it shows the bur from behind; a sentence says so if there is no such place.
+    void placeMirror();
+    /// The mirror waits again beside the tooth.
+    void parkMirror();
     /// Landing ring, plumb line and numbers at the tip.
     void setShowsAim(bool shows);
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
@@ -81,6 +86,10 @@ signals:
     void pressDepthChanged(double depth);
     /// The mouse wheel has changed the depth at which a press ends, mm.
     void depthChanged(double depth);
+    /// The user has taken or placed the mirror, which may be hidden.
+    void mirrorUsed();
+    /// No place of the mirror shows the bur.
+    void mirrorNotPlaced();
     /// The graphics system cannot draw; a sentence.
     void failed(const QString& sentence);
 
@@ -114,11 +123,13 @@ private:
     void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     void endKeyPress();
+    void holdMirror(bool held);
     void report(const Error& error);
     void forgetRenderer();
     void redraw();
 
     SessionModel& model_;
+    MirrorMouse mirrorMouse_;
     ContentsSource contents_;  // null: the session
     OrbitCamera camera_;
     std::optional<Renderer> renderer_;

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Qt>
+
+#include "app/gui/input/viewport.h"
+
+namespace tactooth {
+
+class SessionModel;
+
+/// Lets one mouse hold two instruments: while a key is down it moves the mouth mirror, and the bur stays as it is.
+class MirrorMouse {
+public:
+    static constexpr int kKey = Qt::Key_V;
+
+    /// `model` outlives it.
+    explicit MirrorMouse(SessionModel& model) : model_(model) {}
+
+    /// The key goes down or up. True if that changes anything.
+    bool hold(bool held);
+    [[nodiscard]] bool isHeld() const { return held_; }
+
+    /// The mouse moves between two pixels: the glass follows it; with Shift it tilts to where the mouse goes.
+    void move(const Viewport& picture, const Vec2& from, const Vec2& to, Qt::KeyboardModifiers with);
+    /// A notch of the wheel brings the glass 1 mm toward the eye.
+    void turnWheel(const Viewport& picture, double notches);
+
+    /// Holds the mirror where it shows the bur from behind. False if there is no such place, or nothing to look at.
+    [[nodiscard]] bool placeBehindBur(const Viewport& picture);
+    /// Back to where it waits.
+    void park();
+
+private:
+    SessionModel& model_;
+    bool held_ = false;
+};
+
+}  // namespace tactooth
