@@ -20,8 +20,9 @@ namespace tactooth {
 struct PreparationPlan {
     Vec3 outward;  ///< direction of the shaft, out of the tooth, unit
     double depth;  ///< below the surface, mm
-    bool
-        isFlat;  ///< true: flat floor, `depth` below the mean of the first stroke; false: the floor follows the surface
+    /// True: flat floor, `depth` below the mean of the first stroke; false: the floor follows the surface.
+    bool isFlat;
+    bool stopsDevice = false;  ///< a haptic device stops at the floor, too
     struct Stroke {
         Vec3 from, to;  ///< tooth frame, mm; the height along `outward` is computed
     };

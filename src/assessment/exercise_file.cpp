@@ -140,7 +140,7 @@ private:
     }
 
     PreparationPlan plan(const toml::table& cavity) {
-        toml_.allow(cavity, msg::kACavity, {"side", "depth", "floor", "strokes"});
+        toml_.allow(cavity, msg::kACavity, {"side", "depth", "floor", "depth_stop", "strokes"});
         PreparationPlan plan;
         plan.outward = side(cavity);
         if (cavity.get("depth") == nullptr) toml_.fail(cavity, {msg::kKeyMissing, "depth"});
@@ -150,6 +150,7 @@ private:
         if (!floor.empty() && floor != "flat" && floor != "surface") {
             toml_.fail(*cavity.get("floor"), msg::kFloorUnknown);
         }
+        plan.stopsDevice = toml_.flag(cavity, "depth_stop", false);
         const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
         if (strokes.empty()) toml_.fail(cavity, msg::kNoStrokes);
         if (strokes.size() > kMaxStrokes) toml_.fail(cavity, msg::kTooManyStrokes);

@@ -387,6 +387,16 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>Defaults</source>
         <translation>初期値</translation>
     </message>
+    <message>
+        <source>Haptic device stops there</source>
+        <translation>力覚装置もその深さで止める</translation>
+    </message>
+    <message>
+        <source>A device that renders force holds the bur at the depth and pushes the hand back.
+It is off in an examination.</source>
+        <translation>力覚のある装置では、バーをその深さで止め、手を押し返します。
+試験中は使えません。</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::GuidedTour</name>

@@ -16,6 +16,18 @@ PoseReading readingOf(const DeviceSample& sample) {
     return {sample.hand.position, sample.hand.rotation, sample.age, sample.isFresh};
 }
 
+/// The springs of tooth and stop are in a row, and their forces add up. What counts for the passivity controller is the
+/// energy in both.
+void addDepthStop(ForceCommand& wanted, const DepthStop& stop) {
+    if (!(stop.beyond() > 0)) return;
+    wanted.wrench.force += stop.force();
+    const double twiceEnergy = wanted.stiffness * wanted.deflection * wanted.deflection +
+                               DepthStop::kStiffness * stop.beyond() * stop.beyond();
+    wanted.deflection += stop.beyond();
+    wanted.stiffness = twiceEnergy / (wanted.deflection * wanted.deflection);
+    wanted.touching = true;
+}
+
 }  // namespace
 
 DeviceSet::HeldDevice::HeldDevice(HapticDevice& held, const std::optional<DeviceRegistration>& turbineRegistration,
@@ -73,7 +85,7 @@ void DeviceSet::rest(std::size_t instrument) {
 
 /// Moves an instrument with its device. An instrument that no device holds, or whose device is lost or has a pose
 /// fault, stays where it is.
-void DeviceSet::move(std::size_t instrument, const DeviceControls& controls) {
+void DeviceSet::move(std::size_t instrument, const DeviceControls& controls, double elapsed) {
     const int holder = holderOf(instrument);
     const bool isNew = holder != holders_[instrument];
     holders_[instrument] = holder;
@@ -84,7 +96,8 @@ void DeviceSet::move(std::size_t instrument, const DeviceControls& controls) {
     if (!hand.poseValid) return rest(instrument);
     frame.setMotionScaling(controls.motionScaling);
     frame.setClutch(controls.clutch || hand.buttons.clutchHeld());
-    instruments_[instrument] = frame.toolFor(hand.sample.hand);
+    const Pose wanted = frame.toolFor(hand.sample.hand);
+    instruments_[instrument] = instrument == kTurbine ? depthStop_.hold(wanted, controls.depthStop, elapsed) : wanted;
 }
 
 void DeviceSet::read(double elapsed, const DeviceControls& controls) {
@@ -98,14 +111,15 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
                                  isNearWorkspaceLimit(hand->device->info(), hand->sample.hand.position,
                                                       hand->atWorkspaceLimit ? kBackIn : kAtEnd);
     }
-    move(kTurbine, controls);
-    move(kMirror, controls);
+    move(kTurbine, controls, elapsed);
+    move(kMirror, controls, elapsed);
 }
 
 ForceCommand DeviceSet::wantedFor(const HeldDevice& hand, const Tick& tick, bool enabled) const {
     const int holder = holders_[kTurbine];
     const bool holds = holder != kNoHolder && devices_[static_cast<std::size_t>(holder)] == &hand;
     ForceCommand wanted = forceCommandFrom(tick);
+    if (holds) addDepthStop(wanted, depthStop_);
     if (!holds) wanted = ForceCommand{};
     const DeviceMapping& frame = hand.frames[kTurbine];
     wanted.wrench = frame.toDevice(wanted.wrench);

@@ -9,6 +9,7 @@
 #include "devices/base/haptic_device.h"
 #include "haptics/force_pipeline.h"
 #include "session/control/button_actions.h"
+#include "session/control/depth_stop.h"
 #include "session/control/device_mapping.h"
 
 namespace tactooth {
@@ -18,6 +19,7 @@ struct DeviceControls {
     bool clutch = false;       ///< the instruments stay while the devices move freely
     double motionScaling = 1;  ///< mm of the device for each mm of its instrument
     ButtonMap buttons = {};
+    const DepthControl* depthStop = nullptr;  ///< the floor at which the turbine is held; null: it is not held
 };
 
 /// The user's one or two devices, one for each hand, and the two instruments, turbine and mirror. The first device
@@ -81,7 +83,7 @@ private:
     };
     [[nodiscard]] int holderOf(std::size_t instrument) const;
     [[nodiscard]] bool swapped() const;
-    void move(std::size_t instrument, const DeviceControls& controls);
+    void move(std::size_t instrument, const DeviceControls& controls, double elapsed);
     void rest(std::size_t instrument);
     [[nodiscard]] ForceCommand wantedFor(const HeldDevice& hand, const Tick& tick, bool enabled) const;
 
@@ -93,6 +95,7 @@ private:
     std::array<Pose, 2> instruments_{Pose{Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), Quat::Identity()},
                                      Pose{}};
     std::optional<Pose> proxy_;  // of the turbine at the last tick
+    DepthStop depthStop_;        // of the turbine
     bool silent_ = true;
 };
 

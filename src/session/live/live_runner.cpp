@@ -109,7 +109,7 @@ void LiveRunner::servoTick(double elapsed) {
     const SessionControls& controls = controls_.value();
     const std::uint32_t taken = takeSurfaces();
 
-    devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons});
+    devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons, controls.depthStop.get()});
     setForce(controls);
     const double pedal = std::max(controls.pedal, devices_.pedal());
     const TickInput input =

@@ -47,14 +47,24 @@ void SessionModel::resetManipulator() {
     if (tooth_) mirror_.park(parkedMirror(tooth_->box(), toEye, handleX(*this)));
 }
 
-/// Tells the manipulator what is there now. A device in the hand needs none of it.
+/// Tells the manipulator what is there now. A device in the hand needs none of it but the depth.
 void SessionModel::showSurroundings() {
+    if (devices_.first() != nullptr) return advanceDepthControl();
     const std::shared_ptr<const Surface> surface = runner_->feed().surface();
-    if (devices_.first() != nullptr || (surface == seenSurface_ && bur_->instrument.shape == seenTool_)) return;
+    if (surface == seenSurface_ && bur_->instrument.shape == seenTool_) return;
     if (seenSurface_ == nullptr) uncut_ = tooth_->piece->tooth().ownOuter();
     seenSurface_ = surface;
     seenTool_ = bur_->instrument.shape;
     manipulator_.setSurroundings({touchableSurface(*this), seenTool_, uncut_});
+}
+
+/// The depth of a flat floor counts from where a cavity is begun, by a device as by the mouse.
+void SessionModel::advanceDepthControl() {
+    DepthControl& control = manipulator_.depthControl();
+    control.setSurface(tooth_->piece->tooth().ownOuter());
+    const Tick& newest = log_.newest();
+    if (newest.contacts == 0 || !newest.cutting) return;
+    control.beginAt(newest.proxy.position, newest.proxy.rotation * -Vec3::UnitZ());
 }
 
 void SessionModel::install(SessionBur bur) {
@@ -235,6 +245,9 @@ SessionControls SessionModel::currentControls() const {
     SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
+    if (depthStop_ && depthStopAllowed_ && devices_.first() != nullptr) {
+        now.depthStop = std::make_shared<const DepthControl>(manipulator_.depthControl());
+    }
     return now;
 }
 

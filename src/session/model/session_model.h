@@ -67,6 +67,10 @@ public:
     /// Whether anything can be taken back: undo, redo, jumps and resetTooth have an effect. Not so in an examination.
     void setEditsAllowed(bool allowed) { editsAllowed_ = allowed; }
     [[nodiscard]] bool editsAllowed() const { return editsAllowed_; }
+    /// Whether a device stops at the depth of the manipulator's depth control, as the user has chosen, and whether it
+    /// may. Not so in an examination.
+    void setDepthStop(bool on) { depthStop_ = on; }
+    void setDepthStopAllowed(bool allowed) { depthStopAllowed_ = allowed; }
     /// A change that is no cut was made; its functions undo and redo it.
     void noteChange(WorkStep step);
 
@@ -146,6 +150,7 @@ private:
     void resetManipulator();
     void showSurroundings();
     void reportOverload(StepResult& stepResult);
+    void advanceDepthControl();
     [[nodiscard]] SessionControls currentControls() const;
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
@@ -169,6 +174,7 @@ private:
     SceneAnimation animation_;
     bool paused_ = false;
     bool editsAllowed_ = true;
+    bool depthStop_ = false, depthStopAllowed_ = true;
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument

@@ -167,6 +167,53 @@ TEST(DeviceSet, ARegistrationRotatesTheMirrorAsItRotatesTheTool) {
     EXPECT_LT((rig.hands.mirror().position - Vec3(0, 1, 0)).norm(), 1e-12);
 }
 
+/// A floor `depth` below the top of the block.
+DepthControl floorAt(double depth) {
+    DepthControl control;
+    control.setSurface(block()->base);
+    control.setDepth(depth);
+    return control;
+}
+
+TEST(DeviceSet, ADepthStopHoldsTheTurbineAndPushesTheDeviceBack) {
+    constexpr double kDepth = 0.3;  // mm
+    const DepthControl floor = floorAt(kDepth);
+    Rig rig;
+    rig.press(rig.first);
+    const double byTooth = rig.first.force.z();
+    rig.lift(rig.first, 3);
+    rig.run(100);
+    rig.controls.depthStop = &floor;
+    rig.press(rig.first);
+    EXPECT_NEAR(rig.hands.turbine().position.z(), -kDepth, 1e-6);
+    // The springs of tooth and stop are in a row: each is pressed by its part of the way.
+    const double wanted = byTooth * kDepth / -kPressed + DepthStop::kStiffness * (-kPressed - kDepth);
+    EXPECT_NEAR(rig.first.force.z(), wanted, 0.05);
+    EXPECT_LE(rig.first.worstStep, kMaxStep);
+    EXPECT_EQ(rig.second.force, Vec3::Zero()) << "the mirror is free";
+}
+
+TEST(DeviceSet, ADepthStopInFreeSpacePushesNothing) {
+    const DepthControl floor = floorAt(1);
+    Rig rig;
+    rig.controls.depthStop = &floor;
+    rig.first.sample.hand.position.z() = 2;
+    rig.run(200);
+    EXPECT_EQ(rig.first.force, Vec3::Zero());
+    EXPECT_EQ(rig.hands.turbine().position.z(), 2);
+}
+
+TEST(DeviceSet, ALostDeviceGetsNoForceOfTheDepthStop) {
+    const DepthControl floor = floorAt(0.3);
+    Rig rig;
+    rig.controls.depthStop = &floor;
+    rig.press(rig.first);
+    ASSERT_GT(rig.first.force.z(), 0.5);
+    rig.first.sample.connected = false;
+    rig.run(1);
+    EXPECT_EQ(rig.first.force, Vec3::Zero());
+}
+
 TEST(DeviceSet, ASwapMovesNothingAndExchangesWhatTheyHold) {
     Rig rig;
     rig.run(1);

@@ -100,6 +100,7 @@ void ExerciseController::prepareHand() {
     hand.alignShaft(plan->outward);
     panels_.force->setDepth(plan->depth);
     panels_.force->setFlatFloor(plan->isFlat);
+    if (plan->stopsDevice) panels_.force->setDepthStop(true);
     hand.depthControl().setReference(plan->isFlat ? floorReference(*plan, *model_.tooth()->piece->tooth().ownOuter())
                                                   : std::nullopt);
 }

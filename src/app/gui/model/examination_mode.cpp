@@ -15,6 +15,7 @@ void ExaminationMode::begin(std::shared_ptr<const SigningKey> seal) {
     TACTOOTH_ASSERT(seal != nullptr && !model_.isTouched());
     seal_ = std::move(seal);
     model_.setEditsAllowed(false);
+    model_.setDepthStopAllowed(false);
     emit changed();
 }
 
@@ -22,6 +23,7 @@ void ExaminationMode::finish() {
     if (!isOn()) return;
     seal_.reset();
     model_.setEditsAllowed(true);
+    model_.setDepthStopAllowed(true);
     emit changed();
 }
 

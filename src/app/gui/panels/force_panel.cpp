@@ -5,7 +5,7 @@
 #include <QPushButton>
 
 #include "app/gui/text/translation.h"
-#include "session/model/mouse_manipulator.h"
+#include "session/model/session_model.h"
 
 namespace tactooth {
 
@@ -28,7 +28,7 @@ ForcePanel::ForcePanel(QWidget* parent)
     spring_->box().setObjectName("spring");
     scale_ = new NumberRow(*grid, tr("Force scale"), {0, kMaxForceScale, 0.05, 2, tr(" ×")}, 1,
                            tr("Multiplies the whole force"));
-    addMouse(*grid);
+    addHand(*grid);
     auto* defaults = new QPushButton(tr("Defaults"));
     grid->addWidget(defaults, grid->rowCount(), 2);
     grid->setRowStretch(grid->rowCount(), 1);
@@ -44,8 +44,8 @@ ForcePanel::ForcePanel(QWidget* parent)
     fromMaterial_->setChecked(true);
 }
 
-/// How the mouse presses: to a depth, or with a force for as long as the button is down.
-void ForcePanel::addMouse(QGridLayout& grid) {
+/// Where the hand stops: the mouse at a depth, or never, for as long as the button is down; a device at that depth.
+void ForcePanel::addHand(QGridLayout& grid) {
     const ForceSettings usual;
     mouse_ = new QComboBox;
     mouse_->setObjectName("mouseMode");
@@ -67,23 +67,33 @@ void ForcePanel::addMouse(QGridLayout& grid) {
         tr("On: the depth counts from the place where the cavity was begun, and the floor is flat.\nOff: the floor "
            "follows the surface."));
     grid.addWidget(flat_, grid.rowCount(), 0, 1, 3);
+    stop_ = new QCheckBox(tr("Haptic device stops there"));
+    stop_->setObjectName("depthStop");
+    stop_->setToolTip(
+        tr("A device that renders force holds the bur at the depth and pushes the hand back.\nIt is off in an "
+           "examination."));
+    grid.addWidget(stop_, grid.rowCount(), 0, 1, 3);
     press_ =
         new NumberRow(grid, tr("Mouse presses"), {0, MouseManipulator::kMaxPressDepth, 0.1, 1, tr(" mm")}, usual.press,
                       tr("How far the mouse presses beyond the surface: 1 mm is about 1 N on enamel."));
     press_->box().setObjectName("pressDepth");
-    connect(mouse_, &QComboBox::currentIndexChanged, this, [this] {
-        const bool toDepth = settings().mouse == kMouseToDepth;
-        depth_->setEnabled(toDepth);
-        flat_->setEnabled(toDepth);
-        emit mouseChanged();
-    });
-    connect(depth_, &NumberRow::changed, this, &ForcePanel::mouseChanged);
-    connect(flat_, &QCheckBox::toggled, this, &ForcePanel::mouseChanged);
-    connect(press_, &NumberRow::changed, this, &ForcePanel::mouseChanged);
+    const auto enableDepth = [this] {
+        const bool usesDepth = settings().mouse == kMouseToDepth || stop_->isChecked();
+        depth_->setEnabled(usesDepth);
+        flat_->setEnabled(usesDepth);
+        emit handChanged();
+    };
+    connect(mouse_, &QComboBox::currentIndexChanged, this, enableDepth);
+    connect(stop_, &QCheckBox::toggled, this, enableDepth);
+    connect(depth_, &NumberRow::changed, this, &ForcePanel::handChanged);
+    connect(flat_, &QCheckBox::toggled, this, &ForcePanel::handChanged);
+    connect(press_, &NumberRow::changed, this, &ForcePanel::handChanged);
 }
 
-void ForcePanel::applyTo(MouseManipulator& hand) const {
+void ForcePanel::applyTo(SessionModel& model) const {
     const ForceSettings now = settings();
+    model.setDepthStop(now.depthStop);
+    MouseManipulator& hand = model.manipulator();
     hand.setPressMode(now.mouse == kMouseByForce ? PressMode::Force : PressMode::Depth);
     hand.setPressDepth(now.press);
     hand.depthControl().setDepth(now.depth);
@@ -104,6 +114,7 @@ ForceSettings ForcePanel::settings() const {
             .mouse = mouse_->currentData().toString().toStdString(),
             .depth = depth_->value(),
             .flatFloor = flat_->isChecked(),
+            .depthStop = stop_->isChecked(),
             .friction = friction_->value()};
 }
 
@@ -116,6 +127,7 @@ void ForcePanel::set(const ForceSettings& settings) {
     mouse_->setCurrentIndex(settings.mouse == kMouseByForce ? 1 : 0);
     depth_->setValue(settings.depth);
     flat_->setChecked(settings.flatFloor);
+    stop_->setChecked(settings.depthStop);
     friction_->setValue(settings.friction);
 }
 

@@ -12,8 +12,10 @@
 
 namespace tactooth {
 
+class SessionModel;
+
 /// The force parameters: spring, damper and friction (the materials' own, those of one tissue everywhere, or the user's
-/// numbers), the scale of the force, and the press depth of the mouse.
+/// numbers), the scale of the force, the press depth of the mouse, and the depth at which mouse and device stop.
 class ForcePanel final : public QWidget {
     Q_OBJECT
 
@@ -29,16 +31,17 @@ public:
     void setPressDepth(double depth) { press_->setValue(depth); }
     void setDepth(double depth) { depth_->setValue(depth); }
     void setFlatFloor(bool isFlat) { flat_->setChecked(isFlat); }
-    /// How the mouse presses.
-    void applyTo(MouseManipulator& hand) const;
+    void setDepthStop(bool on) { stop_->setChecked(on); }
+    /// How the mouse presses, and whether a device stops at a depth.
+    void applyTo(SessionModel& model) const;
 
 signals:
     void changed();
-    void mouseChanged();  ///< see applyTo
+    void handChanged();  ///< see applyTo
 
 private:
     void addPresets(QGridLayout& grid);
-    void addMouse(QGridLayout& grid);
+    void addHand(QGridLayout& grid);
     void applyPreset(MaterialId tissue);
 
     MaterialTable materials_;
@@ -52,6 +55,7 @@ private:
     QComboBox* mouse_;  // its data: ForceSettings::mouse
     NumberRow* depth_;
     QCheckBox* flat_;
+    QCheckBox* stop_;
 };
 
 }  // namespace tactooth

@@ -75,6 +75,8 @@ constexpr std::array kOptions = {
                  "Depth below the uncut surface at which a press of the mouse ends, mm"},
     WindowOption{"force", "flat_floor", Switch([](S& s) -> bool& { return s.force.flatFloor; }), 0,
                  "That depth gives a flat floor; no: the floor follows the surface"},
+    WindowOption{"force", "depth_stop", Switch([](S& s) -> bool& { return s.force.depthStop; }), 0,
+                 "A haptic device stops at that depth, too, and pushes back; not in an examination"},
     WindowOption{"hand", "device", Text([](S& s) -> std::string& { return s.hand.device; }), 0, nullptr},
     WindowOption{"hand", "second_device", Text([](S& s) -> std::string& { return s.hand.secondDevice; }), 0, nullptr},
     WindowOption{"hand", "fineness", Number([](S& s) -> double& { return s.hand.motionScaling; }), kMaxMotionScaling,

@@ -37,6 +37,7 @@ struct ForceSettings {
     std::string mouse = kMouseToDepth;         ///< what ends a press of the mouse: kMouseToDepth or kMouseByForce
     double depth = DepthControl::kUsualDepth;  ///< at which kMouseToDepth ends, mm
     bool flatFloor = false;                    ///< the depth counts from one plane
+    bool depthStop = false;                    ///< a device stops at that depth, too
     double friction = enamelNumbers().friction;
 
     bool operator==(const ForceSettings&) const = default;

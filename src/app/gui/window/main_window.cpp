@@ -83,8 +83,8 @@ void MainWindow::connectDrill() {
         model_.controls.force = panels_.force->overrides();
         model_.controls.forceScale = panels_.force->forceScale();
     });
-    connect(panels_.force, &ForcePanel::mouseChanged, this, [this] { panels_.force->applyTo(model_.manipulator()); });
-    panels_.force->applyTo(model_.manipulator());
+    connect(panels_.force, &ForcePanel::handChanged, this, [this] { panels_.force->applyTo(model_); });
+    panels_.force->applyTo(model_);
 }
 
 void MainWindow::connectView() {
