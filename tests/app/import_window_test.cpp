@@ -6,14 +6,18 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "app/gui/dialogs/import_dialog.h"
+#include "app/gui/dialogs/scan_preview.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/stl_writer.h"
@@ -36,6 +40,8 @@ private slots:
     void initTestCase();
     void aDroppedSurfaceIsShownBeforeItIsTaken();
     void aChoiceIsFollowed();
+    void theScanIsShownTurningUntilSomebodyTakesHoldOfIt();
+    void aClickOnTheCheekTurnsTheScan();
     void theWindowStaysAliveWhileTheLayersAreMade();
     void theImportCanBeCancelled();
     void aSurfaceThatCannotBeReadIsRefused();
@@ -113,6 +119,44 @@ void ImportWindowTest::aChoiceIsFollowed() {
     waitForImportNotes("Scaled by 25.40000, as chosen");
     units->setCurrentIndex(0);
     waitForImportNotes("Units taken as cm");
+}
+
+void ImportWindowTest::theScanIsShownTurningUntilSomebodyTakesHoldOfIt() {
+    auto* preview = dialog()->findChild<ScanPreview*>();
+    QVERIFY(preview->isTurning());
+    const double before = preview->eye().direction().azimuth;
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(preview->eye().direction().azimuth - before) > 0.02, kPatience);
+    const QImage picture = preview->grabFramebuffer();
+    const QColor ground = picture.pixelColor(2, 2);
+    int other = 0;
+    for (int x = 0; x < picture.width(); x += 4) {
+        for (int y = 0; y < picture.height(); y += 4) other += picture.pixelColor(x, y) != ground ? 1 : 0;
+    }
+    QVERIFY2(other > picture.width() * picture.height() / 16 / 10, "the tooth fills a part of it");
+    const QPoint place = preview->rect().center();
+    QTest::mousePress(preview, Qt::LeftButton, {}, place);
+    QVERIFY(!preview->isTurning());
+    const double held = preview->eye().direction().azimuth;
+    QMouseEvent drag(QEvent::MouseMove, place + QPoint(40, 0), preview->mapToGlobal(place), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QApplication::sendEvent(preview, &drag);
+    QTest::mouseRelease(preview, Qt::LeftButton, {}, place + QPoint(40, 0));
+    QVERIFY(std::abs(preview->eye().direction().azimuth - held) > 0.05);
+    QCOMPARE(dialog()->findChild<QDoubleSpinBox*>("turn")->value(), 0.0);  // a drag is no click
+    QVERIFY(!preview->isTurning());
+}
+
+void ImportWindowTest::aClickOnTheCheekTurnsTheScan() {
+    auto* preview = dialog()->findChild<ScanPreview*>();
+    auto* turn = dialog()->findChild<QDoubleSpinBox*>("turn");
+    // What is nearest to the eye is at the eye's azimuth.
+    const double azimuth = preview->eye().direction().azimuth * 180 / std::numbers::pi;
+    QTest::mouseClick(preview, Qt::LeftButton, {}, preview->rect().center());
+    QVERIFY2(std::abs(std::remainder(turn->value() - (90 - azimuth), 360)) < 15, qPrintable(turn->text()));
+    waitForImportNotes("about the long axis");
+    turn->setValue(0);
+    QTRY_VERIFY_WITH_TIMEOUT(importButton()->isEnabled() && !importNotes().contains("about the long axis"),
+                             kLoadPatience);
 }
 
 void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {

@@ -1909,6 +1909,17 @@ It is off in an examination.</source>
     </message>
 </context>
 <context>
+    <name>tactooth::ScanPreview</name>
+    <message>
+        <source>The scan as it will stand</source>
+        <translation>取り込み後の向きのスキャン</translation>
+    </message>
+    <message>
+        <source>Click on the side of the cheek or lip. Drag to turn, wheel to zoom.</source>
+        <translation>頬または唇の側をクリックしてください。ドラッグで回転、ホイールで拡大します。</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::ImportDialog</name>
     <message>
         <source>Import a scan</source>
@@ -1985,6 +1996,10 @@ It is off in an examination.</source>
     <message>
         <source>%1 triangles, %2 x %3 x %4 mm</source>
         <translation>三角形 %1 個、%2 × %3 × %4 mm</translation>
+    </message>
+    <message>
+        <source>Click on the side of the cheek or lip: it becomes buccal (B).</source>
+        <translation>頬または唇の側をクリックすると、そこが頬側（B）になります。</translation>
     </message>
 </context>
 <context>

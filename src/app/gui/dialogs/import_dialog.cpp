@@ -8,9 +8,13 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
 #include <numbers>
 
+#include "app/gui/dialogs/scan_preview.h"
 #include "app/gui/text/translation.h"
 #include "patient/length_unit.h"
 
@@ -25,6 +29,7 @@ QString millimetres(double length) { return QString::number(length, 'f', 1); }
 
 ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget* parent)
     : QDialog(parent),
+      preview_(new ScanPreview),
       state_(new QLabel),
       importNotes_(new QTextBrowser),
       progress_(new QProgressBar),
@@ -37,7 +42,15 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Import a scan"));
-    auto* form = new QFormLayout(this);
+    auto* halves = new QHBoxLayout(this);
+    auto* left = new QVBoxLayout;
+    left->addWidget(preview_, 1);
+    auto* hint = new QLabel(tr("Click on the side of the cheek or lip: it becomes buccal (B)."));
+    hint->setWordWrap(true);
+    left->addWidget(hint);
+    halves->addLayout(left, 2);
+    auto* form = new QFormLayout;
+    halves->addLayout(form, 3);
     auto* title = new QLabel("<b>" + name.toHtmlEscaped() + "</b>");
     form->addRow(title);
     form->addRow(state_);
@@ -57,7 +70,8 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
     form->addRow(buttons_);
     connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::importAccepted);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    resize(620, sizeHint().height());
+    connect(preview_, &ScanPreview::cheekChosen, this, &ImportDialog::turnTo);
+    resize(980, sizeHint().height());
     showExamining(true);
 }
 
@@ -90,6 +104,14 @@ void ImportDialog::addChoices(QFormLayout& form) {
     connect(turn_, &QDoubleSpinBox::valueChanged, this, say);
 }
 
+/// The place at `azimuth` comes to where the cheek is.
+void ImportDialog::turnTo(double azimuth) {
+    if (!turn_->isEnabled()) return;
+    constexpr double kCheek = 90;  // degrees
+    const double turn = turn_->value() + kCheek - azimuth * 180 / std::numbers::pi;
+    turn_->setValue(std::remainder(std::round(turn), 360.0));
+}
+
 ImportOptions ImportDialog::choices() const {
     ImportOptions choices;
     if (units_->currentData().isValid()) choices.mmPerUnit = units_->currentData().toDouble();
@@ -117,7 +139,8 @@ void ImportDialog::showExamining(bool isReading) {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(false);
 }
 
-void ImportDialog::showFindings(const Expected<ExaminedScan>& scan) {
+void ImportDialog::showFindings(const Expected<ExaminedScan>& scan, std::shared_ptr<const Surface> surface) {
+    preview_->show(std::move(surface));
     progress_->setVisible(false);
     setEnabledAll(true);
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(scan.has_value());

@@ -7,6 +7,7 @@
 #include <QProgressBar>
 #include <QTextBrowser>
 
+#include "collision/bvh/surface.h"
 #include "patient/scan_import.h"
 
 class QCheckBox;
@@ -16,6 +17,8 @@ class QDoubleSpinBox;
 class QFormLayout;
 
 namespace tactooth {
+
+class ScanPreview;
 
 /// Shows the assumptions about a scan before the import, and lets the user change them. It does no work itself:
 /// ScanImporter does it and reports here.
@@ -33,7 +36,8 @@ public:
     /// The scan is being examined.
     void showExamining(bool isReading);
     /// Shows the findings, or why the scan cannot be imported with these choices.
-    void showFindings(const Expected<ExaminedScan>& scan);
+    /// `surface`: that of the scan in the tooth frame; null without a scan.
+    void showFindings(const Expected<ExaminedScan>& scan, std::shared_ptr<const Surface> surface);
     /// The layers are being made; `part` of the work is done, 0..1.
     void showBuilding(double part);
 
@@ -44,8 +48,10 @@ signals:
 
 private:
     void addChoices(QFormLayout& form);
+    void turnTo(double azimuth);
     void setEnabledAll(bool enabled);
 
+    ScanPreview* preview_;
     QLabel* state_;
     QTextBrowser* importNotes_;
     QProgressBar* progress_;

@@ -54,6 +54,14 @@ fs::path caseFileOf(const std::vector<fs::path>& files) {
     return file.replace_extension(kCaseEnding);
 }
 
+/// The surface of a scan as enamel, for the preview.
+std::shared_ptr<const Surface> surfaceToShow(const TriangleMesh& outer) {
+    const auto enamel = static_cast<SurfaceTag>(builtinMaterials().withRole(MaterialRole::Enamel));
+    auto surface = std::make_shared<Surface>();
+    surface->base = std::make_shared<const SurfacePart>(outer, std::vector(outer.triangles.size(), enamel));
+    return surface;
+}
+
 }  // namespace
 
 ScanImporter::~ScanImporter() { stop(); }
@@ -89,7 +97,9 @@ void ScanImporter::examine() {
             if (!fresh) return Unexpected{fresh.error()};
             read = std::make_shared<const Scan>(std::move(*fresh));
         }
-        return Examined{read, examineScan(*read, choices)};
+        Expected<ExaminedScan> examined = examineScan(*read, choices);
+        auto shown = examined ? surfaceToShow(examined->outer) : nullptr;
+        return Examined{read, std::move(examined), std::move(shown)};
     });
 }
 
@@ -125,7 +135,7 @@ void ScanImporter::poll() {
         } else {
             scan_ = (*looked)->scan;
             if ((*looked)->examined) examined_ = std::make_shared<const ExaminedScan>(*(*looked)->examined);
-            dialog_->showFindings((*looked)->examined);
+            dialog_->showFindings((*looked)->examined, (*looked)->shown);
         }
     }
     if (building_.isBusy() && dialog_) dialog_->showBuilding(control_->part);

@@ -39,6 +39,7 @@ private:
     struct Examined {
         std::shared_ptr<const Scan> scan;
         Expected<ExaminedScan> examined;
+        std::shared_ptr<const Surface> shown;  // null if it cannot be imported
     };
     struct Control {
         std::atomic<double> part{0};
