@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Exercises in the window, and what of the work another language keeps.
+// Exercises in the window, what takes long to load, and what of the work another language keeps.
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QToolButton>
 #include <fstream>
+#include <future>
 
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/window/window_owner.h"
@@ -27,6 +28,7 @@ class WindowExerciseTest : public test::WindowSession {
 
 private slots:
     void initTestCase();
+    void whatTakesLongToLoadHasABarAndCanBeCancelled();
     void anExerciseCountsWhatIsCutOfItAndBeside();
     void anExerciseOfOnesOwnIsOpenedFromTheMenu();
     void anExerciseThatCannotBeUsedIsRefusedAndTheToothStays();
@@ -40,6 +42,29 @@ void WindowExerciseTest::initTestCase() {
 }
 
 void WindowExerciseTest::cleanupTestCase() { closeWindow(); }
+
+void WindowExerciseTest::whatTakesLongToLoadHasABarAndCanBeCancelled() {
+    const std::string before = window_->model().tooth()->name;
+    const CutModel* const piece = window_->model().tooth()->piece.get();
+    std::promise<void> gate;
+    window_->teeth().load(
+        [open = std::shared_future<void>(gate.get_future())]() -> Expected<SessionTooth> {
+            open.wait();
+            return makeSessionTooth(kBuiltinTeeth[1]);
+        },
+        "Loading");
+    auto* bar = window_->findChild<QProgressBar*>("loadProgress");
+    auto* cancel = window_->findChild<QToolButton*>("cancelLoading");
+    QVERIFY2(!bar->isVisible(), "not for a moment");
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible() && cancel->isVisible(), kPatience);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QVERIFY(!window_->isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!bar->isVisible() && !cancel->isVisible(), kPatience);
+    gate.set_value();
+    waitForSteps(5);
+    QCOMPARE(window_->model().tooth()->name, before);
+    QVERIFY(window_->model().tooth()->piece.get() == piece);
+}
 
 void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     auto* choice = window_->findChild<QComboBox*>("exercise");

@@ -1287,6 +1287,10 @@ It is off in an examination.</source>
         <source>The examination has begun with this tooth: finish it before you take another one</source>
         <translation>この歯で試験が始まっています。別の歯に替える前に試験を終えてください</translation>
     </message>
+    <message>
+        <source>Loading was cancelled: the tooth stays as it is</source>
+        <translation>読み込みを中止しました。歯はそのままです</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::ViewAidsMenu</name>
@@ -1716,6 +1720,18 @@ It is off in an examination.</source>
     <message>
         <source>The panel Real time shows more.</source>
         <translation>詳しくは「リアルタイム」パネルをご覧ください。</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>読み込み中</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>中止</translation>
+    </message>
+    <message>
+        <source>Keeps the present tooth; what is being loaded is dropped</source>
+        <translation>現在の歯をそのまま残し、読み込みを中止します</translation>
     </message>
 </context>
 <context>

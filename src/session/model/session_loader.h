@@ -19,7 +19,12 @@ public:
 
     void load(Task<SessionTooth>::Function tooth) { tooth_.start(std::move(tooth)); }
     void load(Task<SessionBur>::Function bur) { bur_.start(std::move(bur)); }
-    [[nodiscard]] bool isBusy() const { return tooth_.isBusy() || bur_.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return tooth_.isAwaited() || bur_.isAwaited(); }
+    /// What is being loaded will not be installed.
+    void cancel() {
+        tooth_.cancel();
+        bur_.cancel();
+    }
 
     /// Installs what is ready. Returns an error if loading has failed; the session then keeps its tooth and bur.
     [[nodiscard]] std::optional<Error> poll();

@@ -29,11 +29,14 @@ Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
     return makeSessionTooth(builtinToothRequest(entry.kind), std::string(entry.name), "");
 }
 
-Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth) {
+Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::function<void(double)>& progress) {
     constexpr int kNeighbourTriangles = 20000;
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
     const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
-    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache);
+    constexpr double kShareOfMeshes = 0.9;  // then the surfaces are made ready to be touched
+    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache, [&](double share) {
+        if (progress) progress(kShareOfMeshes * share);
+    });
     if (!made) return Unexpected{made.error()};
     Expected<LayeredTooth> layered = layeredTooth(*made);
     if (!layered) return Unexpected{layered.error()};

@@ -4,6 +4,7 @@
 
 #include <any>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,7 +63,9 @@ struct MouthChoice {
 
 // These take up to a few seconds: run them in a Task. They fail with one sentence for the user.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry);
-[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth);
+/// `progress`: called from several threads, with the share of the work that is done, 0..1.
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth,
+                                                      const std::function<void(double)>& progress = {});
 /// `suffix`: added to the built-in tooth's name in the provenance.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
                                                       const std::string& suffix);

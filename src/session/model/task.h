@@ -42,6 +42,9 @@ public:
     /// From `start` until `poll` has fetched the result.
     [[nodiscard]] bool isBusy() const { return running_.valid(); }
 
+    /// Whether `poll` will return a result: work runs or waits that was not cancelled.
+    [[nodiscard]] bool isAwaited() const { return isBusy() && (!isCancelled_ || pending_); }
+
     /// Drops the result of the running work, and the work that waits.
     void cancel() {
         pending_ = nullptr;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -154,10 +155,26 @@ BuiltinTooth ToothCache::make(const ToothRequest& request) const {
     return tooth;
 }
 
-Expected<BuiltinMouth> ToothCache::makeMouth(const MouthRequest& request) const {
-    return tactooth::makeMouth(
-        request, [this](const ToothRequest& tooth) { return make(tooth); },
-        [this](const MouthRequest& mouth) { return makeLayout(mouth); });
+Expected<BuiltinMouth> ToothCache::makeMouth(const MouthRequest& request,
+                                             const std::function<void(double)>& partDone) const {
+    constexpr int kLayoutParts = 8;  // the gums take as long as some teeth
+    constexpr int kParts = static_cast<int>(MouthLayout::kPlaces) + kLayoutParts;
+    std::atomic<int> parts = 0;
+    const auto count = [&](int more) {
+        const int done = parts += more;
+        if (partDone) partDone(static_cast<double>(done) / kParts);
+    };
+    const auto tooth = [&](const ToothRequest& one) {
+        BuiltinTooth made = make(one);
+        count(1);
+        return made;
+    };
+    const auto layout = [&](const MouthRequest& mouth) {
+        Expected<MouthLayout> made = makeLayout(mouth);
+        count(kLayoutParts);
+        return made;
+    };
+    return tactooth::makeMouth(request, tooth, layout);
 }
 
 Expected<MouthLayout> ToothCache::makeLayout(const MouthRequest& request) const {

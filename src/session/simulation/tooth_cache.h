@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "instruments/mouth_layout.h"
@@ -23,8 +24,10 @@ public:
     /// makeTooth(request), bit for bit.
     [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
 
-    /// makeMouth(request), bit for bit.
-    [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request) const;
+    /// makeMouth(request), bit for bit. `partDone`: called from several threads, with the share of the work that is
+    /// done, 0..1.
+    [[nodiscard]] Expected<BuiltinMouth> makeMouth(const MouthRequest& request,
+                                                   const std::function<void(double)>& partDone = {}) const;
 
     /// The file of a tooth.
     [[nodiscard]] std::filesystem::path fileOf(const ToothRequest& request) const;

@@ -84,8 +84,8 @@ Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion
 }
 
 Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
-                                    const ToothCache& cache) {
-    const auto whole = cache.makeMouth(mouth);
+                                    const ToothCache& cache, const std::function<void(double)>& partDone) {
+    const auto whole = cache.makeMouth(mouth, partDone);
     if (!whole) return Unexpected{whole.error()};
     ToothInMouth result = inMouth(*whole, fdi);
     if (lesion) result.tooth = cache.make({fdi, mouth.triangles, mouth.seed, lesion});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "instruments/builtin_mouth.h"
@@ -29,9 +30,10 @@ struct ToothInMouth {
                                                   const MouthRequest& mouth,
                                                   const ToothGenerator& generator = makeTooth);
 
-/// The same with teeth and gums from the cache; takes a second.
+/// The same with teeth and gums from the cache; takes a second. `partDone`: see ToothCache::makeMouth.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
-                                                  const MouthRequest& mouth, const ToothCache& cache);
+                                                  const MouthRequest& mouth, const ToothCache& cache,
+                                                  const std::function<void(double)>& partDone = {});
 
 /// The part of a tooth that may be visible above the gum, for drawing; open at its end.
 [[nodiscard]] TriangleMesh supragingivalMesh(const TriangleMesh& tooth);

@@ -39,6 +39,25 @@ TEST_F(SessionLoaderTest, LoadsToothAndBurAtTheSameTime) {
     EXPECT_TRUE(model_.tooth() && model_.bur());
 }
 
+TEST_F(SessionLoaderTest, WhatIsCancelledIsNotInstalledButTheNextOneIs) {
+    loader_.load([] { return Expected<SessionTooth>(test::blockTooth()); });
+    loader_.cancel();
+    EXPECT_FALSE(loader_.isBusy());
+    SessionTooth next = test::blockTooth();
+    next.name = "Next";
+    loader_.load([next] { return Expected<SessionTooth>(next); });
+    EXPECT_TRUE(loader_.isBusy());
+    later_.runNext();
+    EXPECT_FALSE(loader_.poll());
+    EXPECT_FALSE(model_.tooth());
+    EXPECT_TRUE(loader_.isBusy());
+    later_.runNext();
+    EXPECT_FALSE(loader_.poll());
+    ASSERT_TRUE(model_.tooth());
+    EXPECT_EQ(model_.tooth()->name, "Next");
+    EXPECT_FALSE(loader_.isBusy());
+}
+
 TEST_F(SessionLoaderTest, AFailureIsReportedOnceAndKeepsTheTooth) {
     model_.install(test::blockTooth());
     loader_.load([]() -> Expected<SessionTooth> { return unexpected(Message::verbatim("no such file.")); });

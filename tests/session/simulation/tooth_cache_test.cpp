@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <mutex>
 #include <string>
+#include <vector>
 
 #include "support/few_teeth.h"
 #include "support/mesh_checks.h"
@@ -109,7 +112,16 @@ void expectSame(const BuiltinMouth& a, const BuiltinMouth& b) {
 TEST(ToothCache, GivesBackAMouthBitForBitMakesADamagedOneAnewAndReadsItsGums) {
     const test::TemporaryFolder folder;
     const ToothCache cache(folder.path());
-    const BuiltinMouth made = *cache.makeMouth(kMouth);
+    std::mutex mutex;
+    std::vector<double> shares;
+    const BuiltinMouth made = *cache.makeMouth(kMouth, [&](double share) {
+        const std::lock_guard lock(mutex);
+        shares.push_back(share);
+    });
+    std::ranges::sort(shares);
+    EXPECT_GT(shares.size(), 10U) << "the user sees how it goes on";
+    EXPECT_GT(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
     const fs::path file = cache.fileOf(kMouth);
     ASSERT_TRUE(fs::exists(file));
     const auto size = fs::file_size(file);

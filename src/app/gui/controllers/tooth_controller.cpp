@@ -67,8 +67,19 @@ void ToothController::replaceTooth(const std::function<void()>& load) {
 void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hint) {
     replaceTooth([this, tooth = std::move(tooth), hint] {
         messages_.setHint(hint);
+        share_.reset();
         loader_.load(tooth);
     });
+}
+
+std::optional<double> ToothController::loadedShare() const {
+    return isBusy() && share_ ? std::optional(share_->load()) : std::nullopt;
+}
+
+void ToothController::cancelLoading() {
+    loader_.cancel();
+    messages_.setHint(tr("Loading was cancelled: the tooth stays as it is"));
+    emit loadingDeclined();
 }
 
 void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
@@ -76,7 +87,18 @@ void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
 }
 
 void ToothController::loadMouth(const MouthChoice& mouth) {
-    load([mouth] { return makeSessionTooth(mouth); }, tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
+    replaceTooth([this, mouth] {
+        messages_.setHint(tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
+        share_ = std::make_shared<std::atomic<double>>(0);
+        loader_.load(Task<SessionTooth>::Function([mouth, share = share_] {
+            // The parts are counted by several threads: the largest count is the newest.
+            return makeSessionTooth(mouth, [&](double done) {
+                double before = share->load();
+                while (before < done && !share->compare_exchange_weak(before, done)) {
+                }
+            });
+        }));
+    });
 }
 
 void ToothController::openTooth(const ToothSource& source, const std::string& workOn) {
@@ -86,6 +108,7 @@ void ToothController::openTooth(const ToothSource& source, const std::string& wo
         emit fileOpened(file);
         source_ = source;
         messages_.setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
+        share_.reset();
         loader_.load(Task<SessionTooth>::Function(
             [source, workOn, known = knownFiles_] { return openSessionTooth(source, workOn, known); }));
     });

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/gui/dialogs/scan_importer.h"
@@ -59,6 +62,10 @@ public:
     /// Takes over what is ready. Call it before each step of the model.
     void poll();
     [[nodiscard]] bool isBusy() const { return loader_.isBusy(); }
+    /// The share of the tooth that is loaded, 0..1; none: it is unknown.
+    [[nodiscard]] std::optional<double> loadedShare() const;
+    /// The tooth stays, and what is being loaded is dropped.
+    void cancelLoading();
     [[nodiscard]] bool isImporting() const { return importer_.isBusy(); }
     /// The files of the tooth that was opened last.
     [[nodiscard]] const ToothSource& source() const { return source_; }
@@ -89,6 +96,7 @@ private:
     UnsavedWork& unsaved_;
     QWidget& window_;
     SessionLoader loader_;
+    std::shared_ptr<std::atomic<double>> share_;  // of the whole mouth that is loaded; null: none is
     ScanImporter importer_;
     ToothSource source_;
     std::function<SessionWork()> work_;

@@ -21,17 +21,51 @@ QString removedText(const MaterialVolumes& removed, const MaterialRegistry& mate
 }
 
 constexpr double kNoticeableOverrun = 1;  // percent
+constexpr int kBarWidth = 160;            // pixels
+constexpr qint64 kMomentMs = 700;         // a bar that comes and goes would only flicker
+constexpr int kPercent = 100;
 
 }  // namespace
 
 StatusLine::StatusLine(QWidget* parent)
-    : QStatusBar(parent), hint_(new ElidedLabel), removed_(new QLabel), pace_(new QLabel), sound_(new QLabel) {
+    : QStatusBar(parent),
+      hint_(new ElidedLabel),
+      progress_(new QProgressBar),
+      cancel_(new QToolButton),
+      removed_(new QLabel),
+      pace_(new QLabel),
+      sound_(new QLabel) {
     hint_->setObjectName("hint");
     addWidget(hint_, 1);  // in a small window the numbers keep their space
+    progress_->setObjectName("loadProgress");
+    progress_->setAccessibleName(tr("Loading"));
+    progress_->setMaximumWidth(kBarWidth);
+    cancel_->setObjectName("cancelLoading");
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("Keeps the present tooth; what is being loaded is dropped"));
+    for (QWidget* part : std::initializer_list<QWidget*>{progress_, cancel_}) {
+        addWidget(part);
+        part->hide();
+    }
+    connect(cancel_, &QToolButton::clicked, this, &StatusLine::loadingCancelled);
     for (QWidget* part : std::initializer_list<QWidget*>{removed_, pace_, sound_}) addPermanentWidget(part);
     removed_->setObjectName("removed");
     pace_->setObjectName("pace");
     pace_->setTextFormat(Qt::RichText);
+}
+
+void StatusLine::showLoading(bool isLoading, const std::optional<double>& share, bool canCancel) {
+    if (!isLoading) {
+        loadingSince_.invalidate();
+    } else if (!loadingSince_.isValid()) {
+        loadingSince_.start();
+    }
+    const bool isLong = isLoading && loadingSince_.elapsed() > kMomentMs;
+    progress_->setVisible(isLong);
+    cancel_->setVisible(isLong && canCancel);
+    if (!isLong) return;
+    progress_->setRange(0, share ? kPercent : 0);
+    if (share) progress_->setValue(static_cast<int>(*share * kPercent));
 }
 
 /// A lamp with words, so that nobody has to tell its colours apart.

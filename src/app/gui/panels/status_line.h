@@ -4,7 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QProgressBar>
 #include <QStatusBar>
+#include <QToolButton>
+#include <optional>
 
 #include "app/gui/panels/elided_label.h"
 #include "session/live/live_runner.h"
@@ -23,13 +26,22 @@ public:
     void show(const LiveRunner& runner, SoundStatus sound);
     /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
+    /// Something is being loaded, `share` of it is done (0..1; none: nobody knows), or nothing is. What takes longer
+    /// than a moment has a bar and a button that cancels it. `canCancel`: there is a tooth to go back to.
+    void showLoading(bool isLoading, const std::optional<double>& share, bool canCancel);
     /// Whether it says how much was removed.
     void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
+
+signals:
+    void loadingCancelled();
 
 private:
     void showPace(double percentLate, const QString& details);
 
     ElidedLabel* hint_;
+    QProgressBar* progress_;
+    QToolButton* cancel_;
+    QElapsedTimer loadingSince_;
     QLabel* removed_;
     QLabel* pace_;  // whether the machine keeps the rate of the force
     QLabel* sound_;

@@ -122,11 +122,13 @@ void MainWindow::connectLoop() {
         exercise_.poll();
         updater_.showStep(isBusy() || teeth_.isImporting() || replay_.isLoading());
         loop_.setBusy(isBusy() || restorer_.isBusy());
+        panels_.status->showLoading(teeth_.isBusy(), teeth_.loadedShare(), model_.tooth().has_value());
         unsaved_.showState();
     });
 }
 
 void MainWindow::connectNumbers() {
+    connect(panels_.status, &StatusLine::loadingCancelled, &teeth_, &ToothController::cancelLoading);
     connect(&loop_, &StepLoop::statusDue, &updater_, &PanelUpdater::showStatus);
     connect(&loop_, &StepLoop::statusDue, &recordings_, &RecordingController::update);
     connect(&loop_, &StepLoop::numbersDue, this, [this] {
