@@ -116,7 +116,7 @@ TEST(MirrorAim, ABurInsideASolidCannotBeShown) {
 
 TEST(MirrorAim, ShowsTheBurOnEveryKindOfTooth) {
     for (const int fdi : {11, 13, 24, 26, 36, 42, 43, 45}) {
-        const Surface tooth = surfaceOf(makeBuiltinTooth({.fdi = fdi, .triangles = 5000}).outer);
+        const Surface tooth = surfaceOf(makeTooth({.fdi = fdi, .triangles = 5000, .seed = 0, .lesion = {}}).outer);
         const Box3 box = boundingBox(tooth.base->mesh());
         const double x = mesialX(fdi);
         // Over the middle of the crown, and at its lingual side, which the eye does not see.

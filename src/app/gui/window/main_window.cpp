@@ -19,6 +19,7 @@
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/sound_panel.h"
+#include "app/gui/panels/status_line.h"
 #include "app/gui/scene/event_banner.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
