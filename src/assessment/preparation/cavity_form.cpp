@@ -66,7 +66,7 @@ Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, 
         centre += facet.area / area * facet.centre;
     }
     const double angle = std::asin(std::clamp(cosine, -1.0, 1.0)) / kDegree;
-    return Measured::at(surfaces.isCrown ? angle : -angle, centre);
+    return Measured::at(surfaces.isCrown ? angle : 0 - angle, centre);
 }
 
 Measured convergence(const CutSurfaces& surfaces, const Measured& a, const Measured& b) {

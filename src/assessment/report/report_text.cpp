@@ -34,6 +34,12 @@ std::string reasonOf(const Measured& measured) {
     return measured.reason != nullptr ? std::string(measured.reason->english) : std::string();
 }
 
+/// Rounded, so that no value is shown as -0.
+double tidy(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) / scale + 0.0;
+}
+
 bool isShare(const PreparationMetric& metric) { return metric.unit == "1" && metric.better == Better::Higher; }
 
 }  // namespace
@@ -48,12 +54,12 @@ std::string momentText(double seconds) {
 }
 
 std::string valueText(const PreparationMetric& metric, double value) {
-    if (isShare(metric)) return fmt::format("{:.1f} %", 100 * value);
-    if (metric.unit == "1") return fmt::format("{:.0f}", value);
-    if (metric.unit == "deg") return fmt::format("{:.1f}°", value);
-    if (metric.unit == "mm^2") return fmt::format("{:.2f} mm²", value);
-    if (metric.unit == "mm^3") return fmt::format("{:.2f} mm³", value);
-    return fmt::format("{:.2f} mm", value);
+    if (isShare(metric)) return fmt::format("{:.1f} %", tidy(100 * value, 1));
+    if (metric.unit == "1") return fmt::format("{:.0f}", tidy(value, 0));
+    if (metric.unit == "deg") return fmt::format("{:.1f}°", tidy(value, 1));
+    if (metric.unit == "mm^2") return fmt::format("{:.2f} mm²", tidy(value, 2));
+    if (metric.unit == "mm^3") return fmt::format("{:.2f} mm³", tidy(value, 2));
+    return fmt::format("{:.2f} mm", tidy(value, 2));
 }
 
 std::string reportCsv(const AssessmentReport& report) {
