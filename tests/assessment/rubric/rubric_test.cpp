@@ -116,54 +116,70 @@ TEST(Mark, IsNothingWhereNothingCanBeMeasured) {
 }
 
 /// A cavity of 4 x 3 x 2 mm is asked for; the block has a pulp below it.
-Mark markFor(const TriangleMesh& student, const std::string& rubricName) {
-    static std::map<std::string, Rubric> rubrics;
+std::vector<MetricResult> resultsFor(const TriangleMesh& student) {
     Preparation preparation = blockPreparation(student, blockWithBox(-2, 2, -1.5, 1.5, 3));
     preparation.pulps = {std::make_shared<const SurfacePart>(box(Vec3(-1, -1, -3), Vec3(1, 1, 2)))};
-    const auto rubric = rubrics.try_emplace(rubricName, *findRubric(rubricName)).first;
-    return markOf(rubric->second, measureAll(PreparationMeasures(preparation)));
+    return measureAll(PreparationMeasures(preparation));
 }
 
-class BuiltinRubrics : public ::testing::TestWithParam<std::string> {};
-
-TEST_P(BuiltinRubrics, GiveNothingForDoingNothing) {
-    EXPECT_EQ(markFor(box(Vec3(-5, -5, -5), Vec3(5, 5, 5)), GetParam()).value, 0);
-}
-
-TEST_P(BuiltinRubrics, FailWhoRemovesEverything) {
-    const Mark mark = markFor(box(Vec3(-5, -5, -5), Vec3(5, 5, 1)), GetParam());
-    EXPECT_FALSE(mark.passes);
-    EXPECT_LT(*mark.value, 41);
-}
-
-TEST_P(BuiltinRubrics, FailWhoOpensThePulp) {
-    const Mark mark = markFor(blockWithBox(-2, 2, -1.5, 1.5, 1.9), GetParam());
-    EXPECT_FALSE(mark.passes);
-    EXPECT_LE(*mark.value, 40);
-}
-
-TEST_P(BuiltinRubrics, NeverPreferWhoRemovesLess) {
-    double before = -1;
-    for (const double floor : {4.9, 4.6, 4.2, 3.8, 3.5, 3.3, 3.1}) {  // all shallower than the ideal
-        const double value = *markFor(blockWithBox(-2, 2, -1.5, 1.5, floor), GetParam()).value;
-        EXPECT_GE(value, floor > 3.4 ? before : 0) << floor;  // nearer, over-preparation may begin to count
-        before = value;
+/// Calls `check(rubric)` with each built-in rubric.
+template <class Check>
+void forEachRubric(const Check& check) {
+    for (const BuiltinRubricText& each : builtinRubricTexts()) {
+        SCOPED_TRACE(each.name);
+        check(*findRubric(each.name));
     }
-    EXPECT_LT(*markFor(blockWithBox(-2, 2, -1.5, 1.5, 4.6), GetParam()).value, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BuiltinRubrics,
-                         ::testing::Values("near-ideal", "near-ideal-strict", "class-1", "class-3", "class-5"));
+TEST(BuiltinRubrics, GiveNothingForDoingNothing) {
+    const auto results = resultsFor(box(Vec3(-5, -5, -5), Vec3(5, 5, 5)));
+    forEachRubric([&](const Rubric& rubric) { EXPECT_EQ(markOf(rubric, results).value, 0); });
+}
+
+TEST(BuiltinRubrics, FailWhoRemovesEverything) {
+    const auto results = resultsFor(box(Vec3(-5, -5, -5), Vec3(5, 5, 1)));
+    forEachRubric([&](const Rubric& rubric) {
+        const Mark mark = markOf(rubric, results);
+        EXPECT_FALSE(mark.passes);
+        EXPECT_LE(*mark.value, 40);
+    });
+}
+
+TEST(BuiltinRubrics, FailWhoOpensThePulp) {
+    const auto results = resultsFor(blockWithBox(-2, 2, -1.5, 1.5, 1.9));
+    forEachRubric([&](const Rubric& rubric) {
+        const Mark mark = markOf(rubric, results);
+        EXPECT_FALSE(mark.passes);
+        EXPECT_LE(*mark.value, 40);
+    });
+}
+
+TEST(BuiltinRubrics, NeverPreferWhoRemovesLess) {
+    std::map<std::string, double> before;
+    for (const double floor : {4.9, 4.6, 4.2, 3.8, 3.5}) {  // all much shallower than the ideal
+        const auto results = resultsFor(blockWithBox(-2, 2, -1.5, 1.5, floor));
+        forEachRubric([&](const Rubric& rubric) {
+            const double value = *markOf(rubric, results).value;
+            EXPECT_GE(value, before[rubric.name]) << floor;
+            if (floor > 4.5) {
+                EXPECT_LT(value, 50);
+            }
+            before[rubric.name] = value;
+        });
+    }
+}
 
 TEST(NearIdealRubric, OrdersGoodWorkAboveBadWork) {
-    const auto cavity = [](double wide, double deep) {
-        return *markFor(blockWithBox(-2 - wide, 2 + wide, -1.5 - wide, 1.5 + wide, 3 - deep), "near-ideal").value;
+    const Rubric rubric = *findRubric("near-ideal");
+    const auto cavity = [&](double wide, double deep) {
+        return *markOf(rubric, resultsFor(blockWithBox(-2 - wide, 2 + wide, -1.5 - wide, 1.5 + wide, 3 - deep))).value;
     };
-    EXPECT_EQ(cavity(0, 0), 100);
-    EXPECT_GE(cavity(0.03, 0.03), 90);
-    EXPECT_GT(cavity(0.03, 0.03), cavity(0.2, 0.2));
-    EXPECT_GT(cavity(0.2, 0.2), cavity(0.35, 0.35));
-    EXPECT_GT(cavity(0.35, 0.35), cavity(0.6, 0.5));
+    const double best = cavity(0, 0), good = cavity(0.03, 0.03), fair = cavity(0.2, 0.2), poor = cavity(0.35, 0.35);
+    EXPECT_EQ(best, 100);
+    EXPECT_GE(good, 90);
+    EXPECT_GT(good, fair);
+    EXPECT_GT(fair, poor);
+    EXPECT_GT(poor, cavity(0.6, 0.5));
 }
 
 }  // namespace
