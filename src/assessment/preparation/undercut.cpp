@@ -15,10 +15,10 @@ namespace {
 
 const double kFacingAway = -std::sin(std::numbers::pi / 180);  // cosine: a degree is more than the noise of a cut
 constexpr double kLift = 0.01;        // mm: start of a ray off the surface, so that it does not meet its own triangle
-constexpr double kStep = 0.02;        // mm: of the search for the end of an overhang
+constexpr double kStep = 0.05;        // mm: of the search for the end of an overhang
 constexpr double kDeepest = 3;        // mm: more than any wall hangs over
 constexpr double kFloorLevel = 0.95;  // cosine: a floor has no side toward which its overhang ends
-constexpr int kHalvings = 8;          // to a ten-thousandth of a millimetre
+constexpr int kHalvings = 9;          // to a ten-thousandth of a millimetre
 constexpr std::size_t kGrain = 32;    // facets: some hundred rays
 
 class Overhang {
@@ -26,6 +26,11 @@ public:
     Overhang(const Surface& prepared, const Vec3& axis) : prepared_(prepared), axis_(axis) {}
 
     [[nodiscard]] bool isHidden(const Vec3& place) const { return firstHit(prepared_, {place, axis_}).has_value(); }
+
+    /// Whether something hangs over even `depth` mm from `place` along `aside`.
+    [[nodiscard]] bool isDeeperAt(const Vec3& place, const Vec3& aside, double depth) const {
+        return isHidden(place + kLift * axis_ + depth * aside);
+    }
 
     /// Level distance from `place` along `aside` (unit) to where nothing hangs over; nothing if there is no such place.
     [[nodiscard]] double depthAt(const Vec3& place, const Vec3& aside) const {
@@ -72,6 +77,7 @@ Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
             const Vec3 aside = (facet.normal - cosine * preparation.axis).normalized();
             for (int corner = 0; corner < 3; ++corner) {
                 const Vec3 place = surfaces.cut.mesh.corner(i, corner);
+                if (!overhang.isDeeperAt(place, aside, found[i].depth)) continue;
                 const double depth = overhang.depthAt(place, aside);
                 if (depth > found[i].depth) found[i] = {depth, true, place};
             }
