@@ -60,6 +60,92 @@ inline constexpr MessageText kStrokeTooLong{
     "stroke_too_long", "this stroke is longer or farther away than any tooth; places are in mm",
     "このストロークは歯の大きさに対して長すぎるか、遠すぎます。位置の単位は mm です"};
 
+// What cannot be measured on a preparation.
+inline constexpr MessageText kNothingCut{"nothing_cut", "nothing was cut", "何も削られていません"};
+inline constexpr MessageText kNothingToCompare{"nothing_to_compare", "neither of the two surfaces is cut",
+                                               "どちらの表面にも削られた部分がありません"};
+inline constexpr MessageText kFloorTooNarrow{"floor_too_narrow",
+                                             "there is no floor wider than 0.6 mm, without its rounded border",
+                                             "丸みのある縁を除くと、幅 0.6 mm を超える窩底がありません"};
+inline constexpr MessageText kNoSuchWall{"no_such_wall", "a preparation from this side has no such wall",
+                                         "この方向からの形成には、そのような壁がありません"};
+inline constexpr MessageText kWallTooSmall{"wall_too_small", "the wall is smaller than 0.5 mm²",
+                                           "壁の面積が 0.5 mm² 未満です"};
+inline constexpr MessageText kWallTooLow{"wall_too_low",
+                                         "the wall is less than 0.6 mm high or wide, without its rounded border",
+                                         "丸みのある縁を除くと、壁の高さか幅が 0.6 mm 未満です"};
+inline constexpr MessageText kNoCrownPreparation{"no_crown_preparation", "this is a cavity, not a crown preparation",
+                                                 "これは窩洞で、支台歯形成ではありません"};
+inline constexpr MessageText kNoCavity{"no_cavity", "this is a crown preparation, not a cavity",
+                                       "これは支台歯形成で、窩洞ではありません"};
+inline constexpr MessageText kNotOcclusal{"not_occlusal", "the cavity is not cut from the occlusal side",
+                                          "咬合面からの窩洞ではありません"};
+inline constexpr MessageText kNoIsthmus{"no_isthmus", "the cavity is not long enough to have an isthmus",
+                                        "窩洞が短く、峡部がありません"};
+inline constexpr MessageText kNoRidge{"no_ridge", "the tooth has no outside toward this side",
+                                      "歯のこの側には外面がありません"};
+inline constexpr MessageText kNoPulpKnown{"no_pulp_known", "the files have no pulp", "ファイルに歯髄がありません"};
+inline constexpr MessageText kNoNeighbourKnown{"no_neighbour_known", "the files have no tooth beside",
+                                               "ファイルに隣在歯がありません"};
+
+// Rubrics.
+inline constexpr MessageText kARubric{"a_rubric", "a rubric", "評価基準表"};
+inline constexpr MessageText kACriterion{"a_criterion", "a criterion", "評価項目"};
+inline constexpr MessageText kLevelIdeal{"level_ideal", "ideal", "理想"};
+inline constexpr MessageText kLevelAcceptable{"level_acceptable", "acceptable", "許容"};
+inline constexpr MessageText kLevelCorrect{"level_correct", "to be corrected", "要修正"};
+inline constexpr MessageText kLevelFail{"level_fail", "fail", "不合格"};
+inline constexpr MessageText kCriticalMarkPasses{"critical_mark_passes",
+                                                 "'critical_mark' must be less than 'pass', so that a critical error "
+                                                 "fails",
+                                                 "重大な誤りが不合格になるように、'critical_mark' は 'pass' "
+                                                 "より小さくしてください"};
+inline constexpr MessageText kNoCriteria{"no_criteria", "there are no criteria; give at least one, [[criterion]]",
+                                         "評価項目がありません。[[criterion]] を少なくとも一つ書いてください"};
+inline constexpr MessageText kTooManyCriteria{"too_many_criteria", "there are more than %1 criteria",
+                                              "評価項目が %1 個を超えています"};
+inline constexpr MessageText kNoWeight{"no_weight", "no criterion has a weight; give one at least a 'weight' over 0",
+                                       "重みのある評価項目がありません。0 より大きい 'weight' "
+                                       "を少なくとも一つ書いてください"};
+inline constexpr MessageText kMetricUnknown{"metric_unknown",
+                                            "there is no metric %1; docs/assessment.md lists those that there are",
+                                            "%1 という指標はありません。指標の一覧は docs/assessment.md にあります"};
+inline constexpr MessageText kRangesNotNested{
+    "ranges_not_nested",
+    "%1: each of 'ideal', 'acceptable', 'correct' and 'zero' must be wider than the one before; a side without a limit "
+    "has the same number in all of them",
+    "%1：'ideal'、'acceptable'、'correct'、'zero' は、この順に広くしてください。"
+    "限度のない側には、すべて同じ数値を書きます"};
+inline constexpr MessageText kRangeTooLarge{"range_too_large", "%1 must lie between -%2 and %2",
+                                            "%1 は -%2 から %2 までの範囲で書いてください"};
+inline constexpr MessageText kCriterionWithoutEffect{
+    "criterion_without_effect", "%1 changes no mark; give it a 'weight', or make it 'critical' or 'limits_mark'",
+    "%1 は評点に影響しません。'weight' を書くか、'critical' か 'limits_mark' にしてください"};
+inline constexpr MessageText kRubricUnknown{
+    "rubric_unknown", "there is no rubric %1; give a file that ends in .toml, or one of %2.",
+    "%1 という評価基準表はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
+
+// Places in a preparation.
+inline constexpr MessageText kPlaceMiddle{"place_middle", "in the middle", "中央"};
+inline constexpr MessageText kPlaceMesial{"place_mesial", "mesial", "近心"};
+inline constexpr MessageText kPlaceDistal{"place_distal", "distal", "遠心"};
+inline constexpr MessageText kPlaceBuccal{"place_buccal", "buccal", "頬側"};
+inline constexpr MessageText kPlaceLingual{"place_lingual", "lingual", "舌側"};
+inline constexpr MessageText kPlaceOcclusal{"place_occlusal", "occlusal", "咬合面側"};
+inline constexpr MessageText kPlaceGingival{"place_gingival", "gingival", "歯肉側"};
+inline constexpr MessageText kPlaceMesiobuccal{"place_mesiobuccal", "mesiobuccal", "近心頬側"};
+inline constexpr MessageText kPlaceMesiolingual{"place_mesiolingual", "mesiolingual", "近心舌側"};
+inline constexpr MessageText kPlaceDistobuccal{"place_distobuccal", "distobuccal", "遠心頬側"};
+inline constexpr MessageText kPlaceDistolingual{"place_distolingual", "distolingual", "遠心舌側"};
+inline constexpr MessageText kPlaceMesioOcclusal{"place_mesio_occlusal", "mesio-occlusal", "近心咬合面側"};
+inline constexpr MessageText kPlaceMesiogingival{"place_mesiogingival", "mesiogingival", "近心歯肉側"};
+inline constexpr MessageText kPlaceDistoOcclusal{"place_disto_occlusal", "disto-occlusal", "遠心咬合面側"};
+inline constexpr MessageText kPlaceDistogingival{"place_distogingival", "distogingival", "遠心歯肉側"};
+inline constexpr MessageText kPlaceBuccoOcclusal{"place_bucco_occlusal", "bucco-occlusal", "頬側咬合面側"};
+inline constexpr MessageText kPlaceBuccogingival{"place_buccogingival", "buccogingival", "頬側歯肉側"};
+inline constexpr MessageText kPlaceLinguoOcclusal{"place_linguo_occlusal", "linguo-occlusal", "舌側咬合面側"};
+inline constexpr MessageText kPlaceLinguogingival{"place_linguogingival", "linguogingival", "舌側歯肉側"};
+
 // Built-in exercises.
 inline constexpr MessageText kPitInMolar{"pit_in_molar", "Pit in the molar", "臼歯の小窩"};
 inline constexpr MessageText kPitTask{

@@ -4,10 +4,13 @@
 
 #include <array>
 
+#include "assessment/preparation/preparation_metrics.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kPercent = 100;
+constexpr std::array<std::string_view, 3> kBetterWords = {"-", "higher", "lower"};  // as Better
 
 constexpr std::array kMetrics = {
     Metric{"ideal_mm3", "ideal cavity", "mm^3", Better::Neither, [](const CavityProgress& c) { return c.planned; },
@@ -33,6 +36,19 @@ constexpr std::array kMetrics = {
            "Dice 係数: あなたの窩洞と理想窩洞の共通体積の 2 倍を両者の和で割った値。100 % は理想窩洞です"},
 };
 
+std::string preparationTable() {
+    std::string table =
+        "\n## Of a finished preparation\n\n`tactooth assess` measures these, and a rubric makes a mark of them "
+        "([assessment](../assessment.md)).\n\n| id | in reports | unit | better | definition "
+        "|\n|---|---|---|---|---|\n";
+    for (const PreparationMetric& metric : preparationMetrics()) {
+        table.append("| `").append(metric.id).append("` | ").append(metric.title).append(" | ").append(metric.unit);
+        table.append(" | ").append(kBetterWords[static_cast<std::size_t>(metric.better)]).append(" | ");
+        table.append(metric.definition).append(" |\n");
+    }
+    return table;
+}
+
 }  // namespace
 
 double Metric::shown(const CavityProgress& cavity) const { return (isFraction() ? kPercent : 1) * compute(cavity); }
@@ -40,7 +56,6 @@ double Metric::shown(const CavityProgress& cavity) const { return (isFraction() 
 std::span<const Metric> metricTable() { return kMetrics; }
 
 std::string metricsPage() {
-    constexpr std::array<std::string_view, 3> kBetter = {"-", "higher", "lower"};
     std::string page =
         "# Metrics of a cavity\n\nThis page is made by `tactooth manual metrics` from the metric table; do not edit "
         "it. `tactooth score`\ncomputes the metrics, the report of the window lists them, and the exercise panel shows "
@@ -48,9 +63,10 @@ std::string metricsPage() {
     for (const Metric& metric : metricTable()) {
         page.append("| `").append(metric.key).append("` | ").append(metric.quantity).append(" | ");
         page.append(metric.isFraction() ? "fraction, % in tables" : metric.unit).append(" | ");
-        page.append(kBetter[static_cast<std::size_t>(metric.better)]).append(" | ").append(metric.definition);
+        page.append(kBetterWords[static_cast<std::size_t>(metric.better)]).append(" | ").append(metric.definition);
         page.append(" |\n");
     }
+    page += preparationTable();
     return page;
 }
 

@@ -112,6 +112,8 @@ const std::vector<Attack> kOnSurfaces = {
      "--speed-rpm", "9000", "--voxel", "0.1", "--out", "out/a.stl"},
     {"simplify", "@", "--keep", "50%", "--out", "out/a.stl"},
     {"subdivide", "@", "--out", "out/a.stl"},
+    {"assess", "@", "--expert", "in/cut.stl", "--original", "in/box.stl", "--out", "out/report"},
+    {"assess", "in/cut.stl", "--expert", "@", "--original", "in/box.stl", "--out", "out/report", "--align"},
     {"case", "new", "out/case", "--from", "@"},
     {"case", "new", "out/case.ttcase", "--from", "in/box.stl", "--bur", "@"},
 };
@@ -134,6 +136,8 @@ const std::vector<Attack> kOnTexts = {
      "0.1", "--out", "out/a.stl"},
     {"sound", "--profile", "in/profile.csv", "--sounds", "@", "--out", "out/a.wav"},
     {"exercise", "@"},
+    {"assess", "in/cut.stl", "--expert", "in/cut.stl", "--original", "in/box.stl", "--rubric", "@", "--out",
+     "out/report"},
     {"case", "new", "out/case", "--from", "in/box.stl", "--materials", "@"},
 };
 
@@ -169,6 +173,7 @@ TEST_F(HostileFiles, EndInOneSentenceOrAResult) {
                 {".tactooth",
                  joined(corpus("tooth", ".tactooth"), {tooth}),
                  {{"score", "@", "--target", "in/cut.stl", "--json"},
+                  {"assess", "@", "--expert", "in/cut.stl", "--out", "out/report"},
                   {"cut", "--tooth", "@", "--tool", "in/ball.stl", "--trajectory", "in/poses.csv", "--speed-rpm", "1e5",
                    "--out", "out/a.stl", "--export-layers", "out/layers"}}},
                 {".wav",

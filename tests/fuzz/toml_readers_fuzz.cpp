@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the bytes: materials, a bur's description, a sound preset and an exercise are refused with a sentence that
-// names the line, or every number in them is one that can be meant, and what can be written is read again.
+// Whatever the bytes: materials, a bur's description, a sound preset, an exercise and a rubric are refused with a
+// sentence that names the line, or every number in them is one that can be meant, and what can be written is read
+// again.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "assessment/exercise_file.h"
+#include "assessment/rubric/rubric_file.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/small_surface.h"
 #include "session/audio/sound_preset.h"
@@ -70,10 +74,23 @@ bool isExercise(std::string_view text) {
     return true;
 }
 
+bool isRubric(std::string_view text) {
+    const auto rubric = parseRubric(text, "fuzz");
+    if (!rubric) return requireSentence(rubric.error(), 1000), false;
+    require(rubric->criticalMark < rubric->passMark, "a critical error fails");
+    for (const Criterion& criterion : rubric->criteria) {
+        for (const double value : {-1e9, -1.0, 0.0, 0.3, 1.0, 1e9}) {
+            const double score = criterion.levels.scoreOf(value);
+            require(score >= 0 && score <= 100, "a score is a share of 100");
+        }
+    }
+    return true;
+}
+
 bool accepts(std::span<const std::byte> bytes) {
     const std::string_view text = asText(bytes);
-    const bool isAny[] = {isMaterials(text), isBur(text), isSoundPreset(text), isExercise(text)};
-    return isAny[0] || isAny[1] || isAny[2] || isAny[3];
+    const bool isAny[] = {isMaterials(text), isBur(text), isSoundPreset(text), isExercise(text), isRubric(text)};
+    return std::ranges::find(isAny, true) != std::end(isAny);
 }
 
 const AddFuzzTarget added({"toml", accepts});

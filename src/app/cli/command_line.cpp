@@ -411,6 +411,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addCut(program, chosen);
     addExercise(program, chosen);
     addScore(program, chosen);
+    addAssessCommand(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
     addSessionCommands(program, chosen);

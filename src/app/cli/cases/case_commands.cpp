@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/assess_command.h"
 #include "app/cli/cases/case_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
@@ -75,6 +76,40 @@ void addPack(CLI::App& parent, CommandAction& chosen) {
 }
 
 }  // namespace
+
+void addAssessCommand(CLI::App& program, CommandAction& chosen) {
+    const auto options = std::make_shared<AssessOptions>();
+    CLI::App* command =
+        addCommand(program, chosen, "assess",
+                   "Measures and marks a student's work against an expert's tooth or an exercise, and writes a report.",
+                   options, runAssess);
+    command
+        ->add_option("STUDENT", options->student,
+                     "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm)")
+        ->required()
+        ->type_name("");
+    CLI::Option* expert =
+        command->add_option("--expert", options->expert, "The same of an expert: what is ideal")->type_name("FILE");
+    command
+        ->add_option("--exercise", options->exercise,
+                     "Exercise that says what is ideal: a TOML file, or 1-pit, 2-class-1 or 3-class-5")
+        ->excludes(expert)
+        ->type_name("EXERCISE");
+    command
+        ->add_option("--rubric", options->rubric,
+                     "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default), "
+                     "near-ideal-strict, class-1, class-3 or class-5")
+        ->type_name("RUBRIC");
+    command
+        ->add_option("--original", options->original,
+                     "The uncut tooth (default: that of the exercise, or of the student's file)")
+        ->type_name("FILE");
+    command->add_flag("--align", options->align, "Lays scans on the uncut tooth first, by what is not prepared");
+    command->add_option("--out", options->out, "Folder for report.html, report.json and report.csv")
+        ->required()
+        ->type_name("DIR");
+    command->add_flag("--json", options->json, "Also writes report.json to the standard output");
+}
 
 void addCaseCommands(CLI::App& program, CommandAction& chosen) {
     CLI::App* parent = program.add_subcommand(

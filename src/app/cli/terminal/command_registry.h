@@ -32,6 +32,8 @@ void addSealOption(CLI::App& command, bool& seal, CLI::Option* record);
 
 /// Recorded sessions.
 void addSessionCommands(CLI::App& program, CommandAction& chosen);
+/// The assessment of a student's work.
+void addAssessCommand(CLI::App& program, CommandAction& chosen);
 /// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// Changes to surfaces.

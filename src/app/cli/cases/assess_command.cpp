@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/assess_command.h"
+
+#include <fmt/core.h>
+
+#include "app/cli/cases/assess_input.h"
+#include "app/cli/cases/assess_pictures.h"
+#include "app/cli/cases/messages.h"
+#include "app/cli/terminal/messages.h"
+#include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "assessment/preparation/removal_moment.h"
+#include "assessment/report/assessment_report.h"
+#include "assessment/rubric/rubric_file.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_transaction.h"
+#include "geometry/util/display_text.h"
+#include "session/io/commit.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kTolerance = 0.3;  // mm: of the pictures, as teachers allow (docs/assessment.md)
+
+/// Opens the files before the work starts, so that an obstacle is reported at once.
+Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
+    for (const auto& input : {options.student, options.expert, options.original}) files.reads(input);
+    for (const std::string& input : {options.exercise, options.rubric}) {
+        if (std::filesystem::path(input).has_extension()) files.reads(input);
+    }
+    if (auto made = files.makeFolder(options.out); !made) return made;
+    for (const char* name : {"report.html", "report.json", "report.csv"}) {
+        if (auto opened = files.open(options.out / name); !opened) return opened;
+    }
+    return {};
+}
+
+Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& rubric) {
+    const Expected<AssessInput> input = loadAssessInput(options);
+    if (!input) return Unexpected{input.error()};
+    printImportNotes(input->importNotes);
+    const PreparationMeasures measures(input->preparation);
+    if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, input->expert);
+    std::vector<MetricResult> results = measureAll(measures);
+    if (input->track != nullptr) addMoments(results, measures, input->track);
+    AssessmentReport report{.student = input->student, .expert = input->expert, .task = input->task, .rubric = &rubric};
+    report.mark = markOf(rubric, results);
+    if (!report.mark.value) return unexpected(msg::kNothingToJudge, displayText(rubric.name), input->student);
+    report.metrics = std::move(results);
+    report.middle = measures.surfaces.middle;
+    report.axis = input->preparation.axis;
+    report.mesialX = input->preparation.mesialX;
+    report.fit = input->fit;
+    if (input->track != nullptr) report.seconds = input->track->seconds();
+    report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
+    Expected<std::vector<ReportPicture>> pictures = assessPictures(input->preparation, kTolerance);
+    if (pictures) {
+        report.pictures = std::move(*pictures);
+    } else {
+        report.noPictures = Message(msg::kNoPictures, pictures.error()).in(Language::English);
+    }
+    return report;
+}
+
+Expected<void> writeReport(const AssessOptions& options, const AssessmentReport& report) {
+    if (auto done = writeFile(options.out / "report.json", reportJson(report)); !done) return done;
+    if (auto done = writeFile(options.out / "report.csv", reportCsv(report)); !done) return done;
+    return writeFile(options.out / "report.html", reportHtml(report));
+}
+
+void printSummary(const AssessOptions& options, const AssessmentReport& report) {
+    const Mark& mark = report.mark;
+    print("{} against {}: {:.1f} of 100, {} ({}, pass mark {:.0f})\n", report.student, displayText(report.expert),
+          *mark.value, mark.passes ? "passed" : "failed", displayText(report.rubric->name), report.rubric->passMark);
+    for (const CriterionScore& each : mark.criteria) {
+        const std::string title = displayShort(each.criterion->title, 40);
+        if (!each.score) {
+            print("  {:<40}  not measurable: {}\n", title, each.measured.reason->english);
+            continue;
+        }
+        std::string where = each.measured.place ? ", " + placeText(report, *each.measured.place) : std::string();
+        if (each.measured.moment) where += ", cut at " + momentText(*each.measured.moment);
+        print("  {:<40} {:>12} {:4.0f}  {}{}\n", title, valueText(*each.criterion->metric, *each.measured.value),
+              *each.score, levelText(*each.level).english, where);
+    }
+    for (const Criterion* each : mark.limitedBy) print("  The mark is limited by: {}\n", displayText(each->title));
+    if (!report.noPictures.empty()) print(stderr, "{}\n", displayText(report.noPictures));
+    print("  report: {}\n", displayName(options.out / "report.html"));
+}
+
+}  // namespace
+
+int runAssess(const AssessOptions& options) {
+    FileTransaction files;
+    if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
+    const Expected<Rubric> rubric = findRubric(options.rubric.empty() ? std::string(kUsualRubric) : options.rubric);
+    if (!rubric) return reportError(rubric.error());
+    const Expected<AssessmentReport> report = assess(options, *rubric);
+    if (!report) return reportError(report.error());
+    if (const auto written = writeReport(options, *report); !written) return reportError(written.error());
+    if (const auto named = files.commit(); !named) return reportError(named.error());
+    if (options.json) {
+        writeTo(stdout, reportJson(*report));
+    } else {
+        printSummary(options, *report);
+    }
+    return report->mark.passes ? kExitOk : kExitNegative;
+}
+
+}  // namespace tactooth

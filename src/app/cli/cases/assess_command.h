@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tactooth {
+
+struct AssessOptions {
+    std::filesystem::path student;   ///< a recording, a saved tooth or a surface
+    std::filesystem::path expert;    ///< the same; empty: `exercise` says what is ideal
+    std::string exercise;            ///< a file, or the name of a built-in one; empty: none
+    std::string rubric;              ///< a file, or the name of a built-in one; empty: kUsualRubric
+    std::filesystem::path original;  ///< the uncut tooth; empty: that of the student's file or of the exercise
+    bool align = false;
+    std::filesystem::path out;  ///< folder
+    bool json = false;          ///< also to the standard output
+};
+
+/// Measures and marks a student's work, and writes the report. Returns kExitOk if it passes and kExitNegative if it
+/// fails.
+[[nodiscard]] int runAssess(const AssessOptions& options);
+
+}  // namespace tactooth

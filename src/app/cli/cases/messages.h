@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/util/message.h"
+
+/// The catalogue of this folder: what it says to people, in both languages.
+namespace tactooth::msg {
+
+inline constexpr MessageText kPreparedTooth{"prepared_tooth", "the prepared tooth", "形成した歯"};
+inline constexpr MessageText kExpertsTooth{"experts_tooth", "the expert's tooth", "熟練者の歯"};
+inline constexpr MessageText kNothingToCompareWith{
+    "nothing_to_compare_with",
+    "there is nothing to compare with; give --expert with a tooth that an expert has prepared, or --exercise.",
+    "比べる相手がありません。熟練者が形成した歯を --expert で、または課題を --exercise で指定してください。"};
+inline constexpr MessageText kExerciseUnknown{
+    "exercise_unknown", "there is no exercise %1; give a file that ends in .toml, or one of %2.",
+    "%1 という課題はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
+inline constexpr MessageText kNoUncutTooth{
+    "no_uncut_tooth",
+    "%1 does not say what the tooth was like before; give the uncut tooth by --original, or an exercise.",
+    "%1 には削る前の歯がありません。削る前の歯を --original で指定するか、課題を指定してください。"};
+inline constexpr MessageText kLargerThanATooth{
+    "larger_than_a_tooth", "%1 is %2 mm large, more than any tooth; give a surface in mm.",
+    "%1 の大きさは %2 mm で、どの歯よりも大きいです。mm 単位の表面を指定してください。"};
+inline constexpr MessageText kNotInPlace{
+    "not_in_place",
+    "%1 does not lie on the uncut tooth: outside the preparation they differ by %2 mm (RMS; %3 mm at most) where they "
+    "are near, and %4 % of it are; give the same tooth, or --align for a scan in another place.",
+    "%1 が削る前の歯と重なりません。形成部以外で近い部分の差は %2 mm（RMS、限度は %3 mm）で、近い部分は全体の %4 % "
+    "です。同じ歯を指定するか、位置の違うスキャンなら --align を付けてください。"};
+inline constexpr MessageText kNotAligned{
+    "not_aligned",
+    "%1 cannot be laid on the uncut tooth: outside the preparation they still differ by %2 mm (RMS; %3 mm at most) "
+    "where they are near, and %4 % of it are; give a scan of the same tooth, within a few mm and 10 degrees of its "
+    "place.",
+    "%1 を削る前の歯に重ねられません。形成部以外で近い部分の差は %2 mm（RMS、限度は %3 mm）で、近い部分は全体の %4 % "
+    "です。同じ歯のスキャンで、位置のずれが数 mm、傾きが 10 度以内のものを指定してください。"};
+inline constexpr MessageText kReplayIsNotTheWork{
+    "replay_is_not_the_work",
+    "%1: the replay differs from the recording from %2 s on, so this is not the student's tooth; give the saved tooth, "
+    "or "
+    "use the program that recorded it.",
+    "%1：%2 秒以降、再現した内容が記録と異なるため、学生の歯ではありません。保存した歯を指定するか、"
+    "記録したプログラムを使ってください。"};
+inline constexpr MessageText kNothingToJudge{
+    "nothing_to_judge", "no criterion of %1 with a weight can be measured on %2; choose another rubric.",
+    "%1 の重みのある評価項目は、どれも %2 では測れません。別の評価基準表を選んでください。"};
+inline constexpr MessageText kNoPictures{"no_pictures", "There are no pictures: %1", "画像がありません：%1"};
+
+}  // namespace tactooth::msg

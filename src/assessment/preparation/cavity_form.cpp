@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/preparation/cavity_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "assessment/messages.h"
+#include "session/control/surface_ray.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+const double kFloorCosine = std::cos(30 * kDegree);  // a floor faces the axis within 30 degrees
+const double kWallCosine = std::sin(45 * kDegree);   // a wall is nearer to the axis than to its normal plane
+constexpr double kRounding = 0.3;                    // mm: strip along the border with the rounded angles
+constexpr double kLeastWall = 0.5;                   // mm^2: smaller walls are not judged
+constexpr double kLeastInner = 0.05;                 // mm^2 within the border, for a direction worth the name
+
+void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, CavityForm& form) {
+    const auto floors = connectedPieces(surfaces, patchBetween(surfaces, preparation.axis, kFloorCosine, 1.1));
+    const CutPatch floor = floors.empty() ? CutPatch{} : withoutBorder(surfaces, floors.front(), kRounding);
+    if (areaOf(surfaces, floor) < kLeastInner) {
+        const MessageText& reason = surfaces.facets.empty() ? msg::kNothingCut : msg::kFloorTooNarrow;
+        form.floorDepth = form.floorFlatness = form.floorTilt = Measured::none(reason);
+        return;
+    }
+    const FittedPlane plane = fittedPlane(surfaces, floor);
+    form.floorFlatness = Measured::at(plane.rms, plane.centre);
+    form.floorTilt =
+        Measured::at(std::acos(std::clamp(plane.normal.dot(preparation.axis), -1.0, 1.0)) / kDegree, plane.centre);
+    std::vector<std::pair<double, double>> depths;  // and areas
+    for (const std::uint32_t i : floor) {
+        const Facet& facet = surfaces.facets[i];
+        depths.emplace_back(depthInside(*preparation.original, facet.centre, preparation.axis), facet.area);
+    }
+    std::sort(depths.begin(), depths.end());
+    double left = areaOf(surfaces, floor) / 2;
+    auto median = depths.begin();
+    while (left > median->second && median + 1 != depths.end()) left -= (median++)->second;
+    form.floorDepth = Measured::at(median->first, plane.centre);
+}
+
+/// The mean angle of the facets of `walls` on one side to the axis, degrees.
+Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, const CutPatch& walls,
+                   const Vec3& side) {
+    // The normal of a cavity's wall points away from its side, that of a stump toward it.
+    const Vec3 facing = surfaces.isCrown ? side : Vec3(-side);
+    CutPatch wall;
+    for (const std::uint32_t i : walls) {
+        const Vec3& normal = surfaces.facets[i].normal;
+        const Vec3 level = normal - normal.dot(preparation.axis) * preparation.axis;
+        if (level.normalized().dot(facing) > std::cos(45 * kDegree)) wall.push_back(i);
+    }
+    if (areaOf(surfaces, wall) < kLeastWall) return Measured::none(msg::kWallTooSmall);
+    const CutPatch inner = withoutBorder(surfaces, wall, kRounding);
+    const double area = areaOf(surfaces, inner);
+    if (area < kLeastInner) return Measured::none(msg::kWallTooLow);
+    double cosine = 0;
+    Vec3 centre = Vec3::Zero();
+    for (const std::uint32_t i : inner) {
+        const Facet& facet = surfaces.facets[i];
+        cosine += facet.area / area * facet.normal.dot(preparation.axis);
+        centre += facet.area / area * facet.centre;
+    }
+    const double angle = std::asin(std::clamp(cosine, -1.0, 1.0)) / kDegree;
+    return Measured::at(surfaces.isCrown ? angle : 0 - angle, centre);
+}
+
+Measured convergence(const CutSurfaces& surfaces, const Measured& a, const Measured& b) {
+    if (!surfaces.isCrown) return Measured::none(msg::kNoCrownPreparation);
+    if (!a.value) return a;
+    if (!b.value) return b;
+    return Measured::of(*a.value + *b.value);
+}
+
+}  // namespace
+
+CavityForm cavityForm(const Preparation& preparation, const CutSurfaces& surfaces) {
+    CavityForm form;
+    measureFloor(preparation, surfaces, form);
+    const CutPatch walls = patchBetween(surfaces, preparation.axis, -kWallCosine, kWallCosine);
+    const DentalDirections to(preparation.axis, preparation.mesialX);
+    const std::array<Vec3, 4> sides = {to.buccal, -to.buccal, to.mesial, -to.mesial};
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const bool exists = i < 2 ? to.hasBuccal : to.hasMesial;
+        if (surfaces.facets.empty()) {
+            form.wallAngle[i] = Measured::none(msg::kNothingCut);
+        } else if (!exists) {
+            form.wallAngle[i] = Measured::none(msg::kNoSuchWall);
+        } else {
+            form.wallAngle[i] = wallAngle(preparation, surfaces, walls, sides[i]);
+        }
+    }
+    form.tocMesiodistal = convergence(surfaces, form.wallAngle[2], form.wallAngle[3]);
+    form.tocBuccolingual = convergence(surfaces, form.wallAngle[0], form.wallAngle[1]);
+    return form;
+}
+
+}  // namespace tactooth

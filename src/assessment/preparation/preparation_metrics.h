@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "assessment/metric_table.h"
+#include "assessment/preparation/cavity_extent.h"
+#include "assessment/preparation/cavity_form.h"
+#include "assessment/preparation/prepared_volumes.h"
+#include "assessment/preparation/surface_deviation.h"
+#include "assessment/preparation/tissue_damage.h"
+#include "assessment/preparation/undercut.h"
+
+namespace tactooth {
+
+/// All that is measured on a finished preparation.
+struct PreparationMeasures {
+    /// Takes some seconds for a large tooth. The same on any number of threads.
+    explicit PreparationMeasures(const Preparation& preparation);
+
+    CutSurfaces surfaces;
+    PreparedVolumes volumes;
+    SurfaceDeviation deviation;
+    CavityForm form;
+    CavityExtent extent;
+    Undercut undercut;
+    TissueDamage damage;
+};
+
+/// One metric of a finished preparation: a row of the table from which the command `assess`, its report, the criteria
+/// of a rubric and the page docs/user/metrics.md are made. A new metric is a new row.
+struct PreparationMetric {
+    std::string_view id;     ///< in rubrics and JSON; stable
+    std::string_view title;  ///< in reports
+    std::string_view unit;   ///< "mm", "mm^2", "mm^3", "deg", or "1" for a number without one
+    Better better;
+    Measured (*measure)(const PreparationMeasures& measures);
+    std::string_view definition;  ///< for the documentation, with the source if it has one
+};
+
+/// In the order of the report.
+[[nodiscard]] std::span<const PreparationMetric> preparationMetrics();
+/// Null if there is no such metric.
+[[nodiscard]] const PreparationMetric* findPreparationMetric(std::string_view id);
+
+/// One value of the table, with its row.
+struct MetricResult {
+    const PreparationMetric* metric;
+    Measured measured;
+};
+[[nodiscard]] std::vector<MetricResult> measureAll(const PreparationMeasures& measures);
+
+}  // namespace tactooth

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "assessment/preparation/column_grid.h"
+#include "assessment/preparation/preparation.h"
+
+namespace tactooth {
+
+/// What was removed and what should have been, mm^3.
+struct PreparedVolumes {
+    double common = 0;  ///< removed, and to be removed
+    double over = 0;    ///< removed, but not to be removed
+    double under = 0;   ///< to be removed, but not removed
+
+    /// 0..1: 2 common / (removed + to be removed).
+    [[nodiscard]] double dice() const;
+    /// 0..1: the removed share of what was to be removed.
+    [[nodiscard]] double clearedShare() const;
+};
+
+/// Sums lengths along the lines of `columns`, which cover both cut surfaces. Where less than kCavityDepth is removed
+/// along a line, nothing counts as removed there.
+[[nodiscard]] PreparedVolumes preparedVolumes(const Preparation& preparation, const ColumnGrid& columns);
+
+}  // namespace tactooth

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/preparation/undercut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "assessment/messages.h"
+#include "geometry/util/parallel_for.h"
+#include "session/control/surface_ray.h"
+
+namespace tactooth {
+namespace {
+
+const double kFacingAway = -std::sin(std::numbers::pi / 180);  // cosine: a degree is more than the noise of a cut
+constexpr double kLift = 0.01;        // mm: start of a ray off the surface, so that it does not meet its own triangle
+constexpr double kStep = 0.05;        // mm: of the search for the end of an overhang
+constexpr double kDeepest = 3;        // mm: more than any wall hangs over
+constexpr double kFloorLevel = 0.95;  // cosine: a floor has no side toward which its overhang ends
+constexpr int kHalvings = 9;          // to a ten-thousandth of a millimetre
+constexpr std::size_t kGrain = 32;    // facets: some hundred rays
+
+class Overhang {
+public:
+    Overhang(const Surface& prepared, const Vec3& axis) : prepared_(prepared), axis_(axis) {}
+
+    [[nodiscard]] bool isHidden(const Vec3& place) const { return firstHit(prepared_, {place, axis_}).has_value(); }
+
+    /// Whether something hangs over even `depth` mm from `place` along `aside`.
+    [[nodiscard]] bool isDeeperAt(const Vec3& place, const Vec3& aside, double depth) const {
+        return isHidden(place + kLift * axis_ + depth * aside);
+    }
+
+    /// Level distance from `place` along `aside` (unit) to where nothing hangs over; nothing if there is no such place.
+    [[nodiscard]] double depthAt(const Vec3& place, const Vec3& aside) const {
+        const Vec3 start = place + kLift * axis_;
+        double hidden = 0;
+        while (isHidden(start + (hidden + kStep) * aside)) {
+            hidden += kStep;
+            if (hidden > kDeepest) return 0;
+        }
+        double free = hidden + kStep;
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = (hidden + free) / 2;
+            (isHidden(start + middle * aside) ? hidden : free) = middle;
+        }
+        return (hidden + free) / 2;
+    }
+
+private:
+    const Surface& prepared_;
+    Vec3 axis_;
+};
+
+struct Found {
+    double depth = 0;  // mm
+    bool isUndercut = false;
+    Vec3 place = Vec3::Zero();
+};
+
+}  // namespace
+
+Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
+    if (surfaces.facets.empty()) return {Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut)};
+    const Surface prepared{.base = preparation.prepared};
+    const Overhang overhang(prepared, preparation.axis);
+    std::vector<Found> found(surfaces.facets.size());
+    parallelFor(
+        found.size(),
+        [&](std::size_t i) {
+            const Facet& facet = surfaces.facets[i];
+            const double cosine = facet.normal.dot(preparation.axis);
+            const bool isHidden = overhang.isHidden(facet.centre + kLift * facet.normal);
+            found[i].isUndercut = cosine < kFacingAway || isHidden;
+            if (!found[i].isUndercut || !isHidden || std::abs(cosine) > kFloorLevel) return;
+            const Vec3 aside = (facet.normal - cosine * preparation.axis).normalized();
+            for (int corner = 0; corner < 3; ++corner) {
+                const Vec3 place = surfaces.cut.mesh.corner(i, corner);
+                if (!overhang.isDeeperAt(place, aside, found[i].depth)) continue;
+                const double depth = overhang.depthAt(place, aside);
+                if (depth > found[i].depth) found[i] = {depth, true, place};
+            }
+        },
+        kGrain);
+    double area = 0;
+    Found deepest;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i].isUndercut) area += surfaces.facets[i].area;
+        if (found[i].depth > deepest.depth) deepest = found[i];
+    }
+    const bool isAny = deepest.depth > 0;
+    return {Measured::of(area), isAny ? Measured::at(deepest.depth, deepest.place) : Measured::of(0)};
+}
+
+}  // namespace tactooth

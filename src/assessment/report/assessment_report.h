@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/preparation/scan_alignment.h"
+#include "assessment/rubric/rubric.h"
+
+namespace tactooth {
+
+/// A picture of a report.
+struct ReportPicture {
+    std::string title;
+    std::string pngBase64;
+};
+
+/// The results of an assessment, for files that people and programs read.
+struct AssessmentReport {
+    std::string student;             ///< name of the file
+    std::string expert;              ///< name of the file, or of the exercise
+    std::string task = {};           ///< of the exercise; empty: there is none
+    const Rubric* rubric = nullptr;  ///< not null
+    Mark mark = {};
+    std::vector<MetricResult> metrics = {};
+    Vec3 middle = Vec3::Zero();  ///< of the preparation, mm
+    Vec3 axis = Vec3::UnitZ();
+    double mesialX = 1;
+    std::optional<ScanFit> fit = {};     ///< how well a surface from a file lies on the uncut tooth
+    std::optional<double> seconds = {};  ///< length of the session; nothing without one
+    std::vector<ReportPicture> pictures = {};
+    std::string noPictures = {};  ///< why there are none
+    std::string program = {};     ///< version and commit
+};
+
+/// In words: "mesiobuccal".
+[[nodiscard]] std::string placeText(const AssessmentReport& report, const Vec3& place);
+/// "2:14"
+[[nodiscard]] std::string momentText(double seconds);
+/// "0.42 mm"; a share of 0 to 1 in %.
+[[nodiscard]] std::string valueText(const PreparationMetric& metric, double value);
+
+// The three forms; docs/assessment.md describes them. In English.
+[[nodiscard]] std::string reportJson(const AssessmentReport& report);
+[[nodiscard]] std::string reportCsv(const AssessmentReport& report);
+/// One page without other files or scripts.
+[[nodiscard]] std::string reportHtml(const AssessmentReport& report);
+
+}  // namespace tactooth

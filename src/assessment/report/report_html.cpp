@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "assessment/report/assessment_report.h"
+#include "geometry/util/display_text.h"
+
+namespace tactooth {
+namespace {
+
+/// A text from a file, on one line and without control characters, as text of a page.
+std::string plain(std::string_view text) {
+    std::string result;
+    for (const char c : displayText(std::string(text))) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+constexpr std::string_view kStyle = R"css(
+@page { size: A4; margin: 14mm }
+body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, sans-serif; color: #1d2730; margin: 0 auto;
+  max-width: 182mm; padding: 6mm }
+h1 { font-size: 17pt; margin: 0 0 1mm }
+h2 { font-size: 11.5pt; margin: 6mm 0 2mm; border-bottom: 0.3mm solid #c9d2d9; padding-bottom: 1mm }
+p { margin: 1mm 0 }
+table { border-collapse: collapse; width: 100% }
+th { text-align: left; font-weight: 600; font-size: 8.5pt; color: #55636f; border-bottom: 0.3mm solid #8a97a1 }
+td, th { padding: 1mm 2mm 1mm 0; vertical-align: top }
+tbody td { border-bottom: 0.2mm solid #e3e8ec }
+tr { page-break-inside: avoid }
+td.n, th.n { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums }
+.none { color: #6a7781 }
+.head { display: flex; justify-content: space-between; gap: 8mm; align-items: flex-start }
+.mark { border: 0.5mm solid; border-radius: 2mm; padding: 2mm 5mm; text-align: center; min-width: 30mm }
+.mark b { display: block; font-size: 26pt; line-height: 1.1 }
+.passed { color: #17603a } .failed { color: #9c2b1a }
+.bar { background: #e3e8ec; height: 2.4mm; width: 22mm; margin-top: 1mm } .bar i { display: block; height: 100% }
+.ideal { background: #2f7d4f } .acceptable { background: #7a9a2d } .correct { background: #cf8a16 }
+.fail { background: #b23a24 }
+.pictures { display: flex; flex-wrap: wrap; gap: 3mm } figure { margin: 0; width: 58mm; page-break-inside: avoid }
+figure img { width: 100%; display: block } figcaption { font-size: 8.5pt; color: #55636f }
+.small { font-size: 8.5pt; color: #55636f }
+)css";
+
+std::string_view levelClass(Level level) {
+    constexpr std::array<std::string_view, 4> kNames = {"ideal", "acceptable", "correct", "fail"};
+    return kNames[static_cast<std::size_t>(level)];
+}
+
+/// "distobuccal, 2:14", whichever of both there is.
+std::string whereAndWhen(const AssessmentReport& report, const Measured& measured) {
+    std::string text;
+    if (measured.place) text = placeText(report, *measured.place);
+    if (measured.moment) text += (text.empty() ? "" : ", ") + momentText(*measured.moment);
+    return text;
+}
+
+std::string head(const AssessmentReport& report) {
+    const Mark& mark = report.mark;
+    std::string text = "<div class=\"head\"><div><h1>Assessment of a preparation</h1>\n";
+    text += "<p>Work: <b>" + plain(report.student) + "</b><br>Compared with: <b>" + plain(report.expert) + "</b>";
+    if (!report.task.empty()) text += "<br>Task: " + plain(report.task);
+    text += "<br>Rubric: " + plain(report.rubric->name);
+    if (report.seconds) text += "<br>Length of the session: " + momentText(*report.seconds) + " min";
+    if (report.fit) {
+        text += fmt::format("<br>Fit of the surface on the uncut tooth: {:.3f} mm RMS over {:.0f} % of it",
+                            report.fit->residual, 100 * report.fit->usedShare);
+    }
+    text += "</p></div>\n";
+    text += fmt::format("<div class=\"mark {0}\"><b>{1}</b>of 100<br>{0}, pass mark {2:.0f}</div></div>\n",
+                        mark.passes ? "passed" : "failed", mark.value ? fmt::format("{:.1f}", *mark.value) : "–",
+                        report.rubric->passMark);
+    return text;
+}
+
+std::string scoreCell(const CriterionScore& each) {
+    if (!each.score) return "<td class=\"n none\">–</td><td></td>";
+    return fmt::format(
+        "<td class=\"n\">{:.0f}</td><td>{}<div class=\"bar\"><i class=\"{}\" style=\"width:{:.0f}%\"></i></div></td>",
+        *each.score, levelText(*each.level).english, levelClass(*each.level), std::max(2.0, *each.score));
+}
+
+std::string criterionRow(const AssessmentReport& report, const CriterionScore& each) {
+    const Criterion& criterion = *each.criterion;
+    std::string text = "<tr><td>" + plain(criterion.title);
+    if (criterion.critical) text += " <span class=\"small\">(critical)</span>";
+    text += "</td>";
+    if (each.measured.value) {
+        text += "<td class=\"n\">" + valueText(*criterion.metric, *each.measured.value) + "</td>";
+    } else {
+        text += "<td class=\"none\">not measurable: " + plain(each.measured.reason->english) + "</td>";
+    }
+    text += scoreCell(each);
+    text += criterion.weight > 0 ? fmt::format("<td class=\"n\">{:g}</td>", criterion.weight)
+                                 : std::string("<td class=\"n\">limit</td>");
+    text += each.lost > 0 ? fmt::format("<td class=\"n\">−{:.1f}</td>", each.lost) : "<td></td>";
+    return text + "<td>" + whereAndWhen(report, each.measured) + "</td></tr>\n";
+}
+
+std::string madeOf(const AssessmentReport& report) {
+    const Mark& mark = report.mark;
+    std::string text =
+        "<h2>What the mark is made of</h2>\n<table><thead><tr><th>Criterion</th><th class=\"n\">Measured</th>"
+        "<th class=\"n\">Score</th><th>Level</th><th class=\"n\">Weight</th><th class=\"n\">Lost</th>"
+        "<th>Where, when</th></tr></thead><tbody>\n";
+    for (const CriterionScore& each : mark.criteria) text += criterionRow(report, each);
+    text += "</tbody></table>\n";
+    if (mark.weighted) {
+        text += fmt::format("<p>Weighted mean of the scores: {:.1f}", *mark.weighted);
+        if (mark.judgedShare < 1) {
+            text +=
+                fmt::format(" (of {:.0f} % of the weights; the rest could not be measured)", 100 * mark.judgedShare);
+        }
+        text += ".</p>\n";
+    } else {
+        text += "<p>No criterion with a weight could be measured, so there is no mark.</p>\n";
+    }
+    for (const Criterion* each : mark.limitedBy) {
+        text += "<p><b>The mark is limited by: " + plain(each->title) + "</b></p>\n";
+    }
+    return text;
+}
+
+std::string pictures(const AssessmentReport& report) {
+    std::string text = "<h2>Distance to the ideal preparation</h2>\n";
+    if (report.pictures.empty()) return text + "<p class=\"none\">" + plain(report.noPictures) + "</p>\n";
+    text += "<div class=\"pictures\">\n";
+    for (const ReportPicture& each : report.pictures) {
+        text += "<figure><img alt=\"" + plain(each.title) + "\" src=\"data:image/png;base64," + each.pngBase64 +
+                "\"><figcaption>" + plain(each.title) + "</figcaption></figure>\n";
+    }
+    return text + "</div>\n";
+}
+
+std::string allMetrics(const AssessmentReport& report) {
+    std::string text =
+        "<h2>All measures</h2>\n<table><thead><tr><th>Measure</th><th class=\"n\">Value</th><th>Where, when</th>"
+        "<th>Definition</th></tr></thead><tbody>\n";
+    for (const auto& [metric, measured] : report.metrics) {
+        text += "<tr><td>" + plain(metric->title) + "</td>";
+        text += measured.value ? "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>"
+                               : "<td class=\"none\">" + plain(measured.reason->english) + "</td>";
+        text += "<td>" + whereAndWhen(report, measured) + "</td><td class=\"small\">" + plain(metric->definition) +
+                "</td></tr>\n";
+    }
+    return text + "</tbody></table>\n";
+}
+
+}  // namespace
+
+std::string reportHtml(const AssessmentReport& report) {
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment: ";
+    text += plain(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
+    text += head(report) + madeOf(report) + pictures(report) + allMetrics(report);
+    text += "<p class=\"small\">Measures and limits support a teacher's judgement; they do not replace it. Made by " +
+            plain(report.program) + ".</p>\n</body></html>\n";
+    return text;
+}
+
+}  // namespace tactooth

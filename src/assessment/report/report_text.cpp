@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "assessment/preparation/place_name.h"
+#include "assessment/report/assessment_report.h"
+#include "geometry/util/number_text.h"
+
+namespace tactooth {
+namespace {
+
+/// One cell of a table. A text that a spreadsheet would take as a formula begins with an apostrophe.
+std::string cell(std::string text) {
+    if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos) text.insert(0, "'");
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+std::string number(const std::optional<double>& value) { return value ? numberText(*value) : std::string(); }
+
+std::string placeCells(const Measured& measured) {
+    if (!measured.place) return ",,";
+    const Vec3& at = *measured.place;
+    return numberText(at.x()) + ',' + numberText(at.y()) + ',' + numberText(at.z());
+}
+
+std::string reasonOf(const Measured& measured) {
+    return measured.reason != nullptr ? std::string(measured.reason->english) : std::string();
+}
+
+/// Rounded, so that no value is shown as -0.
+double tidy(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) / scale + 0.0;
+}
+
+bool isShare(const PreparationMetric& metric) { return metric.unit == "1" && metric.better == Better::Higher; }
+
+}  // namespace
+
+std::string placeText(const AssessmentReport& report, const Vec3& place) {
+    return std::string(placeName(place, report.middle, DentalDirections(report.axis, report.mesialX)).english);
+}
+
+std::string momentText(double seconds) {
+    const auto whole = static_cast<long>(std::max(0.0, seconds));
+    return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string valueText(const PreparationMetric& metric, double value) {
+    if (isShare(metric)) return fmt::format("{:.1f} %", tidy(100 * value, 1));
+    if (metric.unit == "1") return fmt::format("{:.0f}", tidy(value, 0));
+    if (metric.unit == "deg") return fmt::format("{:.1f}°", tidy(value, 1));
+    if (metric.unit == "mm^2") return fmt::format("{:.2f} mm²", tidy(value, 2));
+    if (metric.unit == "mm^3") return fmt::format("{:.2f} mm³", tidy(value, 2));
+    return fmt::format("{:.2f} mm", tidy(value, 2));
+}
+
+std::string reportCsv(const AssessmentReport& report) {
+    std::string text = "kind,id,value,unit,score,weight,x,y,z,moment,note\n";
+    text += "mark,mark," + number(report.mark.value) + ",,,,,,,," + (report.mark.passes ? "passed" : "failed") + '\n';
+    for (const CriterionScore& each : report.mark.criteria) {
+        const Criterion& criterion = *each.criterion;
+        text += "criterion," + std::string(criterion.metric->id) + ',' + number(each.measured.value) + ',' +
+                std::string(criterion.metric->unit) + ',' + number(each.score) + ',' + numberText(criterion.weight) +
+                ',' + placeCells(each.measured) + ',' + number(each.measured.moment) + ',' +
+                cell(each.score ? criterion.title : criterion.title + ": " + reasonOf(each.measured)) + '\n';
+    }
+    for (const auto& [metric, measured] : report.metrics) {
+        text += "metric," + std::string(metric->id) + ',' + number(measured.value) + ',' + std::string(metric->unit) +
+                ",,," + placeCells(measured) + ',' + number(measured.moment) + ',' + cell(reasonOf(measured)) + '\n';
+    }
+    return text;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/preparation/preparation_metrics.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "assessment/preparation/prepared_blocks.h"
+#include "geometry/mesh/subdivide.h"
+#include "geometry/util/parallel_for.h"
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+using namespace test;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kLength = 0.02, kAngle = 0.5, kShare = 0.01;  // what has to be reached: mm, degrees, of a volume
+
+const TriangleMesh kIdeal = blockWithBox(-2, 2, -1.5, 1.5, 3);  // 4 x 3 mm, 2 mm deep
+
+PreparationMeasures measured(const TriangleMesh& student, const TriangleMesh& ideal = kIdeal) {
+    return PreparationMeasures(blockPreparation(student, ideal));
+}
+
+/// A cavity like the ideal one whose wall at x = 2 leans outwards by `degrees` toward its opening.
+TriangleMesh withLeaningWall(double degrees) {
+    return blockWithCavityTo(Rectangle::level(-2, 2 + 2 * std::tan(degrees * kDegree), -1.5, 1.5, 5),
+                             Rectangle::level(-2, 2, -1.5, 1.5, 3));
+}
+
+/// A stump of 4 mm height and `degrees` taper on a shoulder.
+TriangleMesh stump(double degrees) {
+    const double in = 4 * std::tan(degrees * kDegree);
+    return preparedBlock(0, Rectangle::level(-4, 4, -4, 4, 0), Rectangle::level(-4 + in, 4 - in, -4 + in, 4 - in, 4));
+}
+
+TEST(PreparationMetrics, HaveUniqueIdsUnitsAndDefinitions) {
+    std::set<std::string_view> ids;
+    for (const PreparationMetric& each : preparationMetrics()) {
+        SCOPED_TRACE(each.id);
+        EXPECT_TRUE(ids.insert(each.id).second);
+        EXPECT_THAT((std::array<std::string_view, 5>{"mm", "mm^2", "mm^3", "deg", "1"}), testing::Contains(each.unit));
+        EXPECT_TRUE(each.definition.ends_with('.'));
+        EXPECT_FALSE(each.title.empty());
+    }
+}
+
+TEST(PreparationMetrics, OfTheIdealPreparationAreIdeal) {
+    const PreparationMeasures same = measured(kIdeal);
+    EXPECT_NEAR(valueOf(same, "cleared_share"), 1, kShare);
+    EXPECT_NEAR(valueOf(same, "dice"), 1, kShare);
+    for (const char* id : {"over_max", "over_volume", "under_volume", "deviation_rms", "floor_flatness", "floor_tilt"})
+        EXPECT_NEAR(valueOf(same, id), 0, 1e-4) << id;
+    EXPECT_NEAR(valueOf(same, "within_0_1"), 1, 1e-9);
+}
+
+TEST(PreparationMetrics, OfACavityTooDeepAreItsClosedForm) {
+    const PreparationMeasures deep = measured(blockWithBox(-2, 2, -1.5, 1.5, 2.7));
+    EXPECT_NEAR(valueOf(deep, "over_max"), 0.3, kLength);
+    EXPECT_NEAR(valueOf(deep, "over_volume"), 3.6, kShare * 3.6);
+    EXPECT_NEAR(valueOf(deep, "under_volume"), 0, 0.01);
+    EXPECT_NEAR(valueOf(deep, "dice"), 2 * 24 / (24 + 27.6), kShare);
+    EXPECT_NEAR(valueOf(deep, "floor_depth_median"), 2.3, kLength);
+    // The floor lies 0.3 mm too deep, the lowest 0.3 mm of the walls from 0 to 0.3 mm, and the rest is right.
+    const double floor = 12, low = 14 * 0.3, rest = 14 * (2 - kCavityDepth), all = floor + low + rest;
+    EXPECT_NEAR(valueOf(deep, "deviation_rms"), std::sqrt((floor * 0.09 + low * 0.03) / all), 0.005);
+    EXPECT_NEAR(valueOf(deep, "within_0_1"), (rest + low / 3) / all, kShare);
+    EXPECT_NEAR(valueOf(deep, "within_0_2"), (rest + low * 2 / 3) / all, kShare);
+    EXPECT_NEAR(valueOf(deep, "within_0_4"), 1, 1e-9);
+}
+
+TEST(PreparationMetrics, OfACavityTooShallowHaveNoOverPreparation) {
+    const PreparationMeasures shallow = measured(blockWithBox(-2, 2, -1.5, 1.5, 3.5));
+    EXPECT_NEAR(valueOf(shallow, "over_max"), 0, 1e-4);
+    EXPECT_NEAR(valueOf(shallow, "over_volume"), 0, 0.01);
+    EXPECT_NEAR(valueOf(shallow, "under_volume"), 6, kShare * 6);
+    EXPECT_NEAR(valueOf(shallow, "cleared_share"), 0.75, kShare);
+    EXPECT_NEAR(valueOf(shallow, "floor_depth_median"), 1.5, kLength);
+}
+
+TEST(PreparationMetrics, OfACavityTooWideOnOneSideNameThePlace) {
+    const PreparationMeasures wide = measured(blockWithBox(-2, 2.2, -1.5, 1.5, 3));
+    const Measured& overMax = wide.deviation.overMax;
+    EXPECT_NEAR(*overMax.value, 0.2, kLength);
+    EXPECT_NEAR(overMax.place->x(), 2.2, 1e-5);
+    EXPECT_NEAR(valueOf(wide, "over_volume"), 0.2 * 3 * 2, kShare * 1.2 + 0.01);
+    EXPECT_NEAR(valueOf(wide, "extent_md"), 4.2, kLength);
+    EXPECT_NEAR(valueOf(wide, "extent_bl"), 3, kLength);
+    EXPECT_NEAR(valueOf(wide, "extent_og"), 2 - kCavityDepth, kLength);
+}
+
+TEST(PreparationMetrics, MeasureTheAnglesOfWallsOnTheirSides) {
+    for (const double angle : {-5.0, 5.0, 12.0}) {
+        const PreparationMeasures leaning = measured(withLeaningWall(angle));
+        EXPECT_NEAR(valueOf(leaning, "wall_angle_m"), -angle, kAngle);  // mesial is +x; narrower outside is positive
+        EXPECT_NEAR(valueOf(leaning, "wall_angle_d"), 0, kAngle);
+        EXPECT_NEAR(valueOf(leaning, "wall_angle_b"), 0, kAngle);
+        EXPECT_NEAR(valueOf(leaning, "wall_angle_l"), 0, kAngle);
+    }
+    Preparation mirrored = blockPreparation(withLeaningWall(5), kIdeal);
+    mirrored.mesialX = -1;
+    EXPECT_NEAR(valueOf(PreparationMeasures(mirrored), "wall_angle_d"), -5, kAngle);
+}
+
+TEST(PreparationMetrics, MeasureATiltedFloor) {
+    for (const double tilt : {1.0, 4.0, 10.0}) {
+        const double rise = 2 * std::tan(tilt * kDegree);
+        const PreparationMeasures tilted = measured(
+            blockWithCavityTo(Rectangle::level(-2, 2, -1.5, 1.5, 5), Rectangle{-2, 2, -1.5, 1.5, 3 - rise, 3 + rise}));
+        EXPECT_NEAR(valueOf(tilted, "floor_tilt"), tilt, kAngle / 10);
+        EXPECT_NEAR(valueOf(tilted, "floor_flatness"), 0, 1e-3);
+        EXPECT_NEAR(valueOf(tilted, "floor_depth_median"), 2, kLength);
+    }
+}
+
+TEST(PreparationMetrics, MeasureACurvedFloor) {
+    const auto bump = [](double x, double y) { return 0.3 * (1 - x * x / 4) * (1 - y * y / 2.25); };
+    TriangleMesh curved = subdivided(kIdeal, 5);
+    for (Vec3f& vertex : curved.vertices) {
+        if (vertex.z() == 3) vertex.z() += static_cast<float>(bump(vertex.x(), vertex.y()));
+    }
+    double count = 0, sum = 0, squares = 0;  // of the bump, without the strip along the border
+    for (double x = -1.69; x < 1.7; x += 0.02) {
+        for (double y = -1.19; y < 1.2; y += 0.02) {
+            count += 1;
+            sum += bump(x, y);
+            squares += bump(x, y) * bump(x, y);
+        }
+    }
+    const double rms = std::sqrt(squares / count - sum / count * sum / count);
+    EXPECT_GT(rms, 0.05);
+    EXPECT_NEAR(valueOf(measured(curved), "floor_flatness"), rms, 0.003);
+    EXPECT_NEAR(valueOf(measured(curved), "floor_tilt"), 0, kAngle);
+}
+
+TEST(PreparationMetrics, FindAnUndercutOfATenthOfAMillimetre) {
+    const PreparationMeasures under =
+        measured(blockWithCavityTo(Rectangle::level(-2, 2, -1.5, 1.5, 5), Rectangle::level(-2.1, 2, -1.5, 1.5, 3)));
+    EXPECT_NEAR(valueOf(under, "undercut_depth"), 0.1, 0.005);
+    EXPECT_LT(under.undercut.depth.place->x(), -2.05);
+    // The wall that leans over, the strip of floor below it and a triangle of both walls beside it.
+    const double wall = 3 * std::hypot(2, 0.1) * (1 - kCavityDepth / 2), strip = 0.3, sides = 2 * 0.1;
+    EXPECT_NEAR(valueOf(under, "undercut_area"), wall + strip + sides, 0.02 * wall);
+    const PreparationMeasures none = measured(withLeaningWall(5));
+    EXPECT_EQ(valueOf(none, "undercut_area"), 0);
+    EXPECT_EQ(valueOf(none, "undercut_depth"), 0);
+}
+
+TEST(PreparationMetrics, MeasureTheTaperOfAStump) {
+    for (const double taper : {3.0, 10.0, 22.0}) {
+        const PreparationMeasures crown = measured(stump(taper), stump(6));
+        EXPECT_NEAR(valueOf(crown, "toc_md"), 2 * taper, kAngle);
+        EXPECT_NEAR(valueOf(crown, "toc_bl"), 2 * taper, kAngle);
+        EXPECT_NEAR(valueOf(crown, "wall_angle_m"), taper, kAngle);
+        EXPECT_EQ(reasonOf(crown, "isthmus_min"), "no_cavity");
+    }
+    EXPECT_EQ(reasonOf(measured(kIdeal), "toc_md"), "no_crown_preparation");
+}
+
+TEST(PreparationMetrics, MeasureRidgesAndIsthmus) {
+    const PreparationMeasures slot = measured(blockWithBox(-3.6, 3, -0.55, 0.55, 3.5));
+    EXPECT_NEAR(valueOf(slot, "ridge_min_d"), 1.4, kLength);
+    EXPECT_NEAR(valueOf(slot, "ridge_min_m"), 2, kLength);
+    EXPECT_NEAR(valueOf(slot, "isthmus_min"), 1.1, kLength);
+    EXPECT_EQ(reasonOf(measured(kIdeal), "isthmus_min"), "no_isthmus");
+}
+
+TEST(PreparationMetrics, KnowAnOpenedPulp) {
+    Preparation preparation = blockPreparation(kIdeal, kIdeal);
+    EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "pulp_open"), "no_pulp_known");
+    const auto withPulpUpTo = [&](double z) {
+        preparation.pulps = {std::make_shared<const SurfacePart>(box(Vec3(-1, -1, -3), Vec3(1, 1, z)))};
+        return PreparationMeasures(preparation);
+    };
+    EXPECT_NEAR(valueOf(withPulpUpTo(2.25), "remaining_dentin_min"), 0.75, 1e-4);
+    EXPECT_EQ(valueOf(withPulpUpTo(2.99), "pulp_open"), 0);
+    EXPECT_EQ(valueOf(withPulpUpTo(3.01), "pulp_open"), 1);
+    EXPECT_EQ(valueOf(withPulpUpTo(3.01), "remaining_dentin_min"), 0);
+}
+
+TEST(PreparationMetrics, MeasureAScratchInTheNeighbour) {
+    Preparation preparation = blockPreparation(kIdeal, kIdeal);
+    EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "neighbour_depth_max"), "no_neighbour_known");
+    preparation.neighbours = std::make_shared<const SurfacePart>(box(Vec3(6, -5, -5), Vec3(16, 5, 5)));
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "neighbour_depth_max"), 0);
+    for (const double depth : {0.06, 0.25}) {
+        preparation.cutNeighbours = box(Vec3(5.9, -1, 1), Vec3(6 + depth, 1, 3));
+        EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "neighbour_depth_max"), depth, 1e-4);
+    }
+}
+
+TEST(PreparationMetrics, OfAnUncutToothHaveReasonsInsteadOfZeros) {
+    const PreparationMeasures nothing = measured(box(Vec3(-5, -5, -5), Vec3(5, 5, 5)));
+    EXPECT_EQ(valueOf(nothing, "cleared_share"), 0);
+    EXPECT_EQ(valueOf(nothing, "dice"), 0);
+    EXPECT_NEAR(valueOf(nothing, "under_volume"), 24, 24 * kShare);
+    EXPECT_GT(valueOf(nothing, "deviation_rms"), 0.5);  // of the surface over the ideal cavity
+    for (const char* id : {"floor_depth_median", "floor_tilt", "wall_angle_b", "isthmus_min", "ridge_min_m",
+                           "undercut_area", "extent_md"})
+        EXPECT_EQ(reasonOf(nothing, id), "nothing_cut") << id;
+}
+
+/// All values of two measures agree: lengths within 0.02 mm, angles within 0.5 degrees, others within 1 %.
+void expectSame(const PreparationMeasures& one, const PreparationMeasures& other) {
+    const std::map<std::string_view, double> tolerances = {
+        {"mm", kLength}, {"deg", kAngle}, {"1", kShare}, {"mm^2", kShare * 26}, {"mm^3", kShare * 24}};  // of the ideal
+    const auto a = measureAll(one), b = measureAll(other);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        SCOPED_TRACE(a[i].metric->id);
+        ASSERT_EQ(a[i].measured.value.has_value(), b[i].measured.value.has_value());
+        if (!a[i].measured.value) continue;
+        EXPECT_NEAR(*a[i].measured.value, *b[i].measured.value, tolerances.at(a[i].metric->unit));
+    }
+}
+
+const TriangleMesh kFaulty =
+    blockWithCavityTo(Rectangle::level(-2.15, 2.2, -1.45, 1.5, 5), Rectangle{-2.25, 2, -1.45, 1.5, 2.7, 2.9});
+
+TEST(PreparationMetrics, DoNotDependOnTheMesh) {
+    const auto fine = [](const TriangleMesh& mesh) { return subdivided(mesh, 5); };
+    Preparation divided = blockPreparation(fine(kFaulty), fine(kIdeal));
+    divided.original = std::make_shared<const SurfacePart>(fine(divided.original->mesh()));
+    expectSame(measured(kFaulty), PreparationMeasures(divided));
+}
+
+TEST(PreparationMetrics, DoNotDependOnThePlaceOfTheTooth) {
+    const Pose moved{Vec3(31, -7, 12), Quat(Eigen::AngleAxisd(8 * kDegree, Vec3::UnitZ()))};
+    Preparation preparation = blockPreparation(kFaulty, kIdeal);
+    const PreparationMeasures here(preparation);
+    for (auto* part : {&preparation.original, &preparation.prepared, &preparation.ideal}) {
+        *part = std::make_shared<const SurfacePart>(transformed((*part)->mesh(), moved));
+    }
+    PreparationMeasures there(preparation);
+    there.extent.mesiodistal = here.extent.mesiodistal;  // along the frame
+    there.extent.buccolingual = here.extent.buccolingual;
+    expectSame(here, there);
+}
+
+TEST(PreparationMetrics, AreTheSameOnOneThread) {
+    const auto all = measureAll(measured(kFaulty));
+    const ThreadLimit alone(1);
+    const auto again = measureAll(measured(kFaulty));
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].measured.value, again[i].measured.value);
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/preparation/prepared_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace tactooth::test {
+namespace {
+
+void addCorners(TriangleMesh& mesh, const Rectangle& r) {
+    for (const Vec3& corner : {Vec3(r.left, r.back, r.leftHeight), Vec3(r.right, r.back, r.rightHeight),
+                               Vec3(r.right, r.front, r.rightHeight), Vec3(r.left, r.front, r.leftHeight)}) {
+        mesh.vertices.push_back(corner.cast<float>());
+    }
+}
+
+}  // namespace
+
+TriangleMesh preparedBlock(double top, const Rectangle& opening, const Rectangle& end) {
+    TriangleMesh mesh;
+    addCorners(mesh, Rectangle::level(-5, 5, -5, 5, -5));
+    addCorners(mesh, Rectangle::level(-5, 5, -5, 5, top));
+    addCorners(mesh, opening);
+    addCorners(mesh, end);
+    const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    };
+    face(0, 3, 2, 1);
+    face(12, 13, 14, 15);
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint32_t next = (i + 1) % 4;
+        face(i, next, 4 + next, 4 + i);
+        face(4 + i, 4 + next, 8 + next, 8 + i);
+        face(8 + i, 8 + next, 12 + next, 12 + i);
+    }
+    return mesh;
+}
+
+TriangleMesh blockWithBox(double left, double right, double back, double front, double floor) {
+    return blockWithCavityTo(Rectangle::level(left, right, back, front, 5),
+                             Rectangle::level(left, right, back, front, floor));
+}
+
+Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal) {
+    return {.original = std::make_shared<const SurfacePart>(box(Vec3(-5, -5, -5), Vec3(5, 5, 5))),
+            .prepared = std::make_shared<const SurfacePart>(std::move(prepared)),
+            .ideal = std::make_shared<const SurfacePart>(std::move(ideal))};
+}
+
+double valueOf(const PreparationMeasures& measures, std::string_view id) {
+    const Measured measured = findPreparationMetric(id)->measure(measures);
+    EXPECT_TRUE(measured.value) << id << ": " << (measured.reason != nullptr ? measured.reason->english : "");
+    return measured.value.value_or(-1e9);
+}
+
+std::string_view reasonOf(const PreparationMeasures& measures, std::string_view id) {
+    const Measured measured = findPreparationMetric(id)->measure(measures);
+    EXPECT_FALSE(measured.value) << id;
+    return measured.reason != nullptr ? measured.reason->id : "";
+}
+
+}  // namespace tactooth::test

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "assessment/preparation/preparation_metrics.h"
+
+namespace tactooth::test {
+
+/// A rectangle from (left, back) to (right, front); the height of each of its sides x = left and x = right, mm.
+struct Rectangle {
+    double left, right, back, front;
+    double leftHeight, rightHeight;
+
+    static Rectangle level(double left, double right, double back, double front, double height) {
+        return {left, right, back, front, height, height};
+    }
+};
+
+/// The block from (-5, -5, -5) to (5, 5, `top`) with a rectangle `opening` in its top, from which four walls lead to
+/// the rectangle `end`: below it the floor of a cavity, above it the end of a stump.
+[[nodiscard]] TriangleMesh preparedBlock(double top, const Rectangle& opening, const Rectangle& end);
+
+/// The same with a cavity in the whole block, whose top is at z = 5.
+[[nodiscard]] inline TriangleMesh blockWithCavityTo(const Rectangle& opening, const Rectangle& floor) {
+    return preparedBlock(5, opening, floor);
+}
+
+/// An upright box of this opening as cavity, down to z = `floor`.
+[[nodiscard]] TriangleMesh blockWithBox(double left, double right, double back, double front, double floor);
+
+/// A student's work on the whole block against an ideal one.
+[[nodiscard]] Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal);
+
+/// The value of one metric; a failed test where it cannot be measured.
+[[nodiscard]] double valueOf(const PreparationMeasures& measures, std::string_view id);
+/// The reason why a metric has no value; a failed test where it has one.
+[[nodiscard]] std::string_view reasonOf(const PreparationMeasures& measures, std::string_view id);
+
+}  // namespace tactooth::test

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/motion_files.h"
+#include "geometry/mesh/subdivide.h"
+#include "geometry/util/pose.h"
+#include "session/block_with_cavity.h"
+#include "support/text_file.h"
+
+namespace tactooth {
+namespace {
+
+using namespace test;
+using Json = nlohmann::json;
+
+/// Blocks of 10 mm; the expert's cavity is 4 x 3 mm and 2 mm deep.
+class AssessCommand : public test::MotionFiles {
+protected:
+    std::string surface(const std::string& name, const TriangleMesh& mesh) {
+        EXPECT_TRUE(writeStl(mesh, file(name)));
+        return file(name);
+    }
+    std::string block() { return surface("block.stl", box(Vec3(-5, -5, -5), Vec3(5, 5, 5))); }
+    std::string expert() { return cavity("expert.stl", 0); }
+    /// As the expert's one, but `deeper` mm too deep.
+    std::string cavity(const std::string& name, double deeper) {
+        return surface(name, blockWithCavity(Vec3(-2, -1.5, 3 - deeper), Vec3(2, 1.5, 5)));
+    }
+    ProgramRun assess(const std::string& student, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> all = {"assess",     student, "--expert", expert(),
+                                        "--original", block(), "--out",    file("out")};
+        all.insert(all.end(), more.begin(), more.end());
+        return runTactooth(all);
+    }
+    Json report() { return Json::parse(readText(file("out") + "/report.json")); }
+    static Json metric(const Json& report, const std::string& id) {
+        for (const Json& each : report["metrics"]) {
+            if (each["id"] == id) return each;
+        }
+        ADD_FAILURE() << "no metric " << id;
+        return {};
+    }
+};
+
+TEST_F(AssessCommand, PassesGoodWorkAndFailsBadWork) {
+    const ProgramRun good = assess(cavity("good.stl", 0.05));
+    EXPECT_EQ(good.exitCode, 0) << good.err;
+    EXPECT_GE(report()["mark"], 90);
+    EXPECT_EQ(report()["pass"], true);
+    const ProgramRun bad = assess(cavity("bad.stl", 1.5));
+    EXPECT_EQ(bad.exitCode, 1) << bad.err;
+    EXPECT_LT(report()["mark"], 65);
+    EXPECT_EQ(report()["pass"], false);
+}
+
+TEST_F(AssessCommand, LeavesAReportInThreeForms) {
+    const ProgramRun run = assess(cavity("deep.stl", 0.3));
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, AllOf(HasSubstr("of 100, passed"), HasSubstr("Deepest over-preparation")));
+    const Json json = report();
+    EXPECT_NEAR(metric(json, "over_max")["value"], 0.3, 0.02);
+    EXPECT_EQ(metric(json, "over_max")["unit"], "mm");
+    EXPECT_NEAR(metric(json, "over_max")["place"]["z"], 2.7, 0.02);
+    EXPECT_TRUE(metric(json, "over_max")["moment"].is_null());
+    EXPECT_NEAR(metric(json, "over_volume")["value"], 3.6, 0.05);
+    EXPECT_NEAR(metric(json, "floor_depth_median")["value"], 2.3, 0.02);
+    EXPECT_TRUE(metric(json, "pulp_open")["value"].is_null());
+    EXPECT_EQ(metric(json, "pulp_open")["reason"], "the files have no pulp");
+    EXPECT_FALSE(json["criteria"].empty());
+    EXPECT_THAT(readText(file("out") + "/report.csv"), HasSubstr("metric,over_max,0.2999"));
+    const std::string html = readText(file("out") + "/report.html");
+    EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
+    EXPECT_THAT(html, HasSubstr("not measurable: the files have no pulp"));
+    EXPECT_THAT(html, Not(HasSubstr("http")));
+    EXPECT_LT(html.size(), 2'000'000U);
+}
+
+TEST_F(AssessCommand, WritesTheReportToTheOutputToo) {
+    const ProgramRun run = assess(cavity("deep.stl", 0.3), {"--json"});
+    EXPECT_EQ(Json::parse(run.out), report());
+}
+
+TEST_F(AssessCommand, GivesNothingForAnUncutTooth) {
+    const ProgramRun run = assess(block());
+    EXPECT_EQ(run.exitCode, 1) << run.err;
+    EXPECT_EQ(report()["mark"], 0);
+    EXPECT_THAT(report()["limited_by"], testing::Contains("cleared_share"));
+}
+
+TEST_F(AssessCommand, GivesTheSameReportAgain) {
+    const std::string student = cavity("deep.stl", 0.2);
+    (void)assess(student);
+    const std::string once = readText(file("out") + "/report.json");
+    (void)assess(student);
+    EXPECT_EQ(readText(file("out") + "/report.json"), once);
+}
+
+TEST_F(AssessCommand, LaysAScanOnTheTooth) {
+    const Pose moved{Vec3(1.2, -0.8, 0.5), Quat(Eigen::AngleAxisd(0.08, Vec3(1, 2, 3).normalized()))};
+    const TriangleMesh deep = blockWithCavity(Vec3(-2, -1.5, 2.7), Vec3(2, 1.5, 5));
+    const std::string scan = surface("scan.stl", transformed(subdivided(deep, 3), moved));
+    expectRefused(assess(scan), "does not lie on the uncut tooth");
+    const ProgramRun run = assess(scan, {"--align"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NEAR(metric(report(), "over_max")["value"], 0.3, 0.02);
+    EXPECT_NEAR(metric(report(), "floor_depth_median")["value"], 2.3, 0.02);
+    EXPECT_LT(report()["fit"]["residual"], 0.02);
+    const std::string other = surface("other.stl", sphere(Vec3(0, 0, 1), 4.5, 48, 32));
+    expectRefused(assess(other, {"--align"}), "cannot be laid on the uncut tooth");
+}
+
+TEST_F(AssessCommand, ReadsASavedToothWithoutAnOriginal) {
+    EXPECT_TRUE(writeStl(test::cylinder(Vec3::Zero(), 0.5, 4, 64), file("bur.stl")));
+    const auto drilled = [&](const std::string& name, double depth) {
+        const std::string path = trajectory({{0, 0, 0.01, 5.2}, {0.4, 0, 0.01, 5 - depth}});
+        const ProgramRun run =
+            runTactooth({"cut", "--tooth", block(), "--tool", file("bur.stl"), "--trajectory", path, "--out",
+                         file(name + ".stl"), "--save", file(name + ".tactooth"), "--record", file(name + ".ttsession"),
+                         "--speed-rpm", "200000", "--feed", "rigid"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        return file(name);
+    };
+    const std::string ideal = drilled("ideal", 1.0) + ".tactooth", deep = drilled("deep", 1.4);
+    const ProgramRun saved = runTactooth({"assess", deep + ".tactooth", "--expert", ideal, "--out", file("out")});
+    EXPECT_NE(saved.exitCode, 2) << saved.err;
+    EXPECT_NEAR(metric(report(), "over_max")["value"], 0.4, 0.02);
+    // The tip is 1.2 mm deep, halfway through what is too deep, after 1.4 of 1.6 of the way.
+    const ProgramRun session = runTactooth({"assess", deep + ".ttsession", "--expert", ideal, "--out", file("out")});
+    EXPECT_NE(session.exitCode, 2) << session.err;
+    EXPECT_NEAR(metric(report(), "over_max")["value"], 0.4, 0.02);
+    ASSERT_FALSE(metric(report(), "over_max")["moment"].is_null());
+    EXPECT_NEAR(metric(report(), "over_max")["moment"], 0.39, 0.02);
+    EXPECT_GT(report()["seconds"], 0.3);
+}
+
+TEST_F(AssessCommand, RefusesWhatCannotBeAssessed) {
+    const std::string student = cavity("student.stl", 0.1);
+    expectRefused(runTactooth({"assess", student, "--out", file("out")}), "there is nothing to compare with");
+    expectRefused(runTactooth({"assess", student, "--expert", expert(), "--out", file("out")}),
+                  "does not say what the tooth was like before; give the uncut tooth by --original");
+    expectRefused(runTactooth({"assess", student, "--exercise", "nine", "--out", file("out")}),
+                  "there is no exercise 'nine'");
+    expectRefused(assess(missing()), "there is no such file");
+    expectRefused(assess(student, {"--rubric", "nine"}), "there is no rubric 'nine'");
+    expectRefused(assess(student, {"--rubric", text("bad.toml", "name = 3\n")}), "bad.toml, line 1");
+    expectRefused(assess(surface("huge.stl", box(Vec3(-500, -5, -5), Vec3(5, 5, 5)))), "more than any tooth");
+    expectRefused(assess(text("no.stl", "solid nothing\nendsolid\n")), "no.stl");
+    EXPECT_FALSE(std::filesystem::exists(file("out")));
+}
+
+TEST_F(AssessCommand, DocumentsEachMetric) {
+    const std::string page = readText(TACTOOTH_PAGES "/../assessment.md");
+    (void)assess(cavity("deep.stl", 0.3));
+    for (const Json& each : report()["metrics"]) {
+        EXPECT_THAT(page, HasSubstr("`" + each["id"].get<std::string>() + "`"));
+    }
+}
+
+}  // namespace
+}  // namespace tactooth
