@@ -34,6 +34,8 @@ public:
 signals:
     /// The user wants to choose a recording to open.
     void recordingWanted();
+    /// The user wants to change keys.
+    void keysWanted();
 
 private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,

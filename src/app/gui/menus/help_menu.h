@@ -10,6 +10,7 @@ class QWidget;
 namespace tactooth {
 
 class GuidedTour;
+class KeyController;
 class ToothController;
 class WindowMessages;
 
@@ -19,7 +20,8 @@ class HelpMenu final : public QObject {
 
 public:
     /// Adds the menu to `bar`. All others outlive it; `window` is the parent of its dialogs.
-    HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages);
+    HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
+             const KeyController& keys);
 
     /// Shows three ways to begin.
     void welcome();
@@ -32,6 +34,7 @@ private:
     ToothController& teeth_;
     GuidedTour& tour_;
     WindowMessages& messages_;
+    const KeyController& keys_;
 };
 
 }  // namespace tactooth

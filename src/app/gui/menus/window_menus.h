@@ -22,7 +22,7 @@ public:
     /// All of them outlive the menus.
     WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                 ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                ExaminationController& examinations, WindowMessages& messages);
+                ExaminationController& examinations, WindowMessages& messages, const KeyController& keys);
 
     [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }

@@ -40,10 +40,11 @@ MainWindow::MainWindow(SoundOutput& sound)
       examinations_(examination_, model_, panels_, docks_, exercise_, recordings_, messages_, *this),
       restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
+      keys_(*this, panels_, messages_),
       hints_(model_, panels_, devices_, messages_),
       sounds_(sound, model_, panels_, messages_, files_),
       records_(model_, panels_, messages_, files_),
-      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_),
+      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_, keys_),
       history_(model_, examination_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_),
@@ -57,6 +58,9 @@ MainWindow::MainWindow(SoundOutput& sound)
     connectLoop();
     connectNumbers();
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
+    connect(&menus_.file(), &FileMenu::keysWanted, &keys_, &KeyController::edit);
+    connect(&replay_, &ReplayController::panelMade, &keys_, &KeyController::apply);
+    connect(&keys_, &KeyController::changed, &hints_, &WindowHints::showUsual);
     connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
     connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
@@ -180,7 +184,10 @@ void MainWindow::apply(const WindowSettings& settings) {
     panels_.drill->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
     menus_.restore(settings);
     panels_.force->set(settings.force);
-    devices_.apply(settings.hand);
+    keys_.restore(settings);
+    DeviceSettings hand = settings.hand;
+    hand.pedalKey = keys_.pedalKey();
+    devices_.apply(hand);
     sounds_.restore(settings);
     recordings_.restore(settings);
 }
@@ -195,6 +202,7 @@ WindowSettings MainWindow::settings() const {
     menus_.store(settings);
     settings.force = panels_.force->settings();
     settings.hand = devices_.settings();
+    keys_.store(settings);
     sounds_.store(settings);
     recordings_.store(settings);
     return settings;

@@ -10,6 +10,7 @@
 #include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/key_controller.h"
 #include "app/gui/controllers/panel_updater.h"
 #include "app/gui/controllers/record_exports.h"
 #include "app/gui/controllers/recording_controller.h"
@@ -121,6 +122,7 @@ private:
     ExaminationController examinations_;
     RestoreController restorer_;
     DeviceController devices_;
+    KeyController keys_;
     WindowHints hints_;
     SoundController sounds_;
     RecordExports records_;
