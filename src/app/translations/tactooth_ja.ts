@@ -818,6 +818,10 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;See, feel and hear a dental bur touch and cut a tooth.&lt;br&gt;&lt;br&gt;Free software under the GNU General Public License, version 3 or later;&lt;br&gt;its simulation library under the Apache License 2.0.</source>
         <translation>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
     </message>
+    <message>
+        <source>Ma&amp;nual</source>
+        <translation>説明書(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::InstrumentMenus</name>
@@ -2110,6 +2114,41 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>All keys are the usual ones.</source>
         <translation>すべてのキーを最初の設定に戻しました。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ManualWindow</name>
+    <message>
+        <source>Manual of Tactooth</source>
+        <translation>Tactooth の説明書</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
+    </message>
+    <message>
+        <source>Search all pages (Ctrl+F)</source>
+        <translation>すべてのページを検索（Ctrl+F）</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>すべてのページを検索</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>見つかった場所</translation>
+    </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>この語を含むページはありません。</translation>
     </message>
 </context>
 </TS>

@@ -23,6 +23,8 @@ public:
     KeyEditor(KeyMap map, QWidget* parent);
 
     [[nodiscard]] const KeyMap& map() const { return map_; }
+    /// The next key is the new one of a row.
+    [[nodiscard]] bool isListening() const { return listening_.has_value(); }
 
 signals:
     void changed();

@@ -6,6 +6,7 @@
 #include <QTextDocument>
 
 #include "app/gui/controllers/key_controller.h"
+#include "app/gui/controllers/manual_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/guided_tour.h"
@@ -20,14 +21,15 @@
 namespace tactooth {
 
 HelpMenu::HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
-                   const KeyController& keys)
-    : window_(window), teeth_(teeth), tour_(tour), messages_(messages), keys_(keys) {
+                   const KeyController& keys, ManualController& manual)
+    : window_(window), teeth_(teeth), tour_(tour), messages_(messages), keys_(keys), manual_(manual) {
     QMenu* menu = bar.addMenu(tr("&Help"));
     setLineIcon(*menu->addAction(tr("&Welcome"), this, &HelpMenu::welcome), "welcome");
     setLineIcon(*menu->addAction(tr("Watch the &demonstration"), &tour_, &GuidedTour::start), "demonstration");
-    QAction* keys = menu->addAction(tr("&Mouse and keys"), this, &HelpMenu::showMouseAndKeys);
-    bindKey(*keys, KeyId::Help);
-    setLineIcon(*keys, "keys");
+    QAction* entry = menu->addAction(tr("Ma&nual"), &manual_, &ManualController::openForFocus);
+    bindKey(*entry, KeyId::Help);
+    setLineIcon(*entry, "manual");
+    setLineIcon(*menu->addAction(tr("&Mouse and keys"), this, &HelpMenu::showMouseAndKeys), "keys");
     setLineIcon(*menu->addAction(tr("&About Tactooth"), this, &HelpMenu::showAbout), "about");
 }
 

@@ -11,6 +11,7 @@ namespace tactooth {
 
 class GuidedTour;
 class KeyController;
+class ManualController;
 class ToothController;
 class WindowMessages;
 
@@ -21,7 +22,7 @@ class HelpMenu final : public QObject {
 public:
     /// Adds the menu to `bar`. All others outlive it; `window` is the parent of its dialogs.
     HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
-             const KeyController& keys);
+             const KeyController& keys, ManualController& manual);
 
     /// Shows three ways to begin.
     void welcome();
@@ -35,6 +36,7 @@ private:
     GuidedTour& tour_;
     WindowMessages& messages_;
     const KeyController& keys_;
+    ManualController& manual_;
 };
 
 }  // namespace tactooth

@@ -17,14 +17,15 @@ namespace tactooth {
 
 WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                          ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                         ExaminationController& examinations, WindowMessages& messages, const KeyController& keys)
+                         ExaminationController& examinations, WindowMessages& messages, const KeyController& keys,
+                         ManualController& manual)
     : model_(model),
       file_(window, docks.fileBar(), model, teeth, exercise, recordings, examinations),
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
     addSoundMenu(*window.menuBar(), *panels.sound);
-    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages, keys);
+    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages, keys, manual);
 }
 
 void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {

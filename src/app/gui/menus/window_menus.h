@@ -22,7 +22,8 @@ public:
     /// All of them outlive the menus.
     WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                 ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                ExaminationController& examinations, WindowMessages& messages, const KeyController& keys);
+                ExaminationController& examinations, WindowMessages& messages, const KeyController& keys,
+                ManualController& manual);
 
     [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }

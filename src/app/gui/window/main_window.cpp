@@ -41,10 +41,11 @@ MainWindow::MainWindow(SoundOutput& sound)
       restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
       keys_(*this, panels_, messages_),
+      manual_(*this, keys_),
       hints_(model_, panels_, devices_, messages_),
       sounds_(sound, model_, panels_, messages_, files_),
       records_(model_, panels_, messages_, files_),
-      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_, keys_),
+      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_, keys_, manual_),
       history_(model_, examination_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_),
@@ -245,7 +246,10 @@ void MainWindow::saveBeforeEnd() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (mayClose_ || !model_.isModified()) return QMainWindow::closeEvent(event);
+    if (mayClose_ || !model_.isModified()) {
+        manual_.close();
+        return QMainWindow::closeEvent(event);
+    }
     event->ignore();
     unsaved_.confirmDiscard([this] {
         mayClose_ = true;

@@ -11,6 +11,7 @@
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/key_controller.h"
+#include "app/gui/controllers/manual_controller.h"
 #include "app/gui/controllers/panel_updater.h"
 #include "app/gui/controllers/record_exports.h"
 #include "app/gui/controllers/recording_controller.h"
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
+    [[nodiscard]] ManualController& manual() { return manual_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
     [[nodiscard]] bool isBusy() const {
@@ -123,6 +125,7 @@ private:
     RestoreController restorer_;
     DeviceController devices_;
     KeyController keys_;
+    ManualController manual_;
     WindowHints hints_;
     SoundController sounds_;
     RecordExports records_;

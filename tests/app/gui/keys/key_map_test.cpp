@@ -37,8 +37,8 @@ TEST(KeyMap, AKeyInUseIsRefusedByTheNameOfItsAction) {
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->in(Language::English), "C is the key of “Cut”: give that another key first.");
     EXPECT_EQ(fault->in(Language::Japanese), "C は「切削」のキーです。先にそちらのキーを変えてください。");
-    EXPECT_TRUE(map.objection(KeyId::Nearer, keys("C", KeyId::Nearer)));     // the picture's keys count
-    EXPECT_TRUE(map.objection(KeyId::Touch, keys("Left", KeyId::Touch)));    // and the arrows,
+    EXPECT_TRUE(map.objection(KeyId::Nearer, keys("C", KeyId::Nearer)));        // the picture's keys count
+    EXPECT_TRUE(map.objection(KeyId::Touch, keys("Left", KeyId::Touch)));       // and the arrows,
     EXPECT_TRUE(map.objection(KeyId::Touch, keys("Ctrl+Left", KeyId::Touch)));  // also with a modifier of the hand
     EXPECT_TRUE(map.objection(KeyId::Touch, keys("Enter", KeyId::Touch)));
     EXPECT_TRUE(map.objection(KeyId::Touch, keys("Space", KeyId::Touch)));
@@ -105,8 +105,13 @@ TEST(KeyMap, DamagedLinesGetTheUsualKeyAndTheOthersStay) {
 
 TEST(KeyMap, AnyTextLeavesKeysThatDoNotClash) {
     const char* const texts[] = {"touch = C\ncut = T",  // an exchange
-                                 "touch = C\ncut = C", "touch = C", "pedal = F1", "move_left = Right\nmove_right = Left",
-                                 "lean = Ctrl\nturn_tooth = Shift", "touch = ", "touch = F5; F6\ncut = F6",
+                                 "touch = C\ncut = C",
+                                 "touch = C",
+                                 "pedal = F1",
+                                 "move_left = Right\nmove_right = Left",
+                                 "lean = Ctrl\nturn_tooth = Shift",
+                                 "touch = ",
+                                 "touch = F5; F6\ncut = F6",
                                  "touch = Ctrl+X, Ctrl+Y"};
     for (const char* text : texts) {
         KeyMap map;
