@@ -69,6 +69,7 @@ constexpr std::array kRows = {
     KeyRow{KeyId::Dark, "dark", "Ctrl+D", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyDark},
     KeyRow{KeyId::Mute, "mute", "Ctrl+M", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyMute},
     KeyRow{KeyId::Help, "help", "F1", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyHelp},
+    KeyRow{KeyId::Settings, "settings", "Ctrl+,", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeySettings},
     KeyRow{KeyId::Quit, "quit", "Ctrl+Q", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyQuit},
     KeyRow{KeyId::ReplayPlay, "replay_play", "Space", KeyKind::Shortcut, KeyGroup::Replay, &msg::kKeyReplayPlay},
     KeyRow{KeyId::ReplayPrevious, "replay_previous", "Ctrl+PgUp", KeyKind::Shortcut, KeyGroup::Replay,

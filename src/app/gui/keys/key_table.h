@@ -67,6 +67,7 @@ enum class KeyId {
     Dark,
     Mute,
     Help,
+    Settings,
     Quit,
     // Replay of a recording.
     ReplayPlay,

@@ -88,6 +88,7 @@ inline constexpr MessageText kKeyExport{"key_export", "Export the surface of the
 inline constexpr MessageText kKeyDark{"key_dark", "Dark colours", "暗い配色"};
 inline constexpr MessageText kKeyMute{"key_mute", "Mute", "消音"};
 inline constexpr MessageText kKeyHelp{"key_help", "Help", "ヘルプ"};
+inline constexpr MessageText kKeySettings{"key_settings", "Settings", "設定"};
 inline constexpr MessageText kKeyQuit{"key_quit", "Quit", "終了"};
 
 // Replay of a recording.

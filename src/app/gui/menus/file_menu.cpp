@@ -62,6 +62,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     recordings.addTo(*menu);
     examinations.addTo(*menu);
     menu->addSeparator();
+    bindKey(*add(tr("Se&ttings…"), "settings", this, &FileMenu::settingsWanted), KeyId::Settings);
     add(tr("&Keys…"), "keys", this, &FileMenu::keysWanted);
     menu->addSeparator();
     bindKey(*add(tr("&Quit"), "quit", &window, &QWidget::close), KeyId::Quit);

@@ -34,6 +34,8 @@ public:
 signals:
     /// The user wants to choose a recording to open.
     void recordingWanted();
+    /// The user wants to change settings.
+    void settingsWanted();
     /// The user wants to change keys.
     void keysWanted();
 

@@ -108,4 +108,29 @@ inline constexpr MessageText kOptionRecordingGigabytes{"option_recording_gigabyt
                                                        "Most that all recordings take; the oldest ones go",
                                                        "すべての記録の合計の上限。古いものから消える"};
 
+// The pages of the dialog.
+inline constexpr MessageText kSettingsPageAppearance{"settings_page_appearance", "Appearance and language",
+                                                     "見た目と言語"};
+inline constexpr MessageText kSettingsPageView{"settings_page_view", "View", "表示"};
+inline constexpr MessageText kSettingsPageInstruments{"settings_page_instruments", "Instruments", "器具"};
+inline constexpr MessageText kSettingsPageForce{"settings_page_force", "Force", "力"};
+inline constexpr MessageText kSettingsPageHand{"settings_page_hand", "Hand and devices", "手と装置"};
+inline constexpr MessageText kSettingsPageSound{"settings_page_sound", "Sound", "音"};
+inline constexpr MessageText kSettingsPageRecording{"settings_page_recording", "Recording and privacy",
+                                                    "記録とプライバシー"};
+
+// How the dialog writes values.
+inline constexpr MessageText kSettingsWordFit{"settings_word_fit", "fit to the tooth", "歯に合わせる"};
+inline constexpr MessageText kSettingsWordOcclusal{"settings_word_occlusal", "occlusal", "咬合面"};
+inline constexpr MessageText kSettingsWordBuccal{"settings_word_buccal", "buccal", "頬側"};
+inline constexpr MessageText kSettingsWordLingual{"settings_word_lingual", "lingual", "舌側"};
+inline constexpr MessageText kSettingsWordMesial{"settings_word_mesial", "mesial", "近心"};
+inline constexpr MessageText kSettingsWordDistal{"settings_word_distal", "distal", "遠心"};
+inline constexpr MessageText kSettingsWordNone{"settings_word_none", "none", "なし"};
+inline constexpr MessageText kSettingsWordDepth{"settings_word_depth", "a depth", "深さ"};
+inline constexpr MessageText kSettingsWordForce{"settings_word_force", "the force", "力"};
+inline constexpr MessageText kSettingsWordOn{"settings_word_on", "on", "オン"};
+inline constexpr MessageText kSettingsWordOff{"settings_word_off", "off", "オフ"};
+inline constexpr MessageText kSettingsWordEnglish{"settings_word_english", "English", "English"};  // a name
+
 }  // namespace tactooth::msg

@@ -327,12 +327,12 @@ std::string flagOf(const WindowOption& option) {
 
 std::string flagHelp(const WindowOption& option) {
     std::string text(option.help->english);
-    if (option.unit != nullptr) text += std::string(", ") + option.unit;
     if (option.words != nullptr) text += std::string(": ") + option.words;
     WindowSettings usual;
     std::string value;
     if (const auto* number = std::get_if<Number>(&option.value)) {
         text += ": " + numberText(option.lowest) + " to " + numberText(option.highest);
+        if (option.unit != nullptr) text += std::string(" ") + option.unit;
         const double held = (*number)(usual);
         value = held == 0 && option.zero != nullptr ? option.zero : numberText(held);
     } else if (const auto* on = std::get_if<Switch>(&option.value)) {

@@ -10,6 +10,7 @@
 #include <QWindow>
 #include <utility>
 
+#include "app/gui/dialogs/settings_dialog.h"
 #include "app/gui/model/current_work.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/drill_bar.h"
@@ -23,6 +24,7 @@
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 #include "app/gui/window/screen_fit.h"
+#include "app/gui/window/settings_choices.h"
 
 namespace tactooth {
 
@@ -59,6 +61,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     connectLoop();
     connectNumbers();
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
+    connect(&menus_.file(), &FileMenu::settingsWanted, this, &MainWindow::editSettings);
     connect(&menus_.file(), &FileMenu::keysWanted, &keys_, &KeyController::edit);
     connect(&replay_, &ReplayController::panelMade, &keys_, &KeyController::apply);
     connect(&keys_, &KeyController::changed, &hints_, &WindowHints::showUsual);
@@ -207,6 +210,30 @@ WindowSettings MainWindow::settings() const {
     sounds_.store(settings);
     recordings_.store(settings);
     return settings;
+}
+
+void MainWindow::change(const WindowSettings& wanted) {
+    const WindowSettings now = settings();
+    files_.setFolder(QString::fromStdString(wanted.folder));
+    const auto changed = [](const std::string& before, const std::string& after) {
+        return before == after ? QString() : QString::fromStdString(after);
+    };
+    panels_.drill->choose(changed(now.bur, wanted.bur), changed(now.spindle, wanted.spindle));
+    menus_.restore(wanted);
+    if (wanted.force != now.force) panels_.force->set(wanted.force);
+    devices_.change(wanted.hand);
+    sounds_.change(wanted);
+    const bool recordsOtherwise =
+        wanted.recordsSessions != now.recordsSessions || wanted.recordingGigabytes != now.recordingGigabytes;
+    if (recordsOtherwise) recordings_.restore(wanted);
+    if (wanted.language != now.language) emit languageChosen();
+}
+
+void MainWindow::editSettings() {
+    auto* dialog = new SettingsDialog(settings(), settingsChoices(panels_), this);
+    connect(dialog, &SettingsDialog::changed, this, [this, dialog] { change(dialog->settings()); });
+    connect(dialog, &SettingsDialog::keysWanted, &keys_, &KeyController::edit);
+    dialog->open();
 }
 
 MainWindow::SessionState MainWindow::releaseSession() {

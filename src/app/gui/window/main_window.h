@@ -62,6 +62,8 @@ public:
     /// The window as it was the last time. Call it before the window is shown.
     void apply(const WindowSettings& settings);
     [[nodiscard]] WindowSettings settings() const;
+    /// Takes over what differs from settings(), but for layout and keys, while the work goes on.
+    void change(const WindowSettings& settings);
 
     /// How the user looks at the work, and the target it is compared with.
     struct ViewState {
@@ -110,6 +112,7 @@ private:
     void showImportNotes();
     void updateInspection();
     void fitToScreenLater();
+    void editSettings();
 
     SessionModel model_;
     ExaminationMode examination_;
