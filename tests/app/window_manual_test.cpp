@@ -4,9 +4,12 @@
 // The manual in its window: opened by the key of the help, searched, and read beside the work.
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTextBlock>
 #include <QToolButton>
 #include <QTreeWidget>
 

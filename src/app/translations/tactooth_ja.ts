@@ -783,6 +783,10 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>&amp;Keys…</source>
         <translation>キー(&amp;K)…</translation>
     </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>設定(&amp;T)…</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::HelpMenu</name>
@@ -1167,6 +1171,10 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>&amp;Mute</source>
         <translation>消音(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Reset la&amp;yout</source>
+        <translation>配置を元に戻す(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -2149,6 +2157,40 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>No page has these words.</source>
         <translation>この語を含むページはありません。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SettingRow</name>
+    <message>
+        <source>usually %1</source>
+        <translation>最初の値：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>A change acts at once. Another language opens the window anew, with the work as it is.</source>
+        <translation>変更はすぐに働きます。言語を変えると、作業はそのままでウィンドウが開き直します。</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>キー(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Reset this &amp;page</source>
+        <translation>このページを最初の値に(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all</source>
+        <translation>すべて最初の値に(&amp;A)</translation>
     </message>
 </context>
 </TS>

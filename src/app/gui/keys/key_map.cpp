@@ -180,7 +180,7 @@ std::vector<Message> KeyMap::restore(const std::string& ownText, const std::stri
         const qsizetype sign = line.indexOf('=');
         take(line.left(sign).trimmed().toStdString(), sign < 0 ? "" : line.mid(sign + 1).trimmed().toStdString());
     }
-    take(keyRow(KeyId::Pedal).name, pedalKey);
+    if (!pedalKey.empty()) take(keyRow(KeyId::Pedal).name, pedalKey);
     // A row with its usual key stays; the pedal has the right before the others. All usual keys together do not clash.
     for (bool isClean = false; !isClean;) {
         isClean = true;

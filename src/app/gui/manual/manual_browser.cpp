@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/manual/manual_browser.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
 #include <QEvent>
 #include <QImage>
@@ -32,6 +33,7 @@ ManualBrowser::ManualBrowser(const ManualPages& pages, QWidget* parent) : QTextB
     setObjectName("manualPage");
     setOpenLinks(false);
     connect(this, &QTextBrowser::anchorClicked, this, &ManualBrowser::follow);
+    connect(this, &QTextBrowser::sourceChanged, this, &ManualBrowser::finish);
     document()->setDocumentMargin(14);  // pixels: text that does not stick to the frame reads more easily
 }
 
@@ -40,6 +42,7 @@ QString ManualBrowser::page() const { return pageOf(source()); }
 void ManualBrowser::open(const QString& page, int section) {
     QUrl address = addressOf(page);
     if (section > 0) address.setFragment(kSection + QString::number(section));
+    if (page == this->page()) reload();  // the keys may have changed
     setSource(address, QTextDocument::MarkdownResource);
 }
 
@@ -68,17 +71,18 @@ QVariant ManualBrowser::loadResource(int type, const QUrl& name) {
     return shown;
 }
 
-void ManualBrowser::doSetSource(const QUrl& name, QTextDocument::ResourceType type) {
-    QTextBrowser::doSetSource(name, type);
+/// Also after Back and Forward, which then scroll to where the page was left.
+void ManualBrowser::finish(const QUrl& shown) {
     drawTables();
     showMarks();
-    goTo(name.fragment());
+    goTo(shown.fragment());
     emit opened(page());
 }
 
 /// Markdown gives headings no names: the anchor is compared with that of each heading.
 void ManualBrowser::goTo(const QString& anchor) {
     if (anchor.isEmpty()) return;
+    (void)document()->size();  // lays out all of the page
     const QString wanted = QUrl::fromPercentEncoding(anchor.toUtf8());
     int section = 0;
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
@@ -89,9 +93,7 @@ void ManualBrowser::goTo(const QString& anchor) {
                                                       : anchorOf(block.text()) == wanted;
         if (!isIt) continue;
         const double top = document()->documentLayout()->blockBoundingRect(block).top();
-        verticalScrollBar()->setValue(static_cast<int>(top));
-        QTextCursor there(block);
-        setTextCursor(there);
+        setTextCursor(QTextCursor(block));
         verticalScrollBar()->setValue(static_cast<int>(top));
         return;
     }
@@ -121,12 +123,14 @@ void ManualBrowser::mark(const QString& words) {
 }
 
 void ManualBrowser::showMarks() {
+    constexpr qsizetype kMost = 300;  // more would only cost time
     QList<ExtraSelection> marks;
     QTextCharFormat format;
     format.setBackground(palette().color(QPalette::Highlight));
     format.setForeground(palette().color(QPalette::HighlightedText));
     for (const QString& word : marked_) {
-        for (QTextCursor found = document()->find(word); !found.isNull(); found = document()->find(word, found)) {
+        for (QTextCursor found = document()->find(word); !found.isNull() && marks.size() < kMost;
+             found = document()->find(word, found)) {
             marks.append({found, format});
         }
     }

@@ -32,11 +32,11 @@ signals:
     void missed(const QString& sentence);
 
 protected:
-    void doSetSource(const QUrl& name, QTextDocument::ResourceType type) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void follow(const QUrl& link);
+    void finish(const QUrl& shown);
     void goTo(const QString& anchor);
     void drawTables();
     void showMarks();

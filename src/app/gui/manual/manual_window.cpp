@@ -76,9 +76,9 @@ ManualWindow::ManualWindow(ManualPages pages, const QWidget& besides)
     parts->setSizes({side, width() - side});
 }
 
-void ManualWindow::addBar(QLayout& column) {
+void ManualWindow::addBar(QVBoxLayout& column) {
     auto* row = new QHBoxLayout;
-    static_cast<QVBoxLayout&>(column).addLayout(row);
+    column.addLayout(row);
     QToolButton* const back = button("back", tr("Back"), QKeySequence("Alt+Left"));
     QToolButton* const forward = button("forward", tr("Forward"), QKeySequence("Alt+Right"));
     row->addWidget(back);
@@ -146,9 +146,9 @@ void ManualWindow::goToContents(const QTreeWidgetItem& item) {
 
 void ManualWindow::open(const QString& page, int section) {
     wanted_->clear();
-    browser_->open(page, section);
     if (isMinimized()) showNormal();
     show();
+    browser_->open(page, section);  // now its size is known, and so is the place of each heading
     raise();
     activateWindow();
     browser_->setFocus();  // arrow keys scroll

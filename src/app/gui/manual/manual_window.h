@@ -13,6 +13,7 @@ class QListWidget;
 class QStackedWidget;
 class QTreeWidget;
 class QTreeWidgetItem;
+class QVBoxLayout;
 
 namespace tactooth {
 
@@ -31,7 +32,7 @@ public:
     [[nodiscard]] ManualBrowser& browser() const { return *browser_; }
 
 private:
-    void addBar(QLayout& column);
+    void addBar(QVBoxLayout& column);
     QWidget* makeSide();
     void fillContents();
     void goToContents(const QTreeWidgetItem& item);

@@ -41,6 +41,9 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
         setLineIcon(*dock->toggleViewAction(), "panel");
         menu->addAction(dock->toggleViewAction());
     }
+    QAction* reset = menu->addAction(tr("Reset la&yout"), this, &WindowMenus::layoutResetWanted);
+    reset->setObjectName("resetLayout");
+    setLineIcon(*reset, "reset-layout");
 }
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {

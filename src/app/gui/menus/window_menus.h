@@ -34,6 +34,10 @@ public:
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
+signals:
+    /// Docks, tool bars and size of the window should be as at the first start.
+    void layoutResetWanted();
+
 private:
     void addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels);
     void addDrillMenu(QMenuBar& bar, const WindowPanels& panels);

@@ -32,9 +32,8 @@ inline constexpr MessageText kOptionViewCube{
     "option_view_cube", "Cube that shows and chooses the side from which one looks", "見る向きを示し、選べるキューブ"};
 inline constexpr MessageText kOptionViewMagnifier{"option_view_magnifier", "Magnifier of the bur's head",
                                                   "バーの頭部の拡大鏡"};
-inline constexpr MessageText kOptionMirrorSize{"option_mirror_size",
-                                               "Size number of the mirror: 2, 4 or 5 for 18, 22 or 24 mm",
-                                               "ミラーのサイズ番号：2、4、5 は 18、22、24 mm"};
+inline constexpr MessageText kOptionMirrorSize{"option_mirror_size", "Size number of the mirror (18, 22 or 24 mm)",
+                                               "ミラーのサイズ番号（18、22、24 mm）"};
 inline constexpr MessageText kOptionMirrorFogged{"option_mirror_fogged", "Fog on the mirror's glass", "ミラーの曇り"};
 inline constexpr MessageText kOptionMirrorWet{"option_mirror_wet", "Drops on the mirror's glass", "ミラーの水滴"};
 inline constexpr MessageText kOptionDrillBur{"option_drill_bur", "Bur of the catalogue, by its number",
@@ -60,29 +59,29 @@ inline constexpr MessageText kOptionForceDepth{"option_force_depth",
                                                "Depth below the uncut surface at which a press of the mouse ends",
                                                "マウスで押すときに止まる、未切削の表面からの深さ"};
 inline constexpr MessageText kOptionForceFlatFloor{"option_force_flat_floor",
-                                                   "That depth gives a flat floor; no: the floor follows the surface",
-                                                   "その深さで平らな窩底にする（いいえ：窩底は表面に沿う）"};
+                                                   "That depth gives a flat floor; else the floor follows the surface",
+                                                   "その深さで平らな窩底にする。そうでなければ窩底は表面に沿う"};
 inline constexpr MessageText kOptionHandDevice{"option_hand_device", "Device that moves the bur", "バーを動かす装置"};
 inline constexpr MessageText kOptionHandSecondDevice{"option_hand_second_device",
                                                      "Device of the other hand, which holds the mirror",
                                                      "もう一方の手（ミラーを持つ手）の装置"};
-inline constexpr MessageText kOptionHandFineness{
-    "option_hand_fineness",
-    "Motion scaling: mm that the device moves for each mm of the bur; fit: from the workspace of the device",
-    "動きの縮小：バーの 1 mm に対して装置が動く mm。fit：装置の可動域から決める"};
+inline constexpr MessageText kOptionHandMotionScaling{
+    "option_hand_motion_scaling",
+    "Motion scaling: mm that the device moves for each mm of the bur (fit takes it from the workspace of the device)",
+    "動きの縮小：バーの 1 mm に対して装置が動く mm（fit は装置の可動域から決める）"};
 inline constexpr MessageText kOptionHandRate{"option_hand_rate", "Force updates per second", "力の更新の頻度（毎秒）"};
 inline constexpr MessageText kOptionHandLeftHanded{
     "option_hand_left_handed", "Left-handed: handles point to the other side, the sticks of a gamepad are swapped",
     "左利き：柄が反対側を向き、ゲームパッドのスティックが入れ替わる"};
 inline constexpr MessageText kOptionHandSwapButton{"option_hand_swap_button",
-                                                   "Button that swaps turbine and mirror; 0: none",
-                                                   "タービンとミラーを入れ替えるボタン（0：なし）"};
+                                                   "Button that swaps turbine and mirror (0 is none)",
+                                                   "タービンとミラーを入れ替えるボタン（0 はなし）"};
 inline constexpr MessageText kOptionHandCutButton{"option_hand_cut_button",
-                                                  "Button that switches between touch and cut; 0: none",
-                                                  "触診と切削を切り替えるボタン（0：なし）"};
+                                                  "Button that switches between touch and cut (0 is none)",
+                                                  "触診と切削を切り替えるボタン（0 はなし）"};
 inline constexpr MessageText kOptionHandClutchButton{"option_hand_clutch_button",
-                                                     "Clutch button: holds the bur while the hand moves; 0: none",
-                                                     "クラッチボタン：手が動く間バーを保持する（0：なし）"};
+                                                     "Clutch button: holds the bur while the hand moves (0 is none)",
+                                                     "クラッチボタン：手が動く間バーを保持する（0 はなし）"};
 inline constexpr MessageText kOptionPedalSource{
     "option_pedal_source", "Foot pedal: axis:N or button:N of a joystick, with :NAME of the joystick",
     "フットペダル：ジョイスティックの axis:N か button:N、その後に :NAME（ジョイスティックの名前）"};

@@ -70,7 +70,11 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
-    resize(QSize(1400, 900).boundedTo(screen()->availableSize()));
+    connect(&menus_, &WindowMenus::layoutResetWanted, this, [this] {
+        docks_.reset();
+        examinations_.followLayout();
+        fitToScreenLater();
+    });
 }
 
 MainWindow::~MainWindow() = default;

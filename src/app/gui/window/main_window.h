@@ -63,7 +63,7 @@ public:
     void apply(const WindowSettings& settings);
     [[nodiscard]] WindowSettings settings() const;
     /// Takes over what differs from settings(), but for layout and keys, while the work goes on.
-    void change(const WindowSettings& settings);
+    void change(const WindowSettings& wanted);
 
     /// How the user looks at the work, and the target it is compared with.
     struct ViewState {

@@ -7,6 +7,7 @@
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/text/translation.h"
 #include "instruments/bur_catalogue.h"
+#include "instruments/spindle.h"
 
 namespace tactooth {
 namespace {
