@@ -50,12 +50,15 @@ private slots:
     void theWindowFitsASmallScreen();
     void whatHappensIsSaidInThePicture();
     void theStatusLineSpeaksOfTheForceNotOfTheServo();
+    void resetBringsBackTheLayoutOfTheFirstStart();
     void cleanupTestCase();
 
 private:
     /// Opens a second window with the tooth ready.
     [[nodiscard]] std::unique_ptr<WindowOwner> ownWindow();
     void chooseJapanese(WindowOwner& owner);
+    /// Where each dock and each tool bar is.
+    [[nodiscard]] static QStringList layoutOf(const MainWindow& window);
 };
 
 void WindowLayoutTest::initTestCase() {
@@ -332,6 +335,59 @@ void WindowLayoutTest::theStatusLineSpeaksOfTheForceNotOfTheServo() {
     QTRY_VERIFY_WITH_TIMEOUT(pace->text().contains("Force on time") || pace->text().contains("Force late"), kPatience);
     QVERIFY(!pace->text().contains("Servo"));
     QTRY_VERIFY_WITH_TIMEOUT(pace->toolTip().contains("p99"), kPatience);
+}
+
+QStringList WindowLayoutTest::layoutOf(const MainWindow& window) {
+    const auto placeOf = [](const QWidget& widget) {
+        const QRect place = widget.geometry();
+        return QString("%1 %2 %3 %4").arg(place.x()).arg(place.y()).arg(place.width()).arg(place.height());
+    };
+    QStringList lines = {QString("%1 x %2").arg(window.width()).arg(window.height())};
+    for (auto* dock : window.findChildren<QDockWidget*>()) {
+        QStringList tabs;
+        for (const QDockWidget* other : window.tabifiedDockWidgets(dock)) tabs << other->objectName();
+        const bool isInSight = dock->isVisible() && !dock->visibleRegion().isEmpty();
+        lines << QString("%1: %2 %3 %4 [%5] %6")
+                     .arg(dock->objectName())
+                     .arg(window.dockWidgetArea(dock))
+                     .arg(dock->isFloating())
+                     .arg(dock->isHidden())
+                     .arg(tabs.join(','), isInSight ? placeOf(*dock) : QString());
+    }
+    for (auto* bar : window.findChildren<QToolBar*>()) {
+        lines << QString("%1: %2 %3 %4")
+                     .arg(bar->objectName())
+                     .arg(window.toolBarArea(bar))
+                     .arg(bar->isHidden())
+                     .arg(placeOf(*bar));
+    }
+    return lines;
+}
+
+void WindowLayoutTest::resetBringsBackTheLayoutOfTheFirstStart() {
+    WindowOwner owner(*qApp, *sound_);
+    MainWindow& window = owner.open(WindowSettings());
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window, kPatience));
+    QStringList first;
+    const auto isSettled = [&] {
+        const QStringList before = std::exchange(first, layoutOf(window));
+        return before == first;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isSettled(), kPatience);
+    window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget*>("Look inside"));
+    window.findChild<QDockWidget*>("History")->hide();
+    window.findChild<QDockWidget*>("Exercise")->setFloating(true);
+    window.findChild<QDockWidget*>("Sound")->raise();
+    window.addToolBar(Qt::LeftToolBarArea, window.findChild<QToolBar*>("viewBar"));
+    window.findChild<QToolBar*>("drillBar")->hide();
+    window.resize(1250, 850);
+    QTRY_VERIFY_WITH_TIMEOUT(window.width() == 1250 && layoutOf(window) != first, kPatience);
+    window.findChild<QAction*>("resetLayout")->trigger();
+    QStringList now;
+    const bool isBack = QTest::qWaitFor([&] { return (now = layoutOf(window)) == first; }, 10'000);
+    for (qsizetype i = 0; i < first.size() && !isBack; ++i) QCOMPARE(now.value(i), first[i]);
+    QVERIFY(isBack);
 }
 
 void WindowLayoutTest::savePictures(const QString& folder) {

@@ -45,6 +45,7 @@ private:
     void leaveDialogs(const QString& after) const;
     void clickThrough(QMenu& menu, const std::function<void()>& open, const QString& path);
     [[nodiscard]] std::vector<QAction*> leaves() const;
+    void openSheet() const;
     [[nodiscard]] QAction* action(const char* name) const { return window_->findChild<QAction*>(name); }
     std::set<QString> clicked_;
 };
@@ -61,8 +62,9 @@ void WindowMenuTest::leaveDialogs(const QString& after) const {
     for (int i = 0; i < 6; ++i) {
         QCoreApplication::processEvents();
         QDialog* front = nullptr;
-        for (QDialog* dialog : window_->findChildren<QDialog*>()) {
-            if (dialog->isVisible()) front = dialog;
+        for (QWidget* each : QApplication::topLevelWidgets()) {  // the manual has no parent
+            auto* dialog = qobject_cast<QDialog*>(each);
+            if (dialog != nullptr && dialog->isVisible()) front = dialog;
         }
         if (front == nullptr) return;
         QTest::keyClick(front, Qt::Key_Escape);
@@ -151,8 +153,14 @@ void WindowMenuTest::aboutShowsTheVersion() {
     leaveDialogs("About");
 }
 
+void WindowMenuTest::openSheet() const {
+    for (QAction* entry : leaves()) {
+        if (entry->text() == "&Mouse and keys") entry->trigger();
+    }
+}
+
 void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
-    key(Qt::Key_F1);
+    openSheet();
     auto* dialog = window_->findChild<TextDialog*>();
     QVERIFY(dialog != nullptr && dialog->isVisible());
     const QString sheet = dialog->text();
@@ -160,10 +168,7 @@ void WindowMenuTest::theShortcutSheetNamesEveryKeyOfTheMenus() {
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<TextDialog*>() == nullptr, kPatience);
     for (QAction* entry : leaves()) {
         const QString keys = entry->shortcut().toString();
-        if (keys.isEmpty() || keys == "F1" || keys == "Ctrl+Q") continue;
-        const QString last = keys.section('+', -1);
-        const bool isDigit = last.size() == 1 && last[0].isDigit();
-        QVERIFY2(sheet.contains(isDigit ? QString("0 to 5") : last), qPrintable(keys + ": " + entry->text()));
+        if (!keys.isEmpty()) QVERIFY2(sheet.contains(keys), qPrintable(keys + ": " + entry->text()));
     }
 }
 
@@ -325,7 +330,7 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
         QVERIFY2(wide || area->horizontalScrollBarPolicy() == Qt::ScrollBarAsNeeded,
                  area->widget()->metaObject()->className());
     }
-    key(Qt::Key_F1);
+    openSheet();
     auto* sheet = window_->findChild<TextDialog*>();
     QVERIFY(sheet != nullptr);
     const QSize screen = window_->screen()->size();

@@ -113,8 +113,9 @@ std::vector<QAction*> WindowUnsavedTest::leaves() const {
 void WindowUnsavedTest::leaveDialogs() const {
     for (int i = 0; i < 5; ++i) {
         QDialog* front = nullptr;
-        for (auto* dialog : window_->findChildren<QDialog*>()) {
-            if (dialog->isVisible()) front = dialog;
+        for (QWidget* each : QApplication::topLevelWidgets()) {  // the manual has no parent
+            auto* dialog = qobject_cast<QDialog*>(each);
+            if (dialog != nullptr && dialog->isVisible()) front = dialog;
         }
         if (front == nullptr) return;
         QTest::keyClick(front, Qt::Key_Escape);

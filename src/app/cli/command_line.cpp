@@ -23,6 +23,7 @@
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "app/common/messages.h"
+#include "app/gui/keys/key_page.h"
 #include "assessment/metric_table.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
@@ -328,6 +329,8 @@ struct ManualOptions {
 int runManual(const ManualOptions& options) {
     const CLI::App& program = *options.program;
     print("{}", options.form == "metrics"    ? metricsPage()
+                : options.form == "keys"     ? keyPageFile(Language::English)
+                : options.form == "keys-ja"  ? keyPageFile(Language::Japanese)
                 : options.form == "bash"     ? bashCompletion(program)
                 : options.form == "markdown" ? commandsPage(program)
                                              : manPage(program, TACTOOTH_VERSION));
@@ -341,9 +344,10 @@ void addManual(CLI::App& program, CommandAction& chosen) {
                runManual)
         ->add_option("FORM", options->form,
                      "man: a man page; bash: a completion script for bash; markdown: the page docs/user/commands.md; "
-                     "metrics: the page docs/user/metrics.md")
+                     "metrics: the page docs/user/metrics.md; keys and keys-ja: the pages docs/user/keys.md and "
+                     "keys.ja.md")
         ->required()
-        ->check(CLI::IsMember({"man", "bash", "markdown", "metrics"}))
+        ->check(CLI::IsMember({"man", "bash", "markdown", "metrics", "keys", "keys-ja"}))
         ->type_name("");
 }
 

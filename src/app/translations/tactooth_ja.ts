@@ -51,16 +51,8 @@
         <translation>触診</translation>
     </message>
     <message>
-        <source>Touch (T): the bur stands still and feels the tooth</source>
-        <translation>触診（T）：バーは止まったまま歯に触れます</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>切削</translation>
-    </message>
-    <message>
-        <source>Cut (C): with the pedal down the bur turns and cuts</source>
-        <translation>切削（C）：ペダルを踏むとバーが回り、歯を削ります</translation>
     </message>
     <message>
         <source>Reset tooth</source>
@@ -71,20 +63,28 @@
         <translation>元に戻す</translation>
     </message>
     <message>
-        <source>Takes back the last cut or change (Ctrl+Z)</source>
-        <translation>最後の切削や変更を取り消します（Ctrl+Z）</translation>
-    </message>
-    <message>
         <source>Redo</source>
         <translation>やり直す</translation>
     </message>
     <message>
-        <source>Does again what was taken back (Ctrl+Shift+Z or Ctrl+Y)</source>
-        <translation>取り消したことをもう一度行います（Ctrl+Shift+Z または Ctrl+Y）</translation>
+        <source>Touch (%1): the bur stands still and feels the tooth</source>
+        <translation>触診（%1）：バーは止まったまま歯に触れます</translation>
     </message>
     <message>
-        <source>Puts back all that was cut (Ctrl+R); Undo takes that back</source>
-        <translation>削ったところをすべて元に戻します（Ctrl+R）。「元に戻す」で取り消せます</translation>
+        <source>Cut (%1): with the pedal down the bur turns and cuts</source>
+        <translation>切削（%1）：ペダルを踏むとバーが回り、歯を削ります</translation>
+    </message>
+    <message>
+        <source>Takes back the last cut or change (%1)</source>
+        <translation>最後の切削や変更を取り消します（%1）</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back (%1)</source>
+        <translation>取り消したことをもう一度行います（%1）</translation>
+    </message>
+    <message>
+        <source>Puts back all that was cut (%1); Undo takes that back</source>
+        <translation>削ったところをすべて元に戻します（%1）。「元に戻す」で取り消せます</translation>
     </message>
 </context>
 <context>
@@ -413,16 +413,16 @@ It is off in an examination.</source>
         <translation>ボタンを放す：バーが離れます</translation>
     </message>
     <message>
-        <source>Cut (C) and the pedal (space): the bur turns and removes what it presses on</source>
-        <translation>切削（C）とペダル（スペース）：バーが回り、押したところを削ります</translation>
-    </message>
-    <message>
         <source>Button up, pedal up</source>
         <translation>ボタンとペダルを放します</translation>
     </message>
     <message>
-        <source>Ctrl+Z takes the cut back. Now it is your turn</source>
-        <translation>Ctrl+Z で切削を取り消します。次はあなたの番です</translation>
+        <source>Cut and the pedal: the bur turns and removes what it presses on</source>
+        <translation>切削とペダル：バーが回り、押したところを削ります</translation>
+    </message>
+    <message>
+        <source>Undo takes the cut back. Now it is your turn</source>
+        <translation>「元に戻す」で切削を取り消します。次はあなたの番です</translation>
     </message>
 </context>
 <context>
@@ -789,25 +789,17 @@ It is off in an examination.</source>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>キー(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>設定(&amp;T)…</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::HelpMenu</name>
-    <message>
-        <source>the bur goes down to the depth that is set; drag to stroke or cut</source>
-        <translation>バーが決めた深さまで下りる；ドラッグでなぞる、削る</translation>
-    </message>
-    <message>
-        <source>that depth, in steps of 0.1 mm, with Shift 0.02 mm; by force: press harder or softer</source>
-        <translation>その深さを0.1 mmずつ、Shiftと一緒に0.02 mmずつ；力で押す場合は強く、弱く</translation>
-    </message>
-    <message>
-        <source>M, H, J</source>
-        <translation>M、H、J</translation>
-    </message>
-    <message>
-        <source>mirror, turbine, aim on and off</source>
-        <translation>ミラー、タービン、照準の表示</translation>
-    </message>
     <message>
         <source>&amp;Help</source>
         <translation>ヘルプ(&amp;H)</translation>
@@ -829,286 +821,6 @@ It is off in an examination.</source>
         <translation>Tactooth について(&amp;A)</translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation>移動</translation>
-    </message>
-    <message>
-        <source>the bur hovers over the point under the mouse</source>
-        <translation>マウスの下の点の上にバーが浮きます</translation>
-    </message>
-    <message>
-        <source>Left button</source>
-        <translation>左ボタン</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>ホイール</translation>
-    </message>
-    <message>
-        <source>Shift + move</source>
-        <translation>Shift + 移動</translation>
-    </message>
-    <message>
-        <source>lean the bur</source>
-        <translation>バーを傾ける</translation>
-    </message>
-    <message>
-        <source>Right button</source>
-        <translation>右ボタン</translation>
-    </message>
-    <message>
-        <source>turn the tooth</source>
-        <translation>歯を回す</translation>
-    </message>
-    <message>
-        <source>Middle button</source>
-        <translation>中ボタン</translation>
-    </message>
-    <message>
-        <source>shift the picture</source>
-        <translation>画面をずらす</translation>
-    </message>
-    <message>
-        <source>Ctrl + wheel</source>
-        <translation>Ctrl + ホイール</translation>
-    </message>
-    <message>
-        <source>nearer or farther</source>
-        <translation>近づく／離れる</translation>
-    </message>
-    <message>
-        <source>Arrow keys</source>
-        <translation>矢印キー</translation>
-    </message>
-    <message>
-        <source>move the bur; with Shift lean it, with Ctrl turn the tooth</source>
-        <translation>バーを動かす。Shift で傾け、Ctrl で歯を回す</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>the bur presses, as long as you hold it</source>
-        <translation>押している間、バーが押し付けられる</translation>
-    </message>
-    <message>
-        <source>+, -</source>
-        <translation>+、-</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>スペース</translation>
-    </message>
-    <message>
-        <source>the pedal, as long as you hold it</source>
-        <translation>押している間ペダルを踏む</translation>
-    </message>
-    <message>
-        <source>T, C</source>
-        <translation>T、C</translation>
-    </message>
-    <message>
-        <source>touch, cut</source>
-        <translation>触診、切削</translation>
-    </message>
-    <message>
-        <source>0 to 5, F</source>
-        <translation>0～5、F</translation>
-    </message>
-    <message>
-        <source>views; show the whole crown</source>
-        <translation>視点；歯冠全体を表示</translation>
-    </message>
-    <message>
-        <source>Ctrl + 0 to 5</source>
-        <translation>Ctrl + 0～5</translation>
-    </message>
-    <message>
-        <source>a small picture from that side beside the large one; none</source>
-        <translation>その向きの小さな画面を添える；なし</translation>
-    </message>
-    <message>
-        <source>Q, E, U</source>
-        <translation>Q、E、U</translation>
-    </message>
-    <message>
-        <source>turn the handle; stand the bur upright</source>
-        <translation>柄を回す；バーを垂直に</translation>
-    </message>
-    <message>
-        <source>G</source>
-        <translation>G</translation>
-    </message>
-    <message>
-        <source>the cavity that the target wants cut, on and off</source>
-        <translation>目標が求める窩洞の表示のオン・オフ</translation>
-    </message>
-    <message>
-        <source>L, Z</source>
-        <translation>L、Z</translation>
-    </message>
-    <message>
-        <source>glass handpiece; magnifier of the bur&apos;s head</source>
-        <translation>透けるハンドピース、バーの頭部の拡大鏡</translation>
-    </message>
-    <message>
-        <source>R, A, K</source>
-        <translation>R、A、K</translation>
-    </message>
-    <message>
-        <source>scale bar, letters of the directions, view cube</source>
-        <translation>目盛り、方向の文字、視点キューブ</translation>
-    </message>
-    <message>
-        <source>B, D</source>
-        <translation>B、D</translation>
-    </message>
-    <message>
-        <source>breath and drops on the mirror</source>
-        <translation>ミラーの曇りと水滴</translation>
-    </message>
-    <message>
-        <source>W, S</source>
-        <translation>W、S</translation>
-    </message>
-    <message>
-        <source>water spray, suction on and off</source>
-        <translation>注水と吸引のオン・オフ</translation>
-    </message>
-    <message>
-        <source>Ctrl + Z</source>
-        <translation>Ctrl + Z</translation>
-    </message>
-    <message>
-        <source>Ctrl + R</source>
-        <translation>Ctrl + R</translation>
-    </message>
-    <message>
-        <source>put back all that was cut</source>
-        <translation>削ったところをすべて戻す</translation>
-    </message>
-    <message>
-        <source>Ctrl + O, S, Shift + S</source>
-        <translation>Ctrl + O、S、Shift + S</translation>
-    </message>
-    <message>
-        <source>open a tooth, save it, export its surface</source>
-        <translation>歯を開く、保存、表面を書き出す</translation>
-    </message>
-    <message>
-        <source>Ctrl + I</source>
-        <translation>Ctrl + I</translation>
-    </message>
-    <message>
-        <source>import a scan</source>
-        <translation>スキャンを取り込む</translation>
-    </message>
-    <message>
-        <source>Ctrl + D</source>
-        <translation>Ctrl + D</translation>
-    </message>
-    <message>
-        <source>dark colours</source>
-        <translation>暗い配色</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>hold the bur while the hand of a device moves on</source>
-        <translation>装置の手が動く間、バーをその場に保つ</translation>
-    </message>
-    <message>
-        <source>Gamepad: sticks</source>
-        <translation>ゲームパッド：スティック</translation>
-    </message>
-    <message>
-        <source>left: move; right: lean the bur</source>
-        <translation>左：移動、右：バーを傾ける</translation>
-    </message>
-    <message>
-        <source>Gamepad: left trigger, shoulder</source>
-        <translation>ゲームパッド：左トリガー、ショルダー</translation>
-    </message>
-    <message>
-        <source>press, lift</source>
-        <translation>押す、持ち上げる</translation>
-    </message>
-    <message>
-        <source>Gamepad: right trigger, shoulder</source>
-        <translation>ゲームパッド：右トリガー、ショルダー</translation>
-    </message>
-    <message>
-        <source>pedal, hold</source>
-        <translation>ペダル、保持</translation>
-    </message>
-    <message>
-        <source>Gamepad: A, B</source>
-        <translation>ゲームパッド：A、B</translation>
-    </message>
-    <message>
-        <source>touch or cut, turbine or mirror</source>
-        <translation>触る／削る、タービン／ミラー</translation>
-    </message>
-    <message>
-        <source>Gamepad: d-pad</source>
-        <translation>ゲームパッド：十字キー</translation>
-    </message>
-    <message>
-        <source>turn the tooth; with the right shoulder shift the picture</source>
-        <translation>歯を回す。右ショルダーと一緒なら画像をずらす</translation>
-    </message>
-    <message>
-        <source>Gamepad: sticks, pressed in</source>
-        <translation>ゲームパッド：スティックの押し込み</translation>
-    </message>
-    <message>
-        <source>left: farther; right: nearer</source>
-        <translation>左：遠ざかる、右：近づく</translation>
-    </message>
-    <message>
-        <source>Gamepad: Start, Back</source>
-        <translation>ゲームパッド：Start、Back</translation>
-    </message>
-    <message>
-        <source>open the menus; go into the panels, shoulders: the next one</source>
-        <translation>メニューを開く、パネルに入る（ショルダーで次のパネル）</translation>
-    </message>
-    <message>
-        <source>Gamepad: d-pad, A, B</source>
-        <translation>ゲームパッド：十字キー、A、B</translation>
-    </message>
-    <message>
-        <source>in menus, dialogs and panels: go on, choose, leave</source>
-        <translation>メニュー、ダイアログ、パネルで：進む、選ぶ、戻る</translation>
-    </message>
-    <message>
-        <source>Ctrl + M</source>
-        <translation>Ctrl + M</translation>
-    </message>
-    <message>
-        <source>mute</source>
-        <translation>消音</translation>
-    </message>
-    <message>
-        <source>Tab, Alt + letter</source>
-        <translation>Tab、Alt + 文字</translation>
-    </message>
-    <message>
-        <source>go on to the next control; open a menu</source>
-        <translation>次の項目へ移る。メニューを開く</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>leave a dialog</source>
-        <translation>ダイアログを閉じる</translation>
-    </message>
-    <message>
         <source>Mouse and keys</source>
         <translation>マウスとキー</translation>
     </message>
@@ -1121,32 +833,8 @@ It is off in an examination.</source>
         <translation>&lt;b&gt;Tactooth %1&lt;/b&gt; (%2)&lt;br&gt;歯科用バーが歯に触れ、削るのを見て、感じて、聞く。&lt;br&gt;&lt;br&gt;GNU General Public License バージョン 3 以降によるフリーソフトウェア。&lt;br&gt;シミュレーションのライブラリは Apache License 2.0。</translation>
     </message>
     <message>
-        <source>take back the last cut or change</source>
-        <translation>最後の切削や変更を取り消す</translation>
-    </message>
-    <message>
-        <source>Ctrl + Shift + Z, Ctrl + Y</source>
-        <translation>Ctrl + Shift + Z、Ctrl + Y</translation>
-    </message>
-    <message>
-        <source>do it again</source>
-        <translation>もう一度行う</translation>
-    </message>
-    <message>
-        <source>V, held</source>
-        <translation>V（押している間）</translation>
-    </message>
-    <message>
-        <source>the mouse moves the mirror, with Shift it tilts it; the wheel brings it nearer</source>
-        <translation>マウスでミラーを動かす。Shift で傾け、ホイールで近づける</translation>
-    </message>
-    <message>
-        <source>Shift + M, Ctrl + Shift + M</source>
-        <translation>Shift + M、Ctrl + Shift + M</translation>
-    </message>
-    <message>
-        <source>place the mirror behind the bur, put it back</source>
-        <translation>バーを後ろから映す位置にミラーを置く、元に戻す</translation>
+        <source>Ma&amp;nual</source>
+        <translation>説明書(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -1429,8 +1117,8 @@ It is off in an examination.</source>
         <translation>ミラーを合わせる(&amp;P)</translation>
     </message>
     <message>
-        <source>Holds the mirror where it shows the bur from behind; with V held, the mouse moves the mirror</source>
-        <translation>バーを後ろから映す位置にミラーを置きます。V を押している間は、マウスでミラーを動かします</translation>
+        <source>Holds the mirror where it shows the bur from behind</source>
+        <translation>バーを後ろから映す位置にミラーを置きます</translation>
     </message>
     <message>
         <source>Put the mirror &amp;back</source>
@@ -1444,10 +1132,6 @@ It is off in an examination.</source>
 <context>
     <name>tactooth::WindowHints</name>
     <message>
-        <source>Left button: press the bur on the tooth · wheel: how deep · right: turn · space: pedal</source>
-        <translation>左ボタン：バーを歯に押す・ホイール：削る深さ・右：回す・スペース：ペダル</translation>
-    </message>
-    <message>
         <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>
         <translation>十字キー：項目と値 · ショルダー：パネル · A：押す · B：歯に戻る</translation>
     </message>
@@ -1456,36 +1140,40 @@ It is off in an examination.</source>
         <translation>左スティック：移動 · 左トリガー：押す · 左ショルダー：持ち上げる · 右スティック：傾ける · 右トリガー：ペダル · A：触る／削る · 十字キー：回す · Start：メニュー · Back：パネル</translation>
     </message>
     <message>
-        <source>Move the device: the bur follows it · space: pedal · C: cut, T: touch</source>
-        <translation>装置を動かすとバーが従います · スペース：ペダル · C：削る、T：触る</translation>
-    </message>
-    <message>
         <source>The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; take a tooth of fewer triangles (&apos;tactooth simplify&apos;) or a bur of fewer triangles, and close other programs.</source>
         <translation>このコンピューターには負荷が大きすぎます：100 回に 1 回の計算が、使える %2 µs のうち %1 µs を要しています。三角形の少ない歯（&apos;tactooth simplify&apos;）または三角形の少ないバーを使い、他のプログラムを終了してください。</translation>
-    </message>
-    <message>
-        <source>In Touch the bur stands still: choose Cut (C), and the pedal turns it</source>
-        <translation>触診ではバーは回りません：切削（C）を選ぶとペダルで回ります</translation>
     </message>
     <message>
         <source>Blue glass: still to cut, darker where deeper. Dark line: the outline.</source>
         <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
     </message>
     <message>
-        <source>The hand is at the end of the device&apos;s workspace: hold the bur (X), bring the hand back and let go</source>
-        <translation>手が装置の可動域の端にあります。バーを保持して（X）手を戻し、離してください</translation>
-    </message>
-    <message>
         <source>The bur stands still: hold the pedal (%1), or tick Keep down</source>
         <translation>バーは止まっています。ペダル（%1）を踏み続けるか、「踏んだまま」を選んでください</translation>
     </message>
     <message>
-        <source>The bur only touches: choose Cut (C) to remove something</source>
-        <translation>バーは触れているだけです。削るには「切削」（C）を選んでください</translation>
+        <source>Left button: press the bur on the tooth · wheel: how deep · right: turn · %1: pedal</source>
+        <translation>左ボタン：バーを歯に押す・ホイール：削る深さ・右：回す・%1：ペダル</translation>
     </message>
     <message>
-        <source>No place of the mirror shows the bur from behind: turn the tooth, or hold V and move the mirror</source>
-        <translation>バーを後ろから映せるミラーの位置がありません。歯の向きを変えるか、V を押したままミラーを動かしてください</translation>
+        <source>Move the device: the bur follows it · %1: pedal · %2: cut, %3: touch</source>
+        <translation>装置を動かすとバーが従います · %1：ペダル · %2：削る、%3：触る</translation>
+    </message>
+    <message>
+        <source>In Touch the bur stands still: choose Cut (%1), and the pedal turns it</source>
+        <translation>触診ではバーは回りません：切削（%1）を選ぶとペダルで回ります</translation>
+    </message>
+    <message>
+        <source>The hand is at the end of the device&apos;s workspace: hold the bur (%1), bring the hand back and let go</source>
+        <translation>手が装置の可動域の端にあります。バーを保持して（%1）手を戻し、離してください</translation>
+    </message>
+    <message>
+        <source>The bur only touches: choose Cut (%1) to remove something</source>
+        <translation>バーは触れているだけです。削るには「切削」（%1）を選んでください</translation>
+    </message>
+    <message>
+        <source>No place of the mirror shows the bur from behind: turn the tooth, or move the mirror by the mouse</source>
+        <translation>バーを後ろから映せるミラーの位置がありません。歯の向きを変えるか、マウスでミラーを動かしてください</translation>
     </message>
 </context>
 <context>
@@ -1517,6 +1205,10 @@ It is off in an examination.</source>
     <message>
         <source>&amp;Mute</source>
         <translation>消音(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Reset la&amp;yout</source>
+        <translation>配置を元に戻す(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -1769,8 +1461,8 @@ It is off in an examination.</source>
         <translation>20秒：触れる、削る、取り消す。</translation>
     </message>
     <message>
-        <source>All of this is in the menus, too; F1 shows mouse and keys.</source>
-        <translation>これらはメニューにもあります。F1 でマウスとキーを表示します。</translation>
+        <source>All of this is in the menus, too, and the menu Help has a manual.</source>
+        <translation>どれもメニューから選べます。「ヘルプ」メニューには説明書もあります。</translation>
     </message>
 </context>
 <context>
@@ -1856,10 +1548,6 @@ It is off in an examination.</source>
         <translation>装置の可動域で歯全体に届く範囲で、できるだけ細かくします</translation>
     </message>
     <message>
-        <source>The tooth is larger than the device&apos;s workspace: hold the bur (X) to reach all of it.</source>
-        <translation>歯が装置の可動域より大きいので、全体に届かせるにはバーを保持してください（X）。</translation>
-    </message>
-    <message>
         <source>No device here has a known workspace: 1 : 1.</source>
         <translation>合わせられる可動域を持つ装置がありません：1 : 1。</translation>
     </message>
@@ -1870,10 +1558,6 @@ It is off in an examination.</source>
     <message>
         <source>Device</source>
         <translation>装置</translation>
-    </message>
-    <message>
-        <source>The bur stays while the hand goes back to a comfortable place (X, or a button of the device)</source>
-        <translation>手を楽な位置に戻す間、バーをその場に保ちます（X、または装置のボタン）</translation>
     </message>
     <message>
         <source>Handles leave to the other side, and a gamepad&apos;s halves change places</source>
@@ -1922,6 +1606,14 @@ It is off in an examination.</source>
     <message>
         <source>The mouse steers; the meter shows what a hand would feel.</source>
         <translation>マウスで動かします。手が感じる力はメーターに表示されます。</translation>
+    </message>
+    <message>
+        <source>The bur stays while the hand goes back to a comfortable place; a key or a button of the device does the same</source>
+        <translation>手を楽な位置に戻す間、バーはその場にとどまります。キーや装置のボタンでも同じことができます</translation>
+    </message>
+    <message>
+        <source>The tooth is larger than the device&apos;s workspace: hold the bur (%1) to reach all of it.</source>
+        <translation>歯が装置の可動域より大きいので、全体に届くにはバーを保持（%1）してください。</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2140,118 @@ It is off in an examination.</source>
     <message>
         <source>within</source>
         <translation>許容差</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::KeyEditor</name>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Usual key</source>
+        <translation>最初のキー</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>変える(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Usual key</source>
+        <translation>最初のキー(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;All usual keys</source>
+        <translation>すべて最初のキー(&amp;A)</translation>
+    </message>
+    <message>
+        <source>press a key…</source>
+        <translation>キーを押す…</translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. A click elsewhere leaves the key as it is.</source>
+        <translation>「%1」の新しいキーを押してください。ほかの場所をクリックすると、キーはそのまま残ります。</translation>
+    </message>
+    <message>
+        <source>All keys are the usual ones.</source>
+        <translation>すべてのキーを最初の設定に戻しました。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ManualWindow</name>
+    <message>
+        <source>Manual of Tactooth</source>
+        <translation>Tactooth の説明書</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>進む</translation>
+    </message>
+    <message>
+        <source>Search all pages (Ctrl+F)</source>
+        <translation>すべてのページを検索（Ctrl+F）</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>すべてのページを検索</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>Places found</source>
+        <translation>見つかった場所</translation>
+    </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>この語を含むページはありません。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SettingRow</name>
+    <message>
+        <source>usually %1</source>
+        <translation>最初の値：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページ</translation>
+    </message>
+    <message>
+        <source>A change acts at once. Another language opens the window anew, with the work as it is.</source>
+        <translation>変更はすぐに働きます。言語を変えると、作業はそのままでウィンドウが開き直します。</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>キー(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Reset this &amp;page</source>
+        <translation>このページを最初の値に(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all</source>
+        <translation>すべて最初の値に(&amp;A)</translation>
     </message>
 </context>
 </TS>

@@ -118,13 +118,14 @@ void addRecordings(CLI::App& program, WindowArguments& arguments) {
 /// One option for each stored setting.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
-        if (option.help == nullptr) continue;
+        if (option.help == nullptr || !option.hasFlag) continue;
         const bool isSwitch = std::holds_alternative<WindowOption::Switch>(option.value);
         const bool isNumber = std::holds_alternative<WindowOption::Number>(option.value);
         const std::string flag = flagOf(option);
         program
             .add_option_function<std::string>(
-                flag, [&arguments, flag](const std::string& text) { arguments.settings[flag] = text; }, option.help)
+                flag, [&arguments, flag](const std::string& text) { arguments.settings[flag] = text; },
+                flagHelp(option))
             ->type_name(isSwitch   ? "yes|no"
                         : isNumber ? "NUMBER"
                                    : "TEXT")

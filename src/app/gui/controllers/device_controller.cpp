@@ -70,8 +70,7 @@ void DeviceController::readSettings() {
     input_.setPedalKey(pedalKeyOf(settings));
 }
 
-void DeviceController::apply(const DeviceSettings& settings) {
-    panels_.device->set(settings);
+void DeviceController::choosePedal(const DeviceSettings& settings) {
     const Expected<PedalBinding> pedal = parsePedal(settings.pedal);
     if (!pedal) {
         messages_.showError(pedal.error());
@@ -83,6 +82,22 @@ void DeviceController::apply(const DeviceSettings& settings) {
         const auto done = pedal_.choose(choice);
         if (!done) messages_.showError(done.error());
     }
+}
+
+void DeviceController::change(const DeviceSettings& settings) {
+    const DeviceSettings before = this->settings();
+    if (settings == before) return;
+    panels_.device->set(settings);
+    const bool isOtherPedal =
+        settings.pedal != before.pedal || settings.pedalUp != before.pedalUp || settings.pedalDown != before.pedalDown;
+    if (isOtherPedal) choosePedal(settings);
+    if (settings.device != before.device) openFirst(QString::fromStdString(settings.device));
+    if (settings.secondDevice != before.secondDevice) openSecond(QString::fromStdString(settings.secondDevice));
+}
+
+void DeviceController::apply(const DeviceSettings& settings) {
+    panels_.device->set(settings);
+    choosePedal(settings);
     first_ = settings.device;
     second_ = settings.secondDevice;
     openFirst(QString::fromStdString(settings.device));

@@ -33,6 +33,8 @@ public:
     /// The same for the other hand, which begins with the mirror; "none" leaves it empty.
     void openSecond(const QString& name);
     void apply(const DeviceSettings& settings);
+    /// The same, but devices that stay are not opened again.
+    void change(const DeviceSettings& settings);
     [[nodiscard]] DeviceSettings settings() const;
 
     /// Reads pedal and gamepad, and takes over opened devices. Call it before each step of the model. `dt`: since the
@@ -55,6 +57,7 @@ signals:
 
 private:
     void readSettings();
+    void choosePedal(const DeviceSettings& settings);
     void setCalibrating(bool calibrating);
     void collect();
     void stepPedal();

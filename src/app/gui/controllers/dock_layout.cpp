@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QLayout>
 #include <QProgressBar>
+#include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
@@ -58,6 +59,8 @@ DockLayout::DockLayout(QMainWindow& window, const WindowPanels& panels)
     addToolBars();
     addDocks();
     addBusyBar();
+    setUsualSizes();
+    firstState_ = window_.saveState(kLayout);
 }
 
 void DockLayout::addToolBars() {
@@ -85,14 +88,14 @@ QDockWidget* DockLayout::addDock(QWidget& panel, const char* name, const QString
 void DockLayout::addDocks() {
     window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     drill_ = addDock(*panels_.drive, "Drill", tr("Drill"), Qt::RightDockWidgetArea);
-    QDockWidget* force = addDock(*panels_.force, "Force", tr("Force"), Qt::RightDockWidgetArea);
+    force_ = addDock(*panels_.force, "Force", tr("Force"), Qt::RightDockWidgetArea);
     QDockWidget* hand = addDock(*panels_.device, "Hand", tr("Hand"), Qt::RightDockWidgetArea);
     QDockWidget* sound = addDock(*panels_.sound, "Sound", tr("Sound"), Qt::RightDockWidgetArea);
     // The user sets these rarely. One below the other they are higher than most screens.
-    window_.tabifyDockWidget(force, hand);
+    window_.tabifyDockWidget(force_, hand);
     window_.tabifyDockWidget(hand, sound);
-    force->raise();
-    QDockWidget* inside = addDock(*panels_.inspection, "Look inside", tr("Look inside"), Qt::RightDockWidgetArea);
+    force_->raise();
+    inside_ = addDock(*panels_.inspection, "Look inside", tr("Look inside"), Qt::RightDockWidgetArea);
     QDockWidget* plots = addDock(*panels_.plots, "Last ten seconds", tr("Last ten seconds"), Qt::BottomDockWidgetArea);
     window_.tabifyDockWidget(plots, addDock(*panels_.exercise, "Exercise", tr("Exercise"), Qt::BottomDockWidgetArea));
     window_.tabifyDockWidget(plots,
@@ -100,12 +103,26 @@ void DockLayout::addDocks() {
     window_.tabifyDockWidget(plots, addDock(*panels_.history, "History", tr("History"), Qt::BottomDockWidgetArea));
     window_.tabifyDockWidget(plots, addDock(*panels_.timing, "Real time", tr("Real time"), Qt::BottomDockWidgetArea));
     plots->raise();
+}
+
+/// On a small screen the window takes what is free there.
+void DockLayout::setUsualSizes() {
+    window_.resize(QSize(1400, 900).boundedTo(window_.screen()->availableSize()));
     fit();
     // The first tab is visible as a whole; the tabs behind it may scroll.
-    window_.resizeDocks({drill_, force, inside},
+    window_.resizeDocks({drill_, force_, inside_},
                         {panels_.drive->sizeHint().height(), panels_.force->sizeHint().height(),
                          panels_.inspection->sizeHint().height()},
                         Qt::Vertical);
+}
+
+void DockLayout::reset() {
+    if (window_.isMaximized() || window_.isFullScreen()) window_.showNormal();
+    widthBefore_.reset();
+    forcedWidth_ = 0;
+    window_.restoreState(firstState_, kLayout);
+    setUsualSizes();
+    fitLater();
 }
 
 void DockLayout::addBusyBar() {

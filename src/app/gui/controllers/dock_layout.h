@@ -31,6 +31,8 @@ public:
     /// The same as soon as the panels have taken over the font.
     void fitLater();
 
+    /// Docks, tool bars and size of the window as at the first start.
+    void reset();
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
@@ -38,6 +40,7 @@ private:
     void addToolBars();
     void addDocks();
     void addBusyBar();
+    void setUsualSizes();
     QDockWidget* addDock(QWidget& panel, const char* name, const QString& title, Qt::DockWidgetArea area);
     [[nodiscard]] int tabHeight() const;
     void fitHeight(QScrollArea& area, QWidget& panel) const;
@@ -48,7 +51,10 @@ private:
     WindowPanels panels_;
     QToolBar* fileBar_;
     QToolBar* viewBar_;
-    QDockWidget* drill_ = nullptr;    // stands for its column
+    QDockWidget* drill_ = nullptr;  // stands for its column
+    QDockWidget* force_ = nullptr;
+    QDockWidget* inside_ = nullptr;
+    QByteArray firstState_;           // of docks and tool bars
     std::optional<int> widthBefore_;  // of that column, before large text made it wider; pixels
     int forcedWidth_ = 0;             // what large text made of it
 };

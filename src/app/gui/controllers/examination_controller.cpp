@@ -109,6 +109,14 @@ void ExaminationController::showDocks(bool visible) const {
     }
 }
 
+void ExaminationController::followLayout() {
+    if (!mode_.isOn()) return;
+    WindowSettings now;
+    docks_.store(now);
+    docksBefore_ = now.docks;
+    showDocks(mode_.showsNumbers());
+}
+
 void ExaminationController::apply() {
     entry_->setText(mode_.isOn() ? tr("Finish exa&mination…") : tr("Begin exa&mination"));
     WindowSettings now;

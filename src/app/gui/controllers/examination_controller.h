@@ -34,6 +34,8 @@ public:
     void addTo(QMenu& menu);
     /// The panels as they were before the examination, which hides some.
     void store(WindowSettings& settings) const;
+    /// Call it after the layout was reset: what an examination hides stays hidden.
+    void followLayout();
 
 private:
     void askToBegin();

@@ -69,6 +69,16 @@ void SoundController::restore(const WindowSettings& settings) {
     if (!settings.ownSounds.empty()) open(QString::fromStdString(settings.ownSounds));
 }
 
+void SoundController::change(const WindowSettings& settings) {
+    panels_.sound->setMixer(settings.sound);
+    panels_.sound->setHeadphones(settings.headphones);
+    const QString file = QString::fromStdString(settings.ownSounds);
+    if (file == file_) return;
+    if (!file.isEmpty()) return open(file);
+    useSynthesis();
+    panels_.sound->showSounds({});
+}
+
 void SoundController::store(WindowSettings& settings) const {
     settings.sound = panels_.sound->mixer();
     settings.headphones = panels_.sound->headphones();

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] bool isReading() const { return pending_.isBusy(); }
 
     void restore(const WindowSettings& settings);
+    /// The same, but sounds that stay are not read again.
+    void change(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
 private:

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/controllers/window_hints.h"
 
-#include <QKeySequence>
 #include <utility>
 
 #include "app/gui/controllers/device_controller.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/guided_tour.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
@@ -27,14 +27,17 @@ WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const 
             [this](const QString& sentence) { messages_.setHint(sentence); });
     connect(panels_.view, &ToothView::mirrorNotPlaced, this, [this] {
         messages_.setHint(
-            tr("No place of the mirror shows the bur from behind: turn the tooth, or hold V and move the mirror"));
+            tr("No place of the mirror shows the bur from behind: turn the tooth, or move the mirror by the mouse"));
     });
     connect(panels_.tour, &GuidedTour::ended, this, &WindowHints::showUsual);
 }
 
+QString WindowHints::pedalKey() const { return nativeText(QKeySequence(devices_.pedalKey())); }
+
 void WindowHints::showUsual() {
     if (model_.devices().first() == nullptr) {
-        messages_.setHint(tr("Left button: press the bur on the tooth · wheel: how deep · right: turn · space: pedal"));
+        messages_.setHint(
+            tr("Left button: press the bur on the tooth · wheel: how deep · right: turn · %1: pedal").arg(pedalKey()));
     } else if (devices_.isGamepadInPanels()) {
         messages_.setHint(tr("D-pad: control and value · shoulders: panel · A: press · B: back to the tooth"));
     } else if (devices_.usesGamepad()) {
@@ -42,7 +45,9 @@ void WindowHints::showUsual() {
             tr("Left stick: move · left trigger: press · left shoulder: lift · right stick: lean · right trigger: "
                "pedal · A: touch or cut · d-pad: turn · Start: menus · Back: panels"));
     } else {
-        messages_.setHint(tr("Move the device: the bur follows it · space: pedal · C: cut, T: touch"));
+        messages_.setHint(
+            tr("Move the device: the bur follows it · %1: pedal · %2: cut, %3: touch")
+                .arg(pedalKey(), keyOf(*panels_.drill->cutAction()), keyOf(*panels_.drill->touchAction())));
     }
 }
 
@@ -67,7 +72,8 @@ void WindowHints::showOverload(double microseconds) {
 
 void WindowHints::showPedal(double pedal) {
     if (pedal == 0 || panels_.drill->isCutting()) return;
-    messages_.setHint(tr("In Touch the bur stands still: choose Cut (C), and the pedal turns it"));
+    messages_.setHint(tr("In Touch the bur stands still: choose Cut (%1), and the pedal turns it")
+                          .arg(keyOf(*panels_.drill->cutAction())));
 }
 
 void WindowHints::showGhost(bool on) {
@@ -96,13 +102,15 @@ QString WindowHints::text(Reason reason) const {
         case Reason::ForceWaits:
             return forceStateText(ForceState::AwaitsFreeSpace);
         case Reason::WorkspaceEnd:
-            return tr(
-                "The hand is at the end of the device's workspace: hold the bur (X), bring the hand back and let go");
+            return tr("The hand is at the end of the device's workspace: hold the bur (%1), bring the hand back and "
+                      "let "
+                      "go")
+                .arg(keyOf(*panels_.device->clutchAction()));
         case Reason::BurStopped:
-            return tr("The bur stands still: hold the pedal (%1), or tick Keep down")
-                .arg(QKeySequence(devices_.pedalKey()).toString(QKeySequence::NativeText));
+            return tr("The bur stands still: hold the pedal (%1), or tick Keep down").arg(pedalKey());
         case Reason::OnlyTouches:
-            return tr("The bur only touches: choose Cut (C) to remove something");
+            return tr("The bur only touches: choose Cut (%1) to remove something")
+                .arg(keyOf(*panels_.drill->cutAction()));
         case Reason::None:
             break;
     }

@@ -35,6 +35,7 @@ public:
 private:
     enum class Reason { None, ForceWaits, WorkspaceEnd, BurStopped, OnlyTouches };
     [[nodiscard]] Reason reason() const;
+    [[nodiscard]] QString pedalKey() const;
     [[nodiscard]] QString text(Reason reason) const;
     void showPedal(double pedal);
     void showGhost(bool on);

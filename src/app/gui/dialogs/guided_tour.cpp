@@ -23,13 +23,12 @@ constexpr double kStrokesPerSecond = 0.5;
 
 GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, DrivePanel& drive, QObject* parent)
     : QObject(parent), model_(model), view_(view), drill_(drill), drive_(drive) {
-    steps_ = {
-        {3, tr("Demonstration: the bur hovers where the mouse points"), &GuidedTour::aim, true},
-        {4, tr("Left button: the bur presses; the gauge shows the force"), &GuidedTour::touch, true},
-        {2, tr("Button up: the bur lifts"), &GuidedTour::lift, false},
-        {7, tr("Cut (C) and the pedal (space): the bur turns and removes what it presses on"), &GuidedTour::cut, true},
-        {2, tr("Button up, pedal up"), &GuidedTour::lift, false},
-        {3, tr("Ctrl+Z takes the cut back. Now it is your turn"), &GuidedTour::undo, false}};
+    steps_ = {{3, tr("Demonstration: the bur hovers where the mouse points"), &GuidedTour::aim, true},
+              {4, tr("Left button: the bur presses; the gauge shows the force"), &GuidedTour::touch, true},
+              {2, tr("Button up: the bur lifts"), &GuidedTour::lift, false},
+              {7, tr("Cut and the pedal: the bur turns and removes what it presses on"), &GuidedTour::cut, true},
+              {2, tr("Button up, pedal up"), &GuidedTour::lift, false},
+              {3, tr("Undo takes the cut back. Now it is your turn"), &GuidedTour::undo, false}};
     connect(&timer_, &QTimer::timeout, this, &GuidedTour::advance);
 }
 

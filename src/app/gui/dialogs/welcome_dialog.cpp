@@ -23,7 +23,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
               &WelcomeDialog::toothRequested);
     addChoice(tr("Watch the demonstration"), tr("Twenty seconds: touching, cutting, taking back."), "demonstration",
               &WelcomeDialog::demonstrationRequested);
-    auto* later = new QLabel(tr("All of this is in the menus, too; F1 shows mouse and keys."));
+    auto* later = new QLabel(tr("All of this is in the menus, too, and the menu Help has a manual."));
     later->setWordWrap(true);
     column->addWidget(later);
     constexpr int kLetters = 56;  // for a line that is easy to read

@@ -11,8 +11,8 @@ namespace tactooth {
 
 bool MirrorMouse::hold(bool held) { return std::exchange(held_, held) != held; }
 
-void MirrorMouse::move(const Viewport& picture, const Vec2& from, const Vec2& to, Qt::KeyboardModifiers with) {
-    if (with & Qt::ShiftModifier) {
+void MirrorMouse::move(const Viewport& picture, const Vec2& from, const Vec2& to, bool tilts) {
+    if (tilts) {
         model_.mirror().tilt(picture, to - from);
     } else {
         model_.mirror().drag(picture, from, to);

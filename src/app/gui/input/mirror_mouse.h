@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Qt>
-
 #include "app/gui/input/viewport.h"
 
 namespace tactooth {
@@ -13,8 +11,6 @@ class SessionModel;
 /// Lets one mouse hold two instruments: while a key is down it moves the mouth mirror, and the bur stays as it is.
 class MirrorMouse {
 public:
-    static constexpr int kKey = Qt::Key_V;
-
     /// `model` outlives it.
     explicit MirrorMouse(SessionModel& model) : model_(model) {}
 
@@ -22,8 +18,9 @@ public:
     bool hold(bool held);
     [[nodiscard]] bool isHeld() const { return held_; }
 
-    /// The mouse moves between two pixels: the glass follows it; with Shift it tilts to where the mouse goes.
-    void move(const Viewport& picture, const Vec2& from, const Vec2& to, Qt::KeyboardModifiers with);
+    /// The mouse moves between two pixels: the glass follows it; or, if it `tilts`, turns to where
+    /// the mouse goes.
+    void move(const Viewport& picture, const Vec2& from, const Vec2& to, bool tilts);
     /// A notch of the wheel brings the glass 1 mm toward the eye.
     void turnWheel(const Viewport& picture, double notches);
 

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-AppearanceMenu::AppearanceMenu(QMenu& menu) : dark_(addSwitch(menu, tr("&Dark colours"), "Ctrl+D")) {
+AppearanceMenu::AppearanceMenu(QMenu& menu) : dark_(addSwitch(menu, tr("&Dark colours"), KeyId::Dark)) {
     setLineIcon(*dark_, "dark");
     connect(dark_, &QAction::toggled, this, [this](bool dark) {
         applyColours(dark);

@@ -14,6 +14,7 @@
 #include "app/gui/controllers/recording_controller.h"
 #include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/text/translation.h"
 
@@ -41,7 +42,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
         return result;
     };
     QAction* open = add(tr("&Open tooth…"), "open", &teeth_, &ToothController::askForTooth);
-    open->setShortcut(QKeySequence::Open);
+    bindKey(*open, KeyId::Open);
     QMenu* builtin = addMenu(tr("&Built-in teeth"), "tooth");
     addBuiltinTeeth(*builtin);
     addMouth(*addMenu(tr("&Whole mouth"), "mouth"));
@@ -51,17 +52,20 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     caseMenu_ = addMenu(tr("Tooth of the &case"), "case");
     caseMenu_->setObjectName("teethOfCase");
     connect(caseMenu_, &QMenu::aboutToShow, this, &FileMenu::fillCase);
-    add(tr("&Import scan…"), "import", &teeth_, &ToothController::askForScan)->setShortcut(QKeySequence("Ctrl+I"));
+    bindKey(*add(tr("&Import scan…"), "import", &teeth_, &ToothController::askForScan), KeyId::Import);
     add(tr("Open &bur…"), "bur", &teeth_, &ToothController::askForBur);
     add(tr("Open e&xercise…"), "exercise", &exercise_, &ExerciseController::askForExercise);
     add(tr("Open recor&ding…"), "recording", this, &FileMenu::recordingWanted);
-    add(tr("&Save tooth…"), "save", &teeth_, [this] { teeth_.askForSave(); })->setShortcut(QKeySequence::Save);
+    bindKey(*add(tr("&Save tooth…"), "save", &teeth_, [this] { teeth_.askForSave(); }), KeyId::Save);
     QAction* save = add(tr("&Export cut tooth…"), "export", &teeth_, &ToothController::askForExport);
-    save->setShortcut(QKeySequence("Ctrl+Shift+S"));  // QKeySequence::SaveAs is empty outside of some desktops
+    bindKey(*save, KeyId::Export);
     recordings.addTo(*menu);
     examinations.addTo(*menu);
     menu->addSeparator();
-    add(tr("&Quit"), "quit", &window, &QWidget::close)->setShortcut(QKeySequence("Ctrl+Q"));
+    bindKey(*add(tr("Se&ttings…"), "settings", this, &FileMenu::settingsWanted), KeyId::Settings);
+    add(tr("&Keys…"), "keys", this, &FileMenu::keysWanted);
+    menu->addSeparator();
+    bindKey(*add(tr("&Quit"), "quit", &window, &QWidget::close), KeyId::Quit);
     for (QAction* action : {open, builtin->menuAction(), save}) {
         hideMarkInBars(*action);
         bar.addAction(action);

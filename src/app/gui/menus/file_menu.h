@@ -34,6 +34,10 @@ public:
 signals:
     /// The user wants to choose a recording to open.
     void recordingWanted();
+    /// The user wants to change settings.
+    void settingsWanted();
+    /// The user wants to change keys.
+    void keysWanted();
 
 private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,

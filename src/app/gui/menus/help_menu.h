@@ -10,6 +10,8 @@ class QWidget;
 namespace tactooth {
 
 class GuidedTour;
+class KeyController;
+class ManualController;
 class ToothController;
 class WindowMessages;
 
@@ -19,7 +21,8 @@ class HelpMenu final : public QObject {
 
 public:
     /// Adds the menu to `bar`. All others outlive it; `window` is the parent of its dialogs.
-    HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages);
+    HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
+             const KeyController& keys, ManualController& manual);
 
     /// Shows three ways to begin.
     void welcome();
@@ -32,6 +35,8 @@ private:
     ToothController& teeth_;
     GuidedTour& tour_;
     WindowMessages& messages_;
+    const KeyController& keys_;
+    ManualController& manual_;
 };
 
 }  // namespace tactooth

@@ -11,8 +11,8 @@
 namespace tactooth {
 
 void InstrumentMenus::addSpraySwitches(QMenu& menu) {
-    water_ = addSwitch(menu, tr("&Water spray"), "W", "water");
-    suction_ = addSwitch(menu, tr("Su&ction"), "S", "suction");
+    water_ = addSwitch(menu, tr("&Water spray"), KeyId::Water, "water");
+    suction_ = addSwitch(menu, tr("Su&ction"), KeyId::Suction, "suction");
     setLineIcon(*water_, "water");
     setLineIcon(*suction_, "suction");
     connect(water_, &QAction::toggled, this, [this](bool on) { instruments_.setWater(on); });
@@ -33,8 +33,8 @@ void InstrumentMenus::addMirrorMenu(QMenu& menu) {
         sizes_->addAction(action);
     }
     glass->addSeparator();
-    fog_ = addSwitch(*glass, tr("&Fogged"), "B", "fogged");
-    drops_ = addSwitch(*glass, tr("&Drops of spray"), "D", "drops");
+    fog_ = addSwitch(*glass, tr("&Fogged"), KeyId::Fogged, "fogged");
+    drops_ = addSwitch(*glass, tr("&Drops of spray"), KeyId::Drops, "drops");
     setLineIcon(*fog_, "fog");
     setLineIcon(*drops_, "drops");
     setMirror({});

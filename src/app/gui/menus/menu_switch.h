@@ -5,6 +5,8 @@
 #include <QMenu>
 #include <QRegularExpression>
 
+#include "app/gui/keys/key_binding.h"
+
 namespace tactooth {
 
 /// Lets tool bars show the text of a menu's entry without its keyboard mark: neither "&Open" nor, in Japanese,
@@ -14,11 +16,11 @@ inline void hideMarkInBars(QAction& action) {
     action.setIconText(action.text().remove(kMark));
 }
 
-/// Adds an action that the user switches on and off by the menu or by `keys`. `name`: its object name.
-inline QAction* addSwitch(QMenu& menu, const QString& text, const QString& keys, const QString& name = {}) {
+/// Adds an action that the user switches on and off by the menu or by its key. `name`: its object name.
+inline QAction* addSwitch(QMenu& menu, const QString& text, KeyId key, const QString& name = {}) {
     QAction* action = menu.addAction(text);
     action->setCheckable(true);
-    action->setShortcut(QKeySequence(keys));
+    bindKey(*action, key);
     if (!name.isEmpty()) action->setObjectName(name);
     return action;
 }

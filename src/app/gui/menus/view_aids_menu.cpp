@@ -13,22 +13,22 @@ ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
     aids->setObjectName("viewAids");
     aids->setToolTipsVisible(true);
     setLineIcon(*aids->menuAction(), "panel");
-    glass_ = add(*aids, tr("&Glass handpiece"), "L", "glass", "glass",
+    glass_ = add(*aids, tr("&Glass handpiece"), KeyId::Glass, "glass", "glass",
                  tr("Handles and the shank turn to glass where they hide the bur's head or the place where it lands"));
-    magnifier_ = add(*aids, tr("&Magnifier"), "Z", "magnifier", "magnifier",
+    magnifier_ = add(*aids, tr("&Magnifier"), KeyId::Magnifier, "magnifier", "magnifier",
                      tr("The bur's head, four times as large, in the upper left corner"));
-    scaleBar_ =
-        add(*aids, tr("&Scale bar"), "R", "scaleBar", "scale-bar", tr("Length in mm at the depth of the tooth"));
-    letters_ = add(*aids, tr("&Letters of the directions"), "A", "axisLetters", "letters",
+    scaleBar_ = add(*aids, tr("&Scale bar"), KeyId::ScaleBar, "scaleBar", "scale-bar",
+                    tr("Length in mm at the depth of the tooth"));
+    letters_ = add(*aids, tr("&Letters of the directions"), KeyId::Letters, "axisLetters", "letters",
                    tr("B buccal, L lingual, M mesial, D distal, O occlusal, A apical"));
-    cube_ = add(*aids, tr("View &cube"), "K", "viewCubeSwitch", "cube",
+    cube_ = add(*aids, tr("View &cube"), KeyId::Cube, "viewCubeSwitch", "cube",
                 tr("Shows from which side one looks; a click on a face looks from there"));
     restore({});
 }
 
-QAction* ViewAidsMenu::add(QMenu& menu, const QString& text, const QString& keys, const char* name, const char* icon,
+QAction* ViewAidsMenu::add(QMenu& menu, const QString& text, KeyId key, const char* name, const char* icon,
                            const QString& tip) {
-    QAction* action = addSwitch(menu, text, keys, name);
+    QAction* action = addSwitch(menu, text, key, name);
     setLineIcon(*action, icon);
     action->setToolTip(tip);
     action->setStatusTip(tip);

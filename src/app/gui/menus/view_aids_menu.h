@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "app/gui/keys/key_table.h"
 #include "app/gui/settings/window_settings.h"
 
 class QAction;
@@ -25,8 +26,7 @@ public:
     void store(WindowSettings& settings) const;
 
 private:
-    QAction* add(QMenu& menu, const QString& text, const QString& keys, const char* name, const char* icon,
-                 const QString& tip);
+    QAction* add(QMenu& menu, const QString& text, KeyId key, const char* name, const char* icon, const QString& tip);
     [[nodiscard]] ViewAids aids() const;
     void show();
 

@@ -19,19 +19,22 @@ namespace {
 /// Its drawing has the name of the view.
 const char* iconOf(StandardView view) { return kStandardViews[static_cast<std::size_t>(view)].first.data(); }
 
+/// The row `place` rows after `first`: the views stand in the table of keys in their order.
+KeyId nth(KeyId first, int place) { return static_cast<KeyId>(static_cast<int>(first) + place); }
+
 }  // namespace
 
 ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), bar_(bar), view_(view) {
-    addAction(tr("Dentist's view"), "0", "dentist", &ToothView::resetView);
+    addAction(tr("Dentist's view"), KeyId::DentistView, "dentist", &ToothView::resetView);
     const QStringList titles = addStandardViews();
-    addAction(tr("Fit"), "F", "fit", &ToothView::fit);
+    addAction(tr("Fit"), KeyId::Fit, "fit", &ToothView::fit);
     addSecondViews(titles);
     menu_.addSeparator();
     bar_.addSeparator();
-    mirror_ = addVisibility(tr("Mirror"), "M", "mirror", &ToothView::setShowsMirror);
+    mirror_ = addVisibility(tr("Mirror"), KeyId::Mirror, "mirror", &ToothView::setShowsMirror);
     addMirrorPlaces();
-    turbine_ = addVisibility(tr("Turbine"), "H", "handpiece", &ToothView::setShowsTurbine);
-    aim_ = addVisibility(tr("Aim"), "J", "aim", &ToothView::setShowsAim);
+    turbine_ = addVisibility(tr("Turbine"), KeyId::Turbine, "handpiece", &ToothView::setShowsTurbine);
+    aim_ = addVisibility(tr("Aim"), KeyId::Aim, "aim", &ToothView::setShowsAim);
     aim_->setToolTip(
         tr("Shows where the bur will land, and at its tip the depth, the tooth left over the pulp, and the "
            "force"));
@@ -41,22 +44,21 @@ void ViewMenu::addMirrorPlaces() {
     connect(&view_, &ToothView::mirrorUsed, mirror_, [this] { mirror_->setChecked(true); });
     QAction* place = menu_.addAction(tr("&Place the mirror"), &view_, &ToothView::placeMirror);
     place->setObjectName("placeMirror");
-    place->setShortcut(QKeySequence("Shift+M"));
-    place->setToolTip(
-        tr("Holds the mirror where it shows the bur from behind; with V held, the mouse moves the mirror"));
+    bindKey(*place, KeyId::PlaceMirror);
+    place->setToolTip(tr("Holds the mirror where it shows the bur from behind"));
     place->setStatusTip(place->toolTip());
     setLineIcon(*place, "mirror");
     QAction* park = menu_.addAction(tr("Put the mirror &back"), &view_, &ToothView::parkMirror);
     park->setObjectName("parkMirror");
-    park->setShortcut(QKeySequence("Ctrl+Shift+M"));
+    bindKey(*park, KeyId::ParkMirror);
     park->setStatusTip(tr("The mirror waits again behind the tooth"));
     setLineIcon(*park, "reset");
 }
 
-void ViewMenu::addAction(const QString& text, const QString& keys, const char* icon, void (ToothView::*act)()) {
+void ViewMenu::addAction(const QString& text, KeyId key, const char* icon, void (ToothView::*act)()) {
     QAction* action = menu_.addAction(text, &view_, act);
     setLineIcon(*action, icon);
-    action->setShortcut(QKeySequence(keys));
+    bindKey(*action, key);
     bar_.addAction(action);
 }
 
@@ -67,13 +69,13 @@ QStringList ViewMenu::addStandardViews() {
                                                                     {tr("Lingual"), StandardView::Lingual},
                                                                     {tr("Mesial"), StandardView::Mesial},
                                                                     {tr("Distal"), StandardView::Distal}}};
-    int key = 1;
+    int place = 0;
     QStringList titles;
     for (const auto& [name, view] : views) {
         titles.append(name);
         QAction* action = menu_.addAction(name, this, [this, view = view] { view_.setView(view); });
         setLineIcon(*action, iconOf(view));
-        action->setShortcut(QKeySequence(QString::number(key++)));
+        bindKey(*action, nth(KeyId::Occlusal, place++));
         bar_.addAction(action);
     }
     return titles;
@@ -84,8 +86,8 @@ void ViewMenu::addSecondViews(const QStringList& titles) {
     menu->setObjectName("secondView");
     setLineIcon(*menu->menuAction(), "second-view");
     secondViews_ = new QActionGroup(menu);
-    const auto add = [&](const QString& title, int key, std::string_view name) {
-        QAction* action = addSwitch(*menu, title, QString("Ctrl+%1").arg(key));
+    const auto add = [&](const QString& title, int place, std::string_view name) {
+        QAction* action = addSwitch(*menu, title, nth(KeyId::SecondNone, place));
         action->setData(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
         setLineIcon(*action, name.data());
         secondViews_->addAction(action);
@@ -97,9 +99,8 @@ void ViewMenu::addSecondViews(const QStringList& titles) {
             [this](QAction* chosen) { setSecondView(chosen->data().toString()); });
 }
 
-QAction* ViewMenu::addVisibility(const QString& text, const QString& keys, const char* icon,
-                                 void (ToothView::*show)(bool)) {
-    QAction* action = addSwitch(menu_, text, keys);
+QAction* ViewMenu::addVisibility(const QString& text, KeyId key, const char* icon, void (ToothView::*show)(bool)) {
+    QAction* action = addSwitch(menu_, text, key);
     setLineIcon(*action, icon);
     action->setChecked(true);
     connect(action, &QAction::toggled, &view_, show);

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "app/gui/keys/key_table.h"
 #include "app/gui/settings/window_settings.h"
 
 class QAction;
@@ -28,10 +29,10 @@ public:
     void store(WindowSettings& settings) const;
 
 private:
-    void addAction(const QString& text, const QString& keys, const char* icon, void (ToothView::*act)());
+    void addAction(const QString& text, KeyId key, const char* icon, void (ToothView::*act)());
     [[nodiscard]] QStringList addStandardViews();
     void addSecondViews(const QStringList& titles);
-    QAction* addVisibility(const QString& text, const QString& keys, const char* icon, void (ToothView::*show)(bool));
+    QAction* addVisibility(const QString& text, KeyId key, const char* icon, void (ToothView::*show)(bool));
     void setSecondView(const QString& name);
     void addMirrorPlaces();
 

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/inspection_panel.h"
@@ -16,14 +17,15 @@ namespace tactooth {
 
 WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                          ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                         ExaminationController& examinations, WindowMessages& messages)
+                         ExaminationController& examinations, WindowMessages& messages, const KeyController& keys,
+                         ManualController& manual)
     : model_(model),
       file_(window, docks.fileBar(), model, teeth, exercise, recordings, examinations),
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
     addSoundMenu(*window.menuBar(), *panels.sound);
-    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages);
+    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages, keys, manual);
 }
 
 void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {
@@ -39,21 +41,26 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
         setLineIcon(*dock->toggleViewAction(), "panel");
         menu->addAction(dock->toggleViewAction());
     }
+    QAction* reset = menu->addAction(tr("Reset la&yout"), this, &WindowMenus::layoutResetWanted);
+    reset->setObjectName("resetLayout");
+    setLineIcon(*reset, "reset-layout");
 }
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
     menu->addSeparator();
-    const auto add = [&](const QString& text, const char* keys, const char* icon, const auto& act) {
+    const auto add = [&](const QString& text, KeyId key, const char* icon, const auto& act) {
         QAction* action = menu->addAction(text, this, act);
-        action->setShortcut(QKeySequence(keys));
+        bindKey(*action, key);
         setLineIcon(*action, icon);
     };
     constexpr double kTurn = 0.2;  // rad for one press of the key
-    add(tr("Stand the bur &upright"), "U", "upright", [this] { model_.manipulator().resetOrientation(); });
-    add(tr("Turn the handle &left"), "Q", "turn-left", [this] { model_.manipulator().rotateHandle(kTurn); });
-    add(tr("Turn the handle &right"), "E", "turn-right", [this] { model_.manipulator().rotateHandle(-kTurn); });
+    add(tr("Stand the bur &upright"), KeyId::Upright, "upright", [this] { model_.manipulator().resetOrientation(); });
+    add(tr("Turn the handle &left"), KeyId::TurnHandleLeft, "turn-left",
+        [this] { model_.manipulator().rotateHandle(kTurn); });
+    add(tr("Turn the handle &right"), KeyId::TurnHandleRight, "turn-right",
+        [this] { model_.manipulator().rotateHandle(-kTurn); });
     menu->addSeparator();
     instruments_.addSpraySwitches(*menu);
     menu->addSeparator();
@@ -64,7 +71,7 @@ void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {
     QAction* mute = bar.addMenu(tr("&Sound"))->addAction(tr("&Mute"));
     mute->setCheckable(true);
     setLineIcon(*mute, "mute");
-    mute->setShortcut(QKeySequence("Ctrl+M"));
+    bindKey(*mute, KeyId::Mute);
     connect(mute, &QAction::toggled, &panel, &SoundPanel::setMuted);
     connect(&panel, &SoundPanel::mutedChanged, mute, &QAction::setChecked);
 }

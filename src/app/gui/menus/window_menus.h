@@ -22,7 +22,8 @@ public:
     /// All of them outlive the menus.
     WindowMenus(QMainWindow& window, const DockLayout& docks, const WindowPanels& panels, SessionModel& model,
                 ToothController& teeth, ExerciseController& exercise, RecordingController& recordings,
-                ExaminationController& examinations, WindowMessages& messages);
+                ExaminationController& examinations, WindowMessages& messages, const KeyController& keys,
+                ManualController& manual);
 
     [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
@@ -32,6 +33,10 @@ public:
 
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
+
+signals:
+    /// Docks, tool bars and size of the window should be as at the first start.
+    void layoutResetWanted();
 
 private:
     void addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels);

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/text/translation.h"
 #include "devices/open_device.h"
 
@@ -132,11 +133,12 @@ void DevicePanel::addHold(QGridLayout& grid) {
     clutch_->setObjectName("clutch");
     clutchAction_->setCheckable(true);
     setLineIcon(*clutchAction_, "hold");
-    clutchAction_->setShortcut(QKeySequence(Qt::Key_X));
+    bindKey(*clutchAction_, KeyId::Hold);
     connect(clutchAction_, &QAction::toggled, clutch_, &QPushButton::setChecked);
     connect(clutch_, &QPushButton::toggled, clutchAction_, &QAction::setChecked);
     clutch_->setToolTip(
-        tr("The bur stays while the hand goes back to a comfortable place (X, or a button of the device)"));
+        tr("The bur stays while the hand goes back to a comfortable place; a key or a button of the "
+           "device does the same"));
     leftHanded_->setObjectName("leftHanded");
     leftHanded_->setToolTip(tr("Handles leave to the other side, and a gamepad's halves change places"));
     const int row = grid.rowCount();
@@ -163,7 +165,8 @@ void DevicePanel::showFit(const std::optional<WorkspaceFit>& fit) {
     if (!fit_->isChecked()) return;
     const QSignalBlocker quiet(motionScaling_);
     motionScaling_->setValue(fit ? fit->motionScaling : kMinMotionScaling);
-    fitNote_->setText(fit ? tr("The tooth is larger than the device's workspace: hold the bur (X) to reach all of it.")
+    fitNote_->setText(fit ? tr("The tooth is larger than the device's workspace: hold the bur (%1) to reach all of it.")
+                                .arg(keyOf(*clutchAction_))
                           : tr("No device here has a known workspace: 1 : 1."));
 }
 
@@ -241,6 +244,12 @@ void DevicePanel::set(const DeviceSettings& settings) {
         showPedal(settings.pedal, settings.pedalUp, settings.pedalDown);
         key_->setKeySequence(QKeySequence(pedalKeyOf(settings)));
     }
+    emit changed();
+}
+
+void DevicePanel::setPedalKey(const QKeySequence& key) {
+    if (key_->keySequence() == key) return;
+    key_->setKeySequence(key);
     emit changed();
 }
 

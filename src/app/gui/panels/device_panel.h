@@ -35,6 +35,8 @@ public:
     void showDevice(const QString& name) { showChosen(*devices_, name); }
     /// The same for the other hand; "none": it is empty.
     void showSecondDevice(const QString& name) { showChosen(*seconds_, name); }
+    /// One key without modifiers.
+    void setPedalKey(const QKeySequence& key);
     void showPedal(const std::string& pedal, double up, double down);
     void setCalibrating(bool calibrating) { calibrate_->setChecked(calibrating); }
 

@@ -6,6 +6,7 @@
 #include <QLabel>
 
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -53,11 +54,9 @@ DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new Q
 void DrillBar::addModes() {
     auto* modes = new QActionGroup(this);
     touch_ = modes->addAction(tr("Touch"));
-    touch_->setToolTip(tr("Touch (T): the bur stands still and feels the tooth"));
-    touch_->setShortcut(Qt::Key_T);
+    bindKey(*touch_, KeyId::Touch, tr("Touch (%1): the bur stands still and feels the tooth"));
     cut_ = modes->addAction(tr("Cut"));
-    cut_->setToolTip(tr("Cut (C): with the pedal down the bur turns and cuts"));
-    cut_->setShortcut(Qt::Key_C);
+    bindKey(*cut_, KeyId::Cut, tr("Cut (%1): with the pedal down the bur turns and cuts"));
     for (QAction* mode : {touch_, cut_}) mode->setCheckable(true);
     setLineIcon(*touch_, "touch");
     setLineIcon(*cut_, "cut");
@@ -69,15 +68,12 @@ void DrillBar::addModes() {
     addSeparator();
     undo_ = addAction(lineIcon("undo"), tr("Undo"));
     undo_->setObjectName("undo");
-    undo_->setToolTip(tr("Takes back the last cut or change (Ctrl+Z)"));
-    undo_->setShortcut(QKeySequence("Ctrl+Z"));
+    bindKey(*undo_, KeyId::Undo, tr("Takes back the last cut or change (%1)"));
     redo_ = addAction(lineIcon("redo"), tr("Redo"));
     redo_->setObjectName("redo");
-    redo_->setToolTip(tr("Does again what was taken back (Ctrl+Shift+Z or Ctrl+Y)"));
-    redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    bindKey(*redo_, KeyId::Redo, tr("Does again what was taken back (%1)"));
     reset_ = addAction(lineIcon("reset"), tr("Reset tooth"));
-    reset_->setToolTip(tr("Puts back all that was cut (Ctrl+R); Undo takes that back"));
-    reset_->setShortcut(QKeySequence("Ctrl+R"));
+    bindKey(*reset_, KeyId::ResetTooth, tr("Puts back all that was cut (%1); Undo takes that back"));
 }
 
 void DrillBar::showCutting(bool cutting) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 
 namespace tactooth {
 namespace {
@@ -65,7 +66,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     ghost_->setObjectName("ghost");
     showGhost_->setCheckable(true);
     setLineIcon(*showGhost_, "ghost");
-    showGhost_->setShortcut(QKeySequence("G"));
+    bindKey(*showGhost_, KeyId::Ghost);
     showGhost_->setObjectName("showGhost");
     setTarget({});
     auto* colours = new QHBoxLayout;

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/replay/replay_cursor.h"
 
 namespace tactooth {
@@ -39,16 +40,16 @@ ReplayBar::ReplayBar(QWidget* parent)
     auto* lower = new QHBoxLayout;
     rows->addLayout(lower);
 
-    play_ = addButton("replayPlay", tr("Pause"), tr("Plays or pauses the recording"), Qt::Key_Space);
+    play_ = addButton("replayPlay", tr("Pause"), tr("Plays or pauses the recording"), KeyId::ReplayPlay);
     connect(play_, &QToolButton::clicked, this, &ReplayBar::playToggled);
-    connect(addButton("replayPrevious", "⏮", tr("To the event or comment before"), QKeySequence("Ctrl+PgUp")),
+    connect(addButton("replayPrevious", "⏮", tr("To the event or comment before"), KeyId::ReplayPrevious),
             &QToolButton::clicked, this, &ReplayBar::previousWanted);
-    connect(addButton("replayBack", "◂", tr("Back by one tick"), Qt::Key_Comma), &QToolButton::clicked, this,
+    connect(addButton("replayBack", "◂", tr("Back by one tick"), KeyId::ReplayBack), &QToolButton::clicked, this,
             [this] { emit stepped(-1); });
-    connect(addButton("replayOn", "▸", tr("On by one tick"), Qt::Key_Period), &QToolButton::clicked, this,
+    connect(addButton("replayOn", "▸", tr("On by one tick"), KeyId::ReplayOn), &QToolButton::clicked, this,
             [this] { emit stepped(1); });
-    connect(addButton("replayNext", "⏭", tr("To the next event or comment"), QKeySequence("Ctrl+PgDown")),
-            &QToolButton::clicked, this, &ReplayBar::nextWanted);
+    connect(addButton("replayNext", "⏭", tr("To the next event or comment"), KeyId::ReplayNext), &QToolButton::clicked,
+            this, &ReplayBar::nextWanted);
     addSpeeds();
     addComments();
     compare_ =
@@ -59,7 +60,7 @@ ReplayBar::ReplayBar(QWidget* parent)
     note_->setTextFormat(Qt::PlainText);
     note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     static_cast<QBoxLayout*>(layout()->itemAt(1)->layout())->addWidget(note_, 1);
-    connect(addButton("replayLeave", tr("Leave replay"), tr("Back to the tooth as it was"), Qt::Key_Escape),
+    connect(addButton("replayLeave", tr("Leave replay"), tr("Back to the tooth as it was"), KeyId::ReplayLeave),
             &QToolButton::clicked, this, &ReplayBar::leaveWanted);
 
     time_->setObjectName("replayClock");
@@ -67,14 +68,17 @@ ReplayBar::ReplayBar(QWidget* parent)
 }
 
 /// Its key works wherever the focus is, as long as the bar is visible.
-QToolButton* ReplayBar::addButton(const char* name, const QString& text, const QString& tip, const QKeySequence& key) {
+QToolButton* ReplayBar::addButton(const char* name, const QString& text, const QString& tip, std::optional<KeyId> key) {
     auto* button = new QToolButton;
     button->setObjectName(name);
     button->setText(text);
-    button->setToolTip(key.isEmpty() ? tip : QString("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    button->setToolTip(tip);
     button->setAccessibleName(tip);
     static_cast<QBoxLayout*>(layout()->itemAt(1)->layout())->addWidget(button);
-    if (!key.isEmpty()) connect(new QShortcut(key, this), &QShortcut::activated, button, &QToolButton::click);
+    if (!key) return button;
+    auto* shortcut = new QShortcut(this);
+    bindKey(*shortcut, *key, *button, tip + " (%1)");
+    connect(shortcut, &QShortcut::activated, button, &QToolButton::click);
     return button;
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
+#include "app/gui/keys/key_table.h"
 #include "app/gui/replay/replay_slider.h"
 
 class QComboBox;
@@ -45,7 +47,7 @@ signals:
     void leaveWanted();
 
 private:
-    QToolButton* addButton(const char* name, const QString& text, const QString& tip, const QKeySequence& key);
+    QToolButton* addButton(const char* name, const QString& text, const QString& tip, std::optional<KeyId> key);
     void addSpeeds();
     void addComments();
 

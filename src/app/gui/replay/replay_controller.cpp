@@ -108,6 +108,7 @@ void ReplayController::makePanel() {
     comments_ = std::make_unique<ReplayCommentMenu>(panel_->bar().commentMenu(), messages_, window_);
     panel_->view().setContents([this](bool withTurbine, bool) { return contents(withTurbine); });
     connectBar();
+    emit panelMade();
 }
 
 void ReplayController::connectBar() {

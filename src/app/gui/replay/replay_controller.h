@@ -55,6 +55,10 @@ public:
     /// While a recording is shown.
     [[nodiscard]] ReplayCursor& cursor() { return *cursor_; }
 
+signals:
+    /// The panel is there; it is made for the first recording.
+    void panelMade();
+
 private:
     using Opened = std::shared_ptr<ReplaySource>;
 

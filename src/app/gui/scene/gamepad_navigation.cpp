@@ -8,6 +8,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
@@ -155,9 +156,11 @@ void GamepadNavigation::press(PadButton button) {
     if (button == PadButton::Back) enterPanels();
 }
 
-/// The widget that receives the keys of an open menu or dialog; null if none is open.
+/// The widget that receives the keys of an open menu or dialog, or of the manual in front; null if there is none.
 QWidget* GamepadNavigation::frontWidget() const {
-    for (QWidget* const front : {QApplication::activePopupWidget(), QApplication::activeModalWidget()}) {
+    QWidget* const active = QApplication::activeWindow();
+    for (QWidget* const front : {QApplication::activePopupWidget(), QApplication::activeModalWidget(),
+                                 qobject_cast<QDialog*>(active) != nullptr ? active : nullptr}) {
         if (front != nullptr) return front->focusWidget() != nullptr ? front->focusWidget() : front;
     }
     // The keys have chosen an entry of the menu bar. The bar may have the focus without an entry; an entry under the

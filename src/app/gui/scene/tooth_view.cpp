@@ -375,8 +375,8 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 displacement = to - from;
     if (model_.runner() == nullptr) return;
     if (mirrorMouse_.isHeld()) {
-        mirrorMouse_.move(viewport(), from, to, with);
-    } else if (with & Qt::ShiftModifier) {
+        mirrorMouse_.move(viewport(), from, to, (with & keys_.lean) != 0);
+    } else if (with & keys_.lean) {
         model_.manipulator().tilt(viewport(), displacement);
     } else if (model_.manipulator().isPressing()) {
         model_.manipulator().drag(viewport(), to);
@@ -385,38 +385,41 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     }
 }
 
-/// Arrow keys move the hand like the mouse; with Ctrl they turn the tooth. Enter presses while it is held.
+/// Four keys move the hand like the mouse; with a modifier they turn the tooth. One presses while it is held.
 bool ToothView::obeyKey(const QKeyEvent& key) {
-    const std::array<std::pair<int, Vec2>, 4> directions = {{{Qt::Key_Left, Vec2(-1, 0)},
-                                                             {Qt::Key_Right, Vec2(1, 0)},
-                                                             {Qt::Key_Up, Vec2(0, -1)},
-                                                             {Qt::Key_Down, Vec2(0, 1)}}};
+    const std::array<std::pair<int, Vec2>, 4> directions = {
+        {{keys_.left, Vec2(-1, 0)}, {keys_.right, Vec2(1, 0)}, {keys_.up, Vec2(0, -1)}, {keys_.down, Vec2(0, 1)}}};
     const ImageSize size = imageSize();
     if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
     for (const auto& [code, displacement] : directions) {
         if (key.key() != code) continue;
         const Vec2 pixels = kKeyStep * size.height * displacement;
-        if (contents_ || (key.modifiers() & Qt::ControlModifier)) {
+        if (contents_ || (key.modifiers() & keys_.turn)) {
             moveCamera(kKeyTurn * pixels, Qt::RightButton);
         } else {
             moveHand(mouse_ + pixels, key.modifiers());
         }
         return true;
     }
-    if (!contents_ && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
+    if (!contents_ && isPress(key)) {
         if (key.isAutoRepeat()) return true;
         model_.manipulator().press(viewport(), mouse_);
         isPressedByKey_ = true;
         return true;
     }
-    if (!contents_ && key.key() == MirrorMouse::kKey && !(key.modifiers() & ~Qt::ShiftModifier)) {
+    if (!contents_ && key.key() == keys_.holdMirror) {
         holdMirror(true);
         return true;
     }
-    if (key.key() != Qt::Key_Plus && key.key() != Qt::Key_Minus) return false;
-    camera_.zoom(key.key() == Qt::Key_Plus ? kZoomStep : 1 / kZoomStep, mouse_, size);
+    if (key.key() != keys_.nearer && key.key() != keys_.farther) return false;
+    camera_.zoom(key.key() == keys_.nearer ? kZoomStep : 1 / kZoomStep, mouse_, size);
     redraw();
     return true;
+}
+
+/// The large and the small Enter key are one.
+bool ToothView::isPress(const QKeyEvent& key) const {
+    return key.key() == keys_.press || (keys_.press == Qt::Key_Return && key.key() == Qt::Key_Enter);
 }
 
 void ToothView::keyPressEvent(QKeyEvent* event) {
@@ -424,9 +427,8 @@ void ToothView::keyPressEvent(QKeyEvent* event) {
 }
 
 void ToothView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == MirrorMouse::kKey && !event->isAutoRepeat()) return holdMirror(false);
-    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!isEnter) return QOpenGLWidget::keyReleaseEvent(event);
+    if (event->key() == keys_.holdMirror && !event->isAutoRepeat()) return holdMirror(false);
+    if (!isPress(*event)) return QOpenGLWidget::keyReleaseEvent(event);
     if (!event->isAutoRepeat()) endKeyPress();
 }
 
@@ -460,11 +462,12 @@ void ToothView::endKeyPress() {
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {
-    constexpr double kNotch = 120;  // eighths of a degree
-    const double notches = event->angleDelta().y() / kNotch;
+    constexpr double kNotch = 120;              // eighths of a degree
+    const QPoint turned = event->angleDelta();  // with Alt a wheel turns sideways
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kNotch;
     if (mirrorMouse_.isHeld()) {
         mirrorMouse_.turnWheel(viewport(), notches);
-    } else if (contents_ || (event->modifiers() & Qt::ControlModifier)) {
+    } else if (contents_ || (event->modifiers() & keys_.zoom)) {
         camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
         redraw();
     } else {
@@ -477,7 +480,7 @@ void ToothView::wheelEvent(QWheelEvent* event) {
 void ToothView::turnWheel(double notches, Qt::KeyboardModifiers with) {
     MouseManipulator& hand = model_.manipulator();
     if (hand.pressMode() == PressMode::Depth) {
-        const double step = with & Qt::ShiftModifier ? kFineDepthStep : kDepthStep;
+        const double step = with & keys_.fineDepth ? kFineDepthStep : kDepthStep;
         hand.depthControl().setDepth(hand.depthControl().depth() + step * notches);
         emit depthChanged(hand.depthControl().depth());
     } else {

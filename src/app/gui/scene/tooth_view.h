@@ -11,6 +11,7 @@
 #include "app/common/scene_builder.h"
 #include "app/gui/input/mirror_mouse.h"
 #include "app/gui/input/viewport.h"
+#include "app/gui/keys/key_map.h"
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/second_view_frame.h"
@@ -71,6 +72,8 @@ public:
     void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
     /// What helps to find one's way in the picture.
     void setAids(const ViewAids& aids);
+    /// The keys that work in the picture.
+    void setKeys(const PictureKeys& keys) { keys_ = keys; }
     /// Section, transparency, colours and ghost, and stereo.
     void setInspection(const Inspection& inspection, Stereo::Mode stereo);
     /// Shows a small picture from another side too; none: no small picture.
@@ -122,6 +125,7 @@ private:
     void showAim();
     void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
+    [[nodiscard]] bool isPress(const QKeyEvent& key) const;
     void endKeyPress();
     void holdMirror(bool held);
     void report(const Error& error);
@@ -153,6 +157,7 @@ private:
     QTimer rest_;                                             // runs out when nothing has moved for kRestMs
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
+    PictureKeys keys_;
     bool isPressedByKey_ = false;
     Vec2 mouse_ =
         Vec2::Constant(-1);  // position of the mouse or of the arrow keys, pixels; outside until the first event

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/util/expected.h"
+#include "geometry/util/message.h"
 #include "session/model/mouse_manipulator.h"
 #include "sound/voices/sound_mixer.h"
 #include "tooth/model/material_registry.h"
@@ -98,11 +99,11 @@ struct ViewAids {
 
 /// The settings that the window keeps from one start to the next. An empty text means the default of the window.
 struct WindowSettings {
-    std::string geometry;  ///< of the window, in Qt's format, base64
-    std::string docks;     ///< state of docks and tool bars, likewise
-    std::string folder;    ///< of the last file that was opened or saved
-    std::string bur;       ///< number in the catalogue
-    std::string spindle;   ///< name
+    std::string geometry;   ///< of the window, in Qt's format, base64
+    std::string docks;      ///< state of docks and tool bars, likewise
+    std::string folder;     ///< of the last file that was opened or saved
+    std::string bur = "4";  ///< number in the catalogue; usually round, 1.4 mm: a dentist opens a fissure with it
+    std::string spindle;    ///< name
     bool showsTurbine = true;
     bool showsAim = true;
     bool showsMirror = true;
@@ -122,10 +123,14 @@ struct WindowSettings {
     bool recordsSessions = true;      ///< keeps a recording of each session
     double recordingGigabytes = 2;    ///< of all recordings together
     ViewAids aids;
+    std::string ownKeys;  ///< see KeyMap::ownText
 };
 
-/// One setting: its name in the file ([table] key) and on the command line (--table-key), and its range.
-/// windowOptions() is the only list of them.
+/// The pages of the dialog with the settings.
+enum class SettingsPage { None, Appearance, View, Instruments, Force, Hand, Sound, Recording };
+
+/// One setting: its name in the file ([table] key) and on the command line (--table-key), what it does, and its range.
+/// windowOptions() is the only list of them. The default is the value in WindowSettings().
 struct WindowOption {
     using Text = std::string& (*)(WindowSettings&);
     using Switch = bool& (*)(WindowSettings&);
@@ -134,11 +139,16 @@ struct WindowOption {
     const char* table;
     const char* key;
     std::variant<Text, Switch, Number> value;
-    double highest;               ///< of a number
-    const char* help;             ///< null: not for the command line
-    double lowest = 0;            ///< of a number
-    const char* zero = nullptr;   ///< a word for 0, which may be below `lowest`
-    const char* words = nullptr;  ///< the values that a text may have ("en, ja"); null: any
+    const MessageText* help = nullptr;  ///< what it does, without a full stop; null: only the window itself sets it
+    SettingsPage page = SettingsPage::None;  ///< of the dialog with the settings
+    double lowest = 0;                       ///< of a number
+    double highest = 0;                      ///< of a number
+    const char* zero = nullptr;              ///< a word for 0, which may be below `lowest`
+    const char* words = nullptr;             ///< the values that a text may have ("en, ja"); null: any
+    const char* unit = nullptr;              ///< of a number
+    const MessageText* empty = nullptr;      ///< what an empty text means
+    bool isCount = false;                    ///< a number without decimals
+    bool hasFlag = true;                     ///< on the command line, if it has a help
 };
 /// Whether a text is a value of the option: one of its words, or empty, which is the default.
 [[nodiscard]] bool takesText(const WindowOption& option, std::string_view text);
@@ -146,6 +156,8 @@ struct WindowOption {
 
 /// "--force-spring"
 [[nodiscard]] std::string flagOf(const WindowOption& option);
+/// The help with range, values, unit and default, in English: for the command line.
+[[nodiscard]] std::string flagHelp(const WindowOption& option);
 
 /// Sets one setting from the text of a command line. Fails with a sentence that names the flag.
 [[nodiscard]] Expected<void> setWindowOption(WindowSettings& settings, const WindowOption& option,

@@ -10,6 +10,7 @@
 #include <QWindow>
 #include <utility>
 
+#include "app/gui/dialogs/settings_dialog.h"
 #include "app/gui/model/current_work.h"
 #include "app/gui/model/exercise_tooth.h"
 #include "app/gui/panels/drill_bar.h"
@@ -24,6 +25,7 @@
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 #include "app/gui/window/screen_fit.h"
+#include "app/gui/window/settings_choices.h"
 
 namespace tactooth {
 
@@ -41,10 +43,12 @@ MainWindow::MainWindow(SoundOutput& sound)
       examinations_(examination_, model_, panels_, docks_, exercise_, recordings_, messages_, *this),
       restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
+      keys_(*this, panels_, messages_),
+      manual_(*this, keys_),
       hints_(model_, panels_, devices_, messages_),
       sounds_(sound, model_, panels_, messages_, files_),
       records_(model_, panels_, messages_, files_),
-      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_),
+      menus_(*this, docks_, panels_, model_, teeth_, exercise_, recordings_, examinations_, messages_, keys_, manual_),
       history_(model_, examination_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_),
@@ -58,12 +62,20 @@ MainWindow::MainWindow(SoundOutput& sound)
     connectLoop();
     connectNumbers();
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
+    connect(&menus_.file(), &FileMenu::settingsWanted, this, &MainWindow::editSettings);
+    connect(&menus_.file(), &FileMenu::keysWanted, &keys_, &KeyController::edit);
+    connect(&replay_, &ReplayController::panelMade, &keys_, &KeyController::apply);
+    connect(&keys_, &KeyController::changed, &hints_, &WindowHints::showUsual);
     connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
     connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
-    resize(QSize(1400, 900).boundedTo(screen()->availableSize()));
+    connect(&menus_, &WindowMenus::layoutResetWanted, this, [this] {
+        docks_.reset();
+        examinations_.followLayout();
+        fitToScreenLater();
+    });
 }
 
 MainWindow::~MainWindow() = default;
@@ -183,7 +195,10 @@ void MainWindow::apply(const WindowSettings& settings) {
     panels_.drill->choose(QString::fromStdString(settings.bur), QString::fromStdString(settings.spindle));
     menus_.restore(settings);
     panels_.force->set(settings.force);
-    devices_.apply(settings.hand);
+    keys_.restore(settings);
+    DeviceSettings hand = settings.hand;
+    hand.pedalKey = keys_.pedalKey();
+    devices_.apply(hand);
     sounds_.restore(settings);
     recordings_.restore(settings);
 }
@@ -198,9 +213,34 @@ WindowSettings MainWindow::settings() const {
     menus_.store(settings);
     settings.force = panels_.force->settings();
     settings.hand = devices_.settings();
+    keys_.store(settings);
     sounds_.store(settings);
     recordings_.store(settings);
     return settings;
+}
+
+void MainWindow::change(const WindowSettings& wanted) {
+    const WindowSettings now = settings();
+    files_.setFolder(QString::fromStdString(wanted.folder));
+    const auto changed = [](const std::string& before, const std::string& after) {
+        return before == after ? QString() : QString::fromStdString(after);
+    };
+    panels_.drill->choose(changed(now.bur, wanted.bur), changed(now.spindle, wanted.spindle));
+    menus_.restore(wanted);
+    if (wanted.force != now.force) panels_.force->set(wanted.force);
+    devices_.change(wanted.hand);
+    sounds_.change(wanted);
+    const bool recordsOtherwise =
+        wanted.recordsSessions != now.recordsSessions || wanted.recordingGigabytes != now.recordingGigabytes;
+    if (recordsOtherwise) recordings_.restore(wanted);
+    if (wanted.language != now.language) emit languageChosen();
+}
+
+void MainWindow::editSettings() {
+    auto* dialog = new SettingsDialog(settings(), settingsChoices(panels_), this);
+    connect(dialog, &SettingsDialog::changed, this, [this, dialog] { change(dialog->settings()); });
+    connect(dialog, &SettingsDialog::keysWanted, &keys_, &KeyController::edit);
+    dialog->open();
 }
 
 MainWindow::SessionState MainWindow::releaseSession() {
@@ -240,7 +280,10 @@ void MainWindow::saveBeforeEnd() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (mayClose_ || !model_.isModified()) return QMainWindow::closeEvent(event);
+    if (mayClose_ || !model_.isModified()) {
+        manual_.close();
+        return QMainWindow::closeEvent(event);
+    }
     event->ignore();
     unsaved_.confirmDiscard([this] {
         mayClose_ = true;

@@ -10,6 +10,8 @@
 #include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/key_controller.h"
+#include "app/gui/controllers/manual_controller.h"
 #include "app/gui/controllers/panel_updater.h"
 #include "app/gui/controllers/record_exports.h"
 #include "app/gui/controllers/recording_controller.h"
@@ -48,6 +50,7 @@ public:
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
+    [[nodiscard]] ManualController& manual() { return manual_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
     [[nodiscard]] bool isBusy() const {
@@ -59,6 +62,8 @@ public:
     /// The window as it was the last time. Call it before the window is shown.
     void apply(const WindowSettings& settings);
     [[nodiscard]] WindowSettings settings() const;
+    /// Takes over what differs from settings(), but for layout and keys, while the work goes on.
+    void change(const WindowSettings& wanted);
 
     /// How the user looks at the work, and the target it is compared with.
     struct ViewState {
@@ -107,6 +112,7 @@ private:
     void showImportNotes();
     void updateInspection();
     void fitToScreenLater();
+    void editSettings();
 
     SessionModel model_;
     ExaminationMode examination_;
@@ -121,6 +127,8 @@ private:
     ExaminationController examinations_;
     RestoreController restorer_;
     DeviceController devices_;
+    KeyController keys_;
+    ManualController manual_;
     WindowHints hints_;
     SoundController sounds_;
     RecordExports records_;

@@ -33,8 +33,6 @@
 namespace tactooth {
 namespace {
 
-constexpr const char* kFirstBur = "4";  // round, 1.4 mm: a dentist opens a fissure with it
-
 Expected<void> checkOpenGl() {
     QOpenGLContext context;
     QOffscreenSurface surface;
@@ -54,7 +52,7 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
         if (given == options.settings.end()) continue;
         if (auto done = setWindowOption(settings, option, given->second); !done) return Unexpected{done.error()};
     }
-    if (settings.bur.empty()) settings.bur = std::string(kFirstBur);
+    if (settings.bur.empty()) settings.bur = WindowSettings().bur;
     return settings;
 }
 
