@@ -756,26 +756,6 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <translation>終了(&amp;Q)</translation>
     </message>
     <message>
-        <source>&amp;Whole mouth</source>
-        <translation>口全体(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Upper right</source>
-        <translation>右上</translation>
-    </message>
-    <message>
-        <source>Upper left</source>
-        <translation>左上</translation>
-    </message>
-    <message>
-        <source>Lower left</source>
-        <translation>左下</translation>
-    </message>
-    <message>
-        <source>Lower right</source>
-        <translation>右下</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -1121,6 +1101,14 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>do it again</source>
         <translation>もう一度行う</translation>
+    </message>
+    <message>
+        <source>Ctrl + T</source>
+        <translation>Ctrl + T</translation>
+    </message>
+    <message>
+        <source>the tooth chart; there arrow keys, numbers and Enter choose a tooth</source>
+        <translation>歯列図。矢印キー、番号、Enter で歯を選ぶ</translation>
     </message>
 </context>
 <context>
@@ -2371,6 +2359,91 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>within</source>
         <translation>許容差</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChart</name>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>, on the bench</source>
+        <translation>（作業中の歯）</translation>
+    </message>
+    <message>
+        <source>; exercise: %1</source>
+        <translation>、演習：%1</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>上顎右側</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>上顎左側</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>下顎右側</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>下顎左側</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChartDialog</name>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>FDI (11 to 48)</source>
+        <translation>FDI（11～48）</translation>
+    </message>
+    <message>
+        <source>Universal (1 to 32)</source>
+        <translation>ユニバーサル（1～32）</translation>
+    </message>
+    <message>
+        <source>Palmer (1 to 8 with a corner)</source>
+        <translation>パーマー（1～8と鉤形）</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>番号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>on the bench</source>
+        <translation>作業中の歯</translation>
+    </message>
+    <message>
+        <source>has an exercise</source>
+        <translation>演習がある歯</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChartEntry</name>
+    <message>
+        <source>&amp;Tooth chart…</source>
+        <translation>歯列図(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Chooses a tooth of the whole mouth, with its neighbours and gums (Ctrl+T)</source>
+        <translation>口全体から歯を選びます。隣の歯と歯肉も一緒に読み込みます（Ctrl+T）</translation>
+    </message>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation>歯 %1</translation>
     </message>
 </context>
 </TS>

@@ -112,7 +112,8 @@ struct WindowSettings {
     std::string ownSounds;  ///< file of the user's sounds; empty: synthesised sounds
     std::string language;   ///< "en" or "ja"; empty: the language of the system
     bool dark = false;
-    std::string recent;  ///< paths of the last teeth, one a line, newest first
+    std::string recent;            ///< paths of the last teeth, one a line, newest first
+    std::string notation = "fdi";  ///< of the tooth chart: "fdi", "universal" or "palmer"
     MirrorSettings mirror;
     bool water = true;                ///< water flows with the pedal
     bool suction = false;             ///< an assistant holds the suction tube

@@ -141,6 +141,7 @@ void MainWindow::connectNumbers() {
 
 void MainWindow::showNewTooth() {
     setWindowTitle(tr("%1[*] — Tactooth").arg(translated(model_.tooth()->name)));
+    menus_.file().showTooth();
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();

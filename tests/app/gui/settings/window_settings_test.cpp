@@ -37,6 +37,7 @@ WindowSettings unusual() {
             .language = "ja",
             .dark = true,
             .recent = "/a.stl\n/b.tactooth",
+            .notation = "palmer",
             .mirror = {"5", true, true},
             .water = false,
             .suction = true,
@@ -66,6 +67,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);
+    EXPECT_EQ(a.notation, b.notation);
     EXPECT_EQ(a.mirror, b.mirror);
     EXPECT_EQ(a.water, b.water);
     EXPECT_EQ(a.suction, b.suction);
