@@ -1110,6 +1110,14 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>the tooth chart; there arrow keys, numbers and Enter choose a tooth</source>
         <translation>歯列図。矢印キー、番号、Enter で歯を選ぶ</translation>
     </message>
+    <message>
+        <source>Ctrl + B</source>
+        <translation>Ctrl + B</translation>
+    </message>
+    <message>
+        <source>the burs; there arrow keys, letters of the search and Enter choose one</source>
+        <translation>バーの一覧。矢印キー、検索の文字、Enter で選ぶ</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::InstrumentMenus</name>
@@ -2444,6 +2452,74 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>Tooth %1</source>
         <translation>歯 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurList</name>
+    <message>
+        <source>From files</source>
+        <translation>ファイルから</translation>
+    </message>
+    <message>
+        <source>Diameter %1 mm</source>
+        <translation>直径 %1 mm</translation>
+    </message>
+    <message>
+        <source>Head length %1 mm</source>
+        <translation>頭部の長さ %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurGrid</name>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Used in this exercise</source>
+        <translation>この演習で使うバー</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>お気に入り</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurDialog</name>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search: shape, number, ISO number or size</source>
+        <translation>検索：形、番号、ISO番号、寸法</translation>
+    </message>
+    <message>
+        <source>Fa&amp;vourites only</source>
+        <translation>お気に入りだけ(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite (space)</source>
+        <translation>お気に入り（スペース）(&amp;F)</translation>
+    </message>
+    <message>
+        <source>No bur is like this</source>
+        <translation>当てはまるバーはありません</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurEntry</name>
+    <message>
+        <source>&amp;Burs…</source>
+        <translation>バー(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Chooses a bur by its picture</source>
+        <translation>絵からバーを選びます</translation>
     </message>
 </context>
 </TS>

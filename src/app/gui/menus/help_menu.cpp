@@ -65,6 +65,7 @@ void HelpMenu::showMouseAndKeys() {
     text += row(tr("Ctrl + O, S, Shift + S"), tr("open a tooth, save it, export its surface"));
     text += row(tr("Ctrl + I"), tr("import a scan"));
     text += row(tr("Ctrl + T"), tr("the tooth chart; there arrow keys, numbers and Enter choose a tooth"));
+    text += row(tr("Ctrl + B"), tr("the burs; there arrow keys, letters of the search and Enter choose one"));
     text += row(tr("Ctrl + D"), tr("dark colours"));
     text += row(tr("X"), tr("hold the bur while the hand of a device moves on"));
     text += row(tr("Gamepad: sticks"), tr("left: move; right: lean the bur"));

@@ -19,6 +19,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
                          ExaminationController& examinations, WindowMessages& messages)
     : model_(model),
       file_(window, docks.fileBar(), model, teeth, exercise, recordings, examinations),
+      burs_(window, *panels.drill, exercise),
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
@@ -43,6 +44,8 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
+    menu->addAction(&burs_.action());
+    menu->addSeparator();
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
     menu->addSeparator();
     const auto add = [&](const QString& text, const char* keys, const char* icon, const auto& act) {
@@ -74,6 +77,7 @@ void WindowMenus::restore(const WindowSettings& settings) {
     aids_->restore(settings);
     appearance_->restore(settings);
     file_.restore(settings);
+    burs_.restore(settings);
     instruments_.restore(settings);
 }
 
@@ -82,6 +86,7 @@ void WindowMenus::store(WindowSettings& settings) const {
     aids_->store(settings);
     appearance_->store(settings);
     file_.store(settings);
+    burs_.store(settings);
     instruments_.store(settings);
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/gui/controllers/dock_layout.h"
 #include "app/gui/menus/appearance_menu.h"
+#include "app/gui/menus/bur_entry.h"
 #include "app/gui/menus/file_menu.h"
 #include "app/gui/menus/help_menu.h"
 #include "app/gui/menus/instrument_menus.h"
@@ -40,6 +41,7 @@ private:
 
     SessionModel& model_;
     FileMenu file_;
+    BurEntry burs_;
     InstrumentMenus instruments_;
     std::unique_ptr<ViewMenu> view_;
     std::unique_ptr<ViewAidsMenu> aids_;

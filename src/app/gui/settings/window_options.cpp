@@ -55,6 +55,8 @@ constexpr std::array kOptions = {
     WindowOption{"mirror", "wet", Switch([](S& s) -> bool& { return s.mirror.wet; }), 0, "Drops on the glass"},
     WindowOption{"drill", "bur", Text([](S& s) -> std::string& { return s.bur; }), 0,
                  "Number of a bur of the catalogue"},
+    WindowOption{"drill", "favourites", Text([](S& s) -> std::string& { return s.favouriteBurs; }), 0,
+                 "Numbers of the favourite burs, as \"4, 245\""},
     WindowOption{"drill", "drive", Text([](S& s) -> std::string& { return s.spindle; }), 0,
                  "Name of a drive, as the window lists it"},
     WindowOption{"drill", "water", Switch([](S& s) -> bool& { return s.water; }), 0, "Water spray with the pedal"},

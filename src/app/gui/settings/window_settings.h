@@ -97,11 +97,12 @@ struct ViewAids {
 
 /// The settings that the window keeps from one start to the next. An empty text means the default of the window.
 struct WindowSettings {
-    std::string geometry;  ///< of the window, in Qt's format, base64
-    std::string docks;     ///< state of docks and tool bars, likewise
-    std::string folder;    ///< of the last file that was opened or saved
-    std::string bur;       ///< number in the catalogue
-    std::string spindle;   ///< name
+    std::string geometry;       ///< of the window, in Qt's format, base64
+    std::string docks;          ///< state of docks and tool bars, likewise
+    std::string folder;         ///< of the last file that was opened or saved
+    std::string bur;            ///< number in the catalogue
+    std::string favouriteBurs;  ///< numbers in the catalogue: "4, 245"
+    std::string spindle;        ///< name
     bool showsTurbine = true;
     bool showsAim = true;
     bool showsMirror = true;

@@ -17,6 +17,7 @@ WindowSettings unusual() {
             .docks = "AAAA/wAAAAD9",
             .folder = "/home/someone/Zähne \"neu\"",
             .bur = "58",
+            .favouriteBurs = "4, 33-1/2",
             .spindle = "Micromotor, 1:1",
             .showsTurbine = false,
             .showsAim = false,
@@ -51,6 +52,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.docks, b.docks);
     EXPECT_EQ(a.folder, b.folder);
     EXPECT_EQ(a.bur, b.bur);
+    EXPECT_EQ(a.favouriteBurs, b.favouriteBurs);
     EXPECT_EQ(a.spindle, b.spindle);
     EXPECT_EQ(a.showsTurbine, b.showsTurbine);
     EXPECT_EQ(a.showsMirror, b.showsMirror);
