@@ -1118,6 +1118,14 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <source>the burs; there arrow keys, letters of the search and Enter choose one</source>
         <translation>バーの一覧。矢印キー、検索の文字、Enter で選ぶ</translation>
     </message>
+    <message>
+        <source>I, V</source>
+        <translation>I, V</translation>
+    </message>
+    <message>
+        <source>measure a distance, an angle between walls: click two places; Esc clears, and ends</source>
+        <translation>距離、壁の間の角度を測る：2か所をクリック。Esc で消す、終わる</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::InstrumentMenus</name>
@@ -2520,6 +2528,64 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
     <message>
         <source>Chooses a bur by its picture</source>
         <translation>絵からバーを選びます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::MeasureOverlay</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Angle between walls: normals over discs of %1 mm radius</source>
+        <translation>壁の間の角度：半径 %1 mm の円板で平均した法線</translation>
+    </message>
+    <message>
+        <source>Distance from place to place</source>
+        <translation>2点間の距離</translation>
+    </message>
+    <message>
+        <source>Click the second place. Esc: clear</source>
+        <translation>2か所目をクリック。Esc：消す</translation>
+    </message>
+    <message>
+        <source>Click the first place. Esc: end</source>
+        <translation>1か所目をクリック。Esc：終わる</translation>
+    </message>
+    <message>
+        <source>Click to measure again. Esc: clear</source>
+        <translation>クリックで測り直す。Esc：消す</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::MeasureMenu</name>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>計測(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>距離(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Two clicks: the straight distance between two places, in mm</source>
+        <translation>2回クリック：2点間の直線距離（mm）</translation>
+    </message>
+    <message>
+        <source>&amp;Angle between walls</source>
+        <translation>壁の間の角度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Two clicks: the angle between the normals of the surface at two places, in degrees</source>
+        <translation>2回クリック：2か所の面の法線がなす角度（度）</translation>
+    </message>
+    <message>
+        <source>&amp;Clear, and end</source>
+        <translation>消す、終わる(&amp;C)</translation>
     </message>
 </context>
 </TS>

@@ -57,6 +57,7 @@ void HelpMenu::showMouseAndKeys() {
     text += row(tr("G"), tr("the cavity that the target wants cut, on and off"));
     text += row(tr("L, Z"), tr("glass handpiece; magnifier of the bur's head"));
     text += row(tr("R, A, K"), tr("scale bar, letters of the directions, view cube"));
+    text += row(tr("I, V"), tr("measure a distance, an angle between walls: click two places; Esc clears, and ends"));
     text += row(tr("B, D"), tr("breath and drops on the mirror"));
     text += row(tr("W, S"), tr("water spray, suction on and off"));
     text += row(tr("Ctrl + Z"), tr("take back the last cut or change"));

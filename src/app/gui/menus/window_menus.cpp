@@ -31,6 +31,7 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
     QMenu* menu = window.menuBar()->addMenu(tr("&View"));
     view_ = std::make_unique<ViewMenu>(*menu, bar, *panels.view);
     aids_ = std::make_unique<ViewAidsMenu>(*menu, *panels.view);
+    measure_ = std::make_unique<MeasureMenu>(*menu, *panels.view);
     instruments_.addMirrorMenu(*menu);
     menu->addAction(panels.inspection->ghostAction());
     menu->addSeparator();

@@ -48,6 +48,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     : QOpenGLWidget(parent),
       model_(model),
       aim_(new AimOverlay(this)),
+      measure_(new MeasureTool(*this)),
       secondFrame_(new SecondViewFrame(this)),
       overlays_(new ViewOverlays(*this)) {
     secondFrame_->hide();
@@ -139,6 +140,7 @@ void ToothView::initializeGL() {
 void ToothView::redraw() {
     isStale_ = true;
     overlays_->follow(camera_, imageSize(), model_.mesialX());
+    if (measure_->isOn()) measure_->follow(viewport());
     update();
 }
 
@@ -293,9 +295,12 @@ void ToothView::setShowsAim(bool shows) {
     showAim();
 }
 
+/// Not in the pictures of a recording.
+bool ToothView::isMeasuring() const { return measure_->isOn() && !contents_ && model_.runner() != nullptr; }
+
 /// Not in stereo, where a flat line would lie in front of everything.
 void ToothView::showAim() {
-    if (!showsAim_ || contents_ || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
+    if (!showsAim_ || contents_ || isMeasuring() || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
     aim_->show(model_, viewport());
 }
 
@@ -337,11 +342,14 @@ void ToothView::resizeEvent(QResizeEvent* event) {
     secondFrame_->fitTo(imageSize());
     aim_->setGeometry(rect());
     overlays_->follow(camera_, imageSize(), model_.mesialX());
+    if (measure_->isOn()) measure_->follow(viewport());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() == Qt::LeftButton && !contents_) model_.manipulator().press(viewport(), mouse_);
+    if (event->button() != Qt::LeftButton) return;
+    if (isMeasuring()) return measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+    if (!contents_) model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -372,6 +380,7 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 displacement = to - mouse_;
     mouse_ = to;
     if (model_.runner() == nullptr) return;
+    if (isMeasuring()) return measure_->point(*touchableSurface(model_), viewport(), to);
     if (with & Qt::ShiftModifier) {
         model_.manipulator().tilt(viewport(), displacement);
     } else if (model_.manipulator().isPressing()) {
@@ -401,6 +410,10 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     }
     if (!contents_ && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
         if (key.isAutoRepeat()) return true;
+        if (isMeasuring()) {
+            measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+            return true;
+        }
         model_.manipulator().press(viewport(), mouse_);
         isPressedByKey_ = true;
         return true;

@@ -12,6 +12,7 @@
 #include "app/gui/input/viewport.h"
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
+#include "app/gui/scene/measure_tool.h"
 #include "app/gui/scene/second_view_frame.h"
 #include "app/gui/scene/view_overlays.h"
 #include "app/gui/settings/window_settings.h"
@@ -64,6 +65,7 @@ public:
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
     /// Off: the aim shows no numbers and no warnings.
     void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
+    [[nodiscard]] MeasureTool& measureTool() { return *measure_; }
     /// What helps to find one's way in the picture.
     void setAids(const ViewAids& aids);
     /// Section, transparency, colours and ghost, and stereo.
@@ -111,6 +113,7 @@ private:
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
+    [[nodiscard]] bool isMeasuring() const;
     void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     void endKeyPress();
@@ -130,6 +133,7 @@ private:
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
     AimOverlay* aim_;
+    MeasureTool* measure_;
     bool showsAim_ = true;
     SecondViewFrame* secondFrame_;
     ViewOverlays* overlays_;

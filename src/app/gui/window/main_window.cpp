@@ -145,6 +145,7 @@ void MainWindow::showNewTooth() {
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();
+    panels_.view->measureTool().takeTooth();
     exercise_.takeTooth();
     restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);
