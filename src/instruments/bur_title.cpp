@@ -47,6 +47,36 @@ Message shapeWord(std::string_view shape) {
 
 }  // namespace
 
+Message burKindTitle(BurKind kind) {
+    switch (kind) {
+        case BurKind::Round:
+            return msg::kBurRound;
+        case BurKind::InvertedCone:
+            return msg::kBurInvertedCone;
+        case BurKind::StraightFissure:
+            return msg::kBurStraightFissure;
+        case BurKind::DomeFissure:
+            return msg::kBurDomeEndFissure;
+        case BurKind::TaperedFissure:
+            return msg::kBurTaperedFissure;
+        case BurKind::RoundEndTaper:
+            return msg::kBurRoundEndTaper;
+        case BurKind::Pear:
+            return msg::kBurPear;
+        case BurKind::Flame:
+            return msg::kBurFlame;
+        case BurKind::Football:
+            return msg::kBurFootball;
+        case BurKind::Torpedo:
+            return msg::kBurTorpedo;
+        case BurKind::Needle:
+            return msg::kBurNeedle;
+        case BurKind::Wheel:
+            return msg::kBurWheel;
+    }
+    return {};
+}
+
 Message burTitle(std::string_view shape, const BurSpec& bur) {
     std::array<char, 16> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(), bur.headDiameter, std::chars_format::fixed, 1).ptr;

@@ -12,4 +12,7 @@ namespace tactooth {
 /// messages.h stays as it is. Of `bur`, the number, the material and the diameter are used.
 [[nodiscard]] Message burTitle(std::string_view shape, const BurSpec& bur);
 
+/// The shape of a head in any language: "Round", to group burs by.
+[[nodiscard]] Message burKindTitle(BurKind kind);
+
 }  // namespace tactooth

@@ -302,10 +302,10 @@ void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
     press(SDL_CONTROLLER_BUTTON_BACK);
     QTRY_COMPARE_WITH_TIMEOUT(window_->focusWidget()->objectName(), QString("burs"), kPatience);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() != nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() != nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_A);
-    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() == nullptr, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeModalWidget() == nullptr, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(!window_->isBusy() && window_->model().bur()->name != before, kPatience);
 }
 

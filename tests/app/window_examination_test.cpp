@@ -34,6 +34,7 @@ private slots:
     void initTestCase();
     void itBeginsOnlyWithAToothThatNobodyHasTouched();
     void itHidesNumbersTargetAndHistory();
+    void nothingIsMeasured();
     void anotherToothCanBeTakenUntilItIsTouched();
     void nothingIsTakenBack();
     void noOtherToothAndNoReplayOnceItIsTouched();
@@ -64,6 +65,7 @@ private:
 
     std::string docksBefore_;
     double cut_ = 0;
+    bool measuredBefore_ = false;
 };
 
 void WindowExaminationTest::initTestCase() {
@@ -85,6 +87,8 @@ void WindowExaminationTest::itBeginsOnlyWithAToothThatNobodyHasTouched() {
     QVERIFY(!fs::exists(stationKeyFile()));
     loadMolar();
     docksBefore_ = window_->settings().docks;
+    key(Qt::Key_I);
+    measuredBefore_ = view().measureTool().isOn();
     entry().trigger();
     QVERIFY(window_->examination().isOn());
     QVERIFY(entry().text().startsWith("Finish"));
@@ -110,6 +114,20 @@ void WindowExaminationTest::itHidesNumbersTargetAndHistory() {
         QVERIFY2(!window_->findChild<QToolButton*>(name)->isEnabled(), name);
     }
     QVERIFY(!window_->recordings().findChild<QAction*>("recordSessions")->isEnabled());
+}
+
+void WindowExaminationTest::nothingIsMeasured() {
+    QVERIFY(measuredBefore_);
+    QVERIFY(!view().measureTool().isOn());  // it ended with the begin of the examination
+    for (const char* name : {"distance", "angle"}) {
+        QVERIFY2(!window_->findChild<QAction*>(name)->isEnabled(), name);
+        window_->findChild<QAction*>(name)->trigger();
+    }
+    key(Qt::Key_I);
+    key(Qt::Key_V);
+    view().measureTool().setKind(MeasureKind::Distance);
+    QVERIFY(!view().measureTool().isOn());
+    QVERIFY(view().measureTool().overlay().isHidden());
 }
 
 void WindowExaminationTest::anotherToothCanBeTakenUntilItIsTouched() {
@@ -187,6 +205,7 @@ void WindowExaminationTest::finishingShowsAllAgainAndSignsTheRecording() {
     for (const char* title : {"Force", "Look inside", "History"})
         QVERIFY2(dock(title).toggleViewAction()->isEnabled(), title);
     QVERIFY(!dock("Look inside").isHidden());
+    for (const char* name : {"distance", "angle"}) QVERIFY2(window_->findChild<QAction*>(name)->isEnabled(), name);
     QVERIFY(!fact("enamel removed").isHidden());
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), kPatience);
     QVERIFY(!window_->model().isRecording());

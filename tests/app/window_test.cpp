@@ -65,7 +65,7 @@ private slots:
     void theMirrorCanBePutAway();
     void ownRecordingsArePlayedAndPutAway();
     void aRecordingThatCannotBeUsedIsRefusedWithASentence();
-    void aToothOfTheWholeMouthIsChosenFromTheMenu();
+    void aToothOfTheWholeMouthIsChosenFromTheChart();
     void anotherWindowTakesOverTheSettings();
     void settingsThatMakeNoSenseChangeNothing();
     void cleanupTestCase();
@@ -392,10 +392,11 @@ void WindowTest::aRecordingThatCannotBeUsedIsRefusedWithASentence() {
     QCOMPARE(window_->findChild<QComboBox*>("sounds")->currentText(), QString("Synthesised"));
 }
 
-void WindowTest::aToothOfTheWholeMouthIsChosenFromTheMenu() {
-    const QList<QAction*> quadrants = window_->findChild<QMenu*>("mouth")->actions();
-    QCOMPARE(quadrants.size(), 4);
-    quadrants[2]->menu()->actions()[5]->trigger();
+void WindowTest::aToothOfTheWholeMouthIsChosenFromTheChart() {
+    key(Qt::Key_T, Qt::ControlModifier);
+    auto* tooth = window_->findChild<QAbstractButton*>("tooth36");
+    QVERIFY(tooth != nullptr);
+    tooth->click();
     QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("36"), kLoadPatience);
     waitForTooth();
     constexpr std::size_t kUncut = 29 + 2;  // teeth and gums: all bodies but both neighbours, which can be cut

@@ -766,26 +766,6 @@ It is off in an examination.</source>
         <translation>終了(&amp;Q)</translation>
     </message>
     <message>
-        <source>&amp;Whole mouth</source>
-        <translation>口全体(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Upper right</source>
-        <translation>右上</translation>
-    </message>
-    <message>
-        <source>Upper left</source>
-        <translation>左上</translation>
-    </message>
-    <message>
-        <source>Lower left</source>
-        <translation>左下</translation>
-    </message>
-    <message>
-        <source>Lower right</source>
-        <translation>右下</translation>
-    </message>
-    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -835,6 +815,30 @@ It is off in an examination.</source>
     <message>
         <source>Ma&amp;nual</source>
         <translation>説明書(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ctrl + T</source>
+        <translation>Ctrl + T</translation>
+    </message>
+    <message>
+        <source>the tooth chart; there arrow keys, numbers and Enter choose a tooth</source>
+        <translation>歯列図。矢印キー、番号、Enter で歯を選ぶ</translation>
+    </message>
+    <message>
+        <source>Ctrl + B</source>
+        <translation>Ctrl + B</translation>
+    </message>
+    <message>
+        <source>the burs; there arrow keys, letters of the search and Enter choose one</source>
+        <translation>バーの一覧。矢印キー、検索の文字、Enter で選ぶ</translation>
+    </message>
+    <message>
+        <source>I, V</source>
+        <translation>I, V</translation>
+    </message>
+    <message>
+        <source>measure a distance, an angle between walls: click two places; Esc clears, and ends</source>
+        <translation>距離、壁の間の角度を測る：2か所をクリック。Esc で消す、終わる</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 struct Meeting {
     double distance = kNever;  // along the ray, mm
     bool leaves = false;       // from behind: the ray leaves the solid
+    const SurfacePart* part = nullptr;
+    std::uint32_t triangle = 0;
 };
 
 Meeting meeting(const Ray& ray, const Triangle3& triangle) {
@@ -34,7 +36,7 @@ Meeting meeting(const Ray& ray, const Triangle3& triangle) {
     const double v = ray.direction.dot(q) / determinant;
     const double t = ac.dot(q) / determinant;
     if (!(u >= 0 && v >= 0 && u + v <= 1 && t >= 0)) return {};
-    return {t, determinant < 0};
+    return {t, determinant < 0, nullptr, 0};
 }
 
 /// Distance to the entry into child `i` of a node; kNever if the ray misses the box or enters it after `best`.
@@ -73,18 +75,29 @@ Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& 
             const std::uint32_t triangle = leaf.triangle[lane];
             if (hidden != nullptr && isHidden(*hidden, triangle)) continue;
             const Meeting found = meeting(ray, cornersOf(part.mesh(), triangle));
-            if (found.distance < best.distance) best = found;
+            if (found.distance < best.distance) best = {found.distance, found.leaves, &part, triangle};
         }
     }
+    return best;
+}
+
+Meeting firstOf(const Surface& surface, const Ray& ray) {
+    Meeting best = firstOf(*surface.base, visibleBase(surface), ray, {});
+    for (const auto& patch : surface.patches) best = firstOf(*patch, {patch->tree(), nullptr}, ray, best);
     return best;
 }
 
 }  // namespace
 
 std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
-    Meeting best = firstOf(*surface.base, visibleBase(surface), ray, {});
-    for (const auto& patch : surface.patches) best = firstOf(*patch, {patch->tree(), nullptr}, ray, best);
+    const Meeting best = firstOf(surface, ray);
     return best.distance < kNever ? std::optional(best.distance) : std::nullopt;
+}
+
+std::optional<SurfaceHit> firstHitWithNormal(const Surface& surface, const Ray& ray) {
+    const Meeting best = firstOf(surface, ray);
+    if (best.part == nullptr) return std::nullopt;
+    return SurfaceHit{best.distance, best.part->mesh().areaVector(best.triangle).normalized()};
 }
 
 double depthInside(const SurfacePart& whole, const Vec3& place, const Vec3& up) {

@@ -13,6 +13,14 @@ namespace tactooth {
 /// triangle.
 [[nodiscard]] std::optional<double> firstHit(const Surface& surface, const Ray& ray);
 
+/// Where a ray meets a surface first.
+struct SurfaceHit {
+    double distance = 0;         ///< along the ray, mm
+    Vec3 normal = Vec3::Zero();  ///< of the triangle there, unit, outward
+};
+/// The same as firstHit, with the normal. A triangle without area is not met.
+[[nodiscard]] std::optional<SurfaceHit> firstHitWithNormal(const Surface& surface, const Ray& ray);
+
 /// How deep `place` lies inside `whole`, a closed surface that nothing has been cut from: the distance along `up`
 /// (unit) to where it leaves the surface, mm. 0 outside. With the tip of a bur and its shaft it is the depth of the
 /// cavity there.

@@ -127,6 +127,7 @@ void ExaminationController::apply() {
     panels_.status->setShowsRemoved(mode_.showsNumbers());
     panels_.exercise->setShowsNumbers(mode_.showsNumbers());
     panels_.view->setShowsNumbers(mode_.showsNumbers());
+    panels_.view->measureTool().setAllowed(mode_.allowsMeasuring());
     panels_.exercise->setAllowsRestart(mode_.allowsTakingBack());
     for (QAction* action : {panels_.drill->undoAction(), panels_.drill->redoAction(), panels_.drill->resetAction()}) {
         action->setEnabled(mode_.allowsTakingBack());

@@ -37,6 +37,10 @@ ExerciseController::ExerciseController(SessionModel& model, const ExaminationMod
     connect(&teeth_, &ToothController::loadingDeclined, this, &ExerciseController::showActive);
 }
 
+const std::vector<std::shared_ptr<const Exercise>>& ExerciseController::known() const {
+    return panels_.exercise->known();
+}
+
 void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) {
     if (exercise == nullptr && !mode_.allowsAnotherTooth()) return showActive();  // the task of an examination stays
     panels_.exercise->show(exercise);

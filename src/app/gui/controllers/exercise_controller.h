@@ -46,6 +46,8 @@ public:
     [[nodiscard]] const QString& targetFile() const { return targetFile_; }
     /// Null: free practice.
     [[nodiscard]] const std::shared_ptr<const Exercise>& active() const { return active_; }
+    /// All that the user can choose; the first is null: free practice.
+    [[nodiscard]] const std::vector<std::shared_ptr<const Exercise>>& known() const;
 
     /// Another tooth has come: the target before does not fit it.
     void takeTooth();

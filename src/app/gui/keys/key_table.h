@@ -52,6 +52,8 @@ enum class KeyId {
     HoldMirror,
     PlaceMirror,
     ParkMirror,
+    Distance,
+    Angle,
     Turbine,
     Aim,
     Ghost,
@@ -65,6 +67,8 @@ enum class KeyId {
     // Files and program.
     Open,
     Import,
+    Chart,
+    Burs,
     Save,
     Export,
     Dark,

@@ -72,6 +72,11 @@ inline constexpr MessageText kKeyHoldMirror{
 inline constexpr MessageText kKeyPlaceMirror{"key_place_mirror", "Place the mirror behind the bur",
                                              "バーを後ろから映す位置にミラーを置く"};
 inline constexpr MessageText kKeyParkMirror{"key_park_mirror", "Put the mirror back", "ミラーを元に戻す"};
+inline constexpr MessageText kKeyDistance{"key_distance", "Measure a distance: click two places; Esc clears, and ends",
+                                          "距離を測る：2か所をクリック。Esc で消す、終わる"};
+inline constexpr MessageText kKeyAngle{"key_angle",
+                                       "Measure the angle between walls: click two places; Esc clears, and ends",
+                                       "壁の間の角度を測る：2か所をクリック。Esc で消す、終わる"};
 inline constexpr MessageText kKeyTurbine{"key_turbine", "Handpiece on and off", "ハンドピースの表示のオン・オフ"};
 inline constexpr MessageText kKeyAim{"key_aim", "Aim on and off: landing ring and numbers at the tip",
                                      "照準（触れる位置の輪と先端の数値）のオン・オフ"};
@@ -90,6 +95,12 @@ inline constexpr MessageText kKeyDrops{"key_drops", "Drops on the mirror", "ミ�
 // Files and program.
 inline constexpr MessageText kKeyOpen{"key_open", "Open a tooth", "歯を開く"};
 inline constexpr MessageText kKeyImport{"key_import", "Import a scan", "スキャンを取り込む"};
+inline constexpr MessageText kKeyChart{"key_chart",
+                                       "The tooth chart; there arrow keys, numbers and Enter choose a tooth",
+                                       "歯列図。矢印キー、番号、Enter で歯を選ぶ"};
+inline constexpr MessageText kKeyBurs{"key_burs",
+                                      "The burs; there arrow keys, letters of the search and Enter choose one",
+                                      "バーの一覧。矢印キー、検索の文字、Enter で選ぶ"};
 inline constexpr MessageText kKeySave{"key_save", "Save the tooth", "歯を保存する"};
 inline constexpr MessageText kKeyExport{"key_export", "Export the surface of the cut tooth",
                                         "削った歯の表面を書き出す"};

@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
-#include <array>
 
 #include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
@@ -22,7 +21,7 @@ namespace tactooth {
 
 FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
                    ExerciseController& exercise, RecordingController& recordings, ExaminationController& examinations)
-    : model_(model), teeth_(teeth), exercise_(exercise) {
+    : model_(model), teeth_(teeth), exercise_(exercise), chart_(window, model, teeth, exercise) {
     build(window, bar, recordings, examinations);
     connect(&teeth_, &ToothController::fileOpened, this, &FileMenu::remember);
     connect(&exercise_, &ExerciseController::fileOpened, this, &FileMenu::remember);
@@ -45,7 +44,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     bindKey(*open, KeyId::Open);
     QMenu* builtin = addMenu(tr("&Built-in teeth"), "tooth");
     addBuiltinTeeth(*builtin);
-    addMouth(*addMenu(tr("&Whole mouth"), "mouth"));
+    menu->addAction(&chart_.action());
     recentMenu_ = addMenu(tr("Open &recent"), "recent");
     recentMenu_->setObjectName("recent");
     connect(recentMenu_, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
@@ -66,27 +65,13 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     add(tr("&Keys…"), "keys", this, &FileMenu::keysWanted);
     menu->addSeparator();
     bindKey(*add(tr("&Quit"), "quit", &window, &QWidget::close), KeyId::Quit);
-    for (QAction* action : {open, builtin->menuAction(), save}) {
-        hideMarkInBars(*action);
-        bar.addAction(action);
-    }
+    for (QAction* action : {open, save}) hideMarkInBars(*action);
+    bar.addActions({open, &chart_.action(), save});
 }
 
 void FileMenu::addBuiltinTeeth(QMenu& menu) {
     for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
         menu.addAction(translated(entry.name), this, [this, &entry] { teeth_.loadBuiltinTooth(entry); });
-    }
-}
-
-/// Each tooth by its number, in quadrants as on a dentist's chart.
-void FileMenu::addMouth(QMenu& mouth) {
-    mouth.setObjectName("mouth");
-    const std::array quadrants = {tr("Upper right"), tr("Upper left"), tr("Lower left"), tr("Lower right")};
-    for (int quadrant = 1; quadrant <= 4; ++quadrant) {
-        QMenu* side = mouth.addMenu(quadrants[static_cast<std::size_t>(quadrant - 1)]);
-        for (int fdi = 10 * quadrant + 1; isPermanentTooth(fdi); ++fdi) {
-            side->addAction(QString::number(fdi), this, [this, fdi] { teeth_.loadMouth({.fdi = fdi}); });
-        }
     }
 }
 
@@ -128,8 +113,12 @@ void FileMenu::fillCase() {
 
 void FileMenu::restore(const WindowSettings& settings) {
     setRecent(QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts));
+    chart_.restore(settings);
 }
 
-void FileMenu::store(WindowSettings& settings) const { settings.recent = recent_.join('\n').toStdString(); }
+void FileMenu::store(WindowSettings& settings) const {
+    settings.recent = recent_.join('\n').toStdString();
+    chart_.store(settings);
+}
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "app/gui/menus/tooth_chart_entry.h"
 #include "app/gui/settings/window_settings.h"
 
 class QMainWindow;
@@ -28,6 +29,8 @@ public:
     FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, ToothController& teeth,
              ExerciseController& exercise, RecordingController& recordings, ExaminationController& examinations);
 
+    /// Another tooth has come.
+    void showTooth() { chart_.showTooth(); }
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
@@ -43,7 +46,6 @@ private:
     void build(QMainWindow& window, QToolBar& bar, RecordingController& recordings,
                ExaminationController& examinations);
     void addBuiltinTeeth(QMenu& menu);
-    void addMouth(QMenu& mouth);
     void remember(const QString& file);
     void setRecent(const QStringList& files);
     void fillRecent();
@@ -52,6 +54,7 @@ private:
     SessionModel& model_;
     ToothController& teeth_;
     ExerciseController& exercise_;
+    ToothChartEntry chart_;
     QMenu* recentMenu_ = nullptr;
     QMenu* caseMenu_ = nullptr;
     QStringList recent_;  // newest first

@@ -21,6 +21,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
                          ManualController& manual)
     : model_(model),
       file_(window, docks.fileBar(), model, teeth, exercise, recordings, examinations),
+      burs_(window, *panels.drill, exercise),
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
@@ -32,6 +33,7 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
     QMenu* menu = window.menuBar()->addMenu(tr("&View"));
     view_ = std::make_unique<ViewMenu>(*menu, bar, *panels.view);
     aids_ = std::make_unique<ViewAidsMenu>(*menu, *panels.view);
+    measure_ = std::make_unique<MeasureMenu>(*menu, *panels.view);
     instruments_.addMirrorMenu(*menu);
     menu->addAction(panels.inspection->ghostAction());
     menu->addSeparator();
@@ -48,6 +50,8 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
+    menu->addAction(&burs_.action());
+    menu->addSeparator();
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
     menu->addSeparator();
     const auto add = [&](const QString& text, KeyId key, const char* icon, const auto& act) {
@@ -81,6 +85,7 @@ void WindowMenus::restore(const WindowSettings& settings) {
     aids_->restore(settings);
     appearance_->restore(settings);
     file_.restore(settings);
+    burs_.restore(settings);
     instruments_.restore(settings);
 }
 
@@ -89,6 +94,7 @@ void WindowMenus::store(WindowSettings& settings) const {
     aids_->store(settings);
     appearance_->store(settings);
     file_.store(settings);
+    burs_.store(settings);
     instruments_.store(settings);
 }
 

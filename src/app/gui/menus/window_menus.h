@@ -6,9 +6,11 @@
 
 #include "app/gui/controllers/dock_layout.h"
 #include "app/gui/menus/appearance_menu.h"
+#include "app/gui/menus/bur_entry.h"
 #include "app/gui/menus/file_menu.h"
 #include "app/gui/menus/help_menu.h"
 #include "app/gui/menus/instrument_menus.h"
+#include "app/gui/menus/measure_menu.h"
 #include "app/gui/menus/view_aids_menu.h"
 #include "app/gui/menus/view_menu.h"
 
@@ -45,9 +47,11 @@ private:
 
     SessionModel& model_;
     FileMenu file_;
+    BurEntry burs_;
     InstrumentMenus instruments_;
     std::unique_ptr<ViewMenu> view_;
     std::unique_ptr<ViewAidsMenu> aids_;
+    std::unique_ptr<MeasureMenu> measure_;
     std::unique_ptr<AppearanceMenu> appearance_;
     std::unique_ptr<HelpMenu> help_;
 };

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool showsNumbers() const { return !isOn(); }
     /// The target as ghost or colours, and all other looks into the tooth.
     [[nodiscard]] bool showsTarget() const { return !isOn(); }
+    /// Distances and angles on the tooth.
+    [[nodiscard]] bool allowsMeasuring() const { return !isOn(); }
     [[nodiscard]] bool allowsReplay() const { return !isOn(); }
     /// Another tooth: not once this one was touched, since that would be another attempt.
     [[nodiscard]] bool allowsAnotherTooth() const;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/model/exercise_tooth.h"
 
+#include <algorithm>
 #include <any>
 #include <utility>
+
+#include "session/cases/case_names.h"
 
 namespace tactooth {
 
@@ -31,5 +34,18 @@ std::shared_ptr<const Exercise> exerciseOf(const SessionTooth& tooth) {
 }
 
 void setExercise(SessionTooth& tooth, std::shared_ptr<const Exercise> exercise) { tooth.purpose = std::move(exercise); }
+
+int fdiOf(const Exercise& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    return request != nullptr ? request->fdi : 0;
+}
+
+int fdiOf(const SessionTooth& tooth) {
+    if (tooth.mouthTooth != 0) return tooth.mouthTooth;
+    if (const auto exercise = exerciseOf(tooth)) return fdiOf(*exercise);
+    const auto* const builtin = std::ranges::find(kBuiltinTeeth, tooth.name, &BuiltinToothEntry::name);
+    if (builtin != kBuiltinTeeth.end()) return builtinToothRequest(builtin->kind).fdi;
+    return fdiNamed(std::filesystem::path(tooth.name).stem().string(), std::nullopt);
+}
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
+#include "app/gui/panels/bur_box.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -17,7 +18,7 @@ constexpr int kNameRole = Qt::UserRole + 2;  // not translated
 
 }  // namespace
 
-DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new QComboBox), spindles_(new QComboBox) {
+DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new BurBox), spindles_(new QComboBox) {
     setObjectName("drillBar");
     for (const BurSpec& spec : burCatalogue()) {
         burs_->addItem(translated(spec.title), QString::fromStdString(spec.number));
@@ -36,13 +37,14 @@ DrillBar::DrillBar(QWidget* parent) : QToolBar(tr("Drill"), parent), burs_(new Q
     addWidget(spindles_);
     addSeparator();
     addModes();
+    connect(burs_, &BurBox::gridWanted, this, &DrillBar::gridWanted);
     connect(burs_, &QComboBox::activated, this, [this](int index) {
         const QString file = burs_->itemData(index, kFileRole).toString();
         if (!file.isEmpty()) emit burFileChosen(file);
         if (const auto spec = findBur(burs_->itemData(index).toString().toStdString())) emit burChosen(*spec);
     });
     // A narrow window cuts their texts short.
-    for (QComboBox* box : {burs_, spindles_}) {
+    for (QComboBox* box : {static_cast<QComboBox*>(burs_), spindles_}) {
         connect(box, &QComboBox::currentTextChanged, box,
                 [box, tip = box->toolTip()](const QString& text) { box->setToolTip(tip + ": " + text); });
         emit box->currentTextChanged(box->currentText());
@@ -82,9 +84,28 @@ void DrillBar::showCutting(bool cutting) {
     showing_ = false;
 }
 
+std::vector<BurItem> DrillBar::burs() const {
+    std::vector<BurItem> items;
+    for (int i = 0; i < burs_->count(); ++i) {
+        const bool isFile = !burs_->itemData(i, kFileRole).toString().isEmpty();
+        const std::string number = isFile ? std::string() : burs_->itemData(i).toString().toStdString();
+        items.push_back({i, burs_->itemText(i), number.empty() ? std::nullopt : findBur(number)});
+    }
+    return items;
+}
+
+int DrillBar::currentBur() const { return burs_->currentIndex(); }
+
+QString DrillBar::burNumber() const { return burs_->currentData().toString(); }
+
+void DrillBar::takeBur(int place) {
+    burs_->setCurrentIndex(place);
+    emit burs_->activated(place);
+}
+
 void DrillBar::choose(const QString& burNumber, const QString& spindleName) {
     const int bur = burNumber.isEmpty() ? -1 : burs_->findData(burNumber);
-    if (bur >= 0) burs_->setCurrentIndex(bur), emit burs_->activated(bur);
+    if (bur >= 0) takeBur(bur);
     const int spindle = spindles_->findData(spindleName);
     if (spindle >= 0) spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
 }

@@ -5,11 +5,15 @@
 #include <QAction>
 #include <QComboBox>
 #include <QToolBar>
+#include <vector>
 
+#include "app/gui/model/bur_list.h"
 #include "instruments/bur_catalogue.h"
 #include "instruments/spindle.h"
 
 namespace tactooth {
+
+class BurBox;
 
 /// The tool bar of the drill: bur, spindle, and touch or cut.
 class DrillBar final : public QToolBar {
@@ -26,8 +30,13 @@ public:
     /// Shows touch or cut as a device's button has chosen it; emits nothing.
     void showCutting(bool cutting);
     [[nodiscard]] bool isCutting() const { return cut_->isChecked(); }
+    /// All burs of its list; the place of each is its index.
+    [[nodiscard]] std::vector<BurItem> burs() const;
+    [[nodiscard]] int currentBur() const;
+    /// Chooses a bur by its place in the list, as the user does.
+    void takeBur(int place);
     /// Number in the catalogue; empty for a bur from a file.
-    [[nodiscard]] QString burNumber() const { return burs_->currentData().toString(); }
+    [[nodiscard]] QString burNumber() const;
     [[nodiscard]] QString spindleName() const { return spindles_->currentData().toString(); }
     /// Chooses them as the user does; ignores what is not in the lists.
     void choose(const QString& burNumber, const QString& spindleName);
@@ -35,6 +44,8 @@ public:
     void show(const QString& name, const QString& file);
 
 signals:
+    /// The user wants to see all burs.
+    void gridWanted();
     void burChosen(const BurSpec& spec);
     void burFileChosen(const QString& file);
     void spindleChosen(const SpindlePreset& spindle);
@@ -43,7 +54,7 @@ signals:
 private:
     void addModes();
 
-    QComboBox* burs_;
+    BurBox* burs_;
     QComboBox* spindles_;
     QAction* touch_;
     QAction* cut_;

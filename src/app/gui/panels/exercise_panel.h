@@ -34,6 +34,8 @@ public:
     /// `seconds`: since the first contact; `materials`: of the tooth; `cavity`: none without a target.
     void show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
               const std::optional<CavityProgress>& cavity);
+    /// Those of the list; the first is null: free practice.
+    [[nodiscard]] const std::vector<std::shared_ptr<const Exercise>>& known() const { return known_; }
     /// Whether there are numbers besides the time, and their report.
     void setShowsNumbers(bool shows);
     /// Whether the whole tooth can be had again.

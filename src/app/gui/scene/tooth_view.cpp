@@ -49,6 +49,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
       model_(model),
       mirrorMouse_(model),
       aim_(new AimOverlay(this)),
+      measure_(new MeasureTool(*this)),
       secondFrame_(new SecondViewFrame(this)),
       overlays_(new ViewOverlays(*this)) {
     secondFrame_->hide();
@@ -140,6 +141,7 @@ void ToothView::initializeGL() {
 void ToothView::redraw() {
     isStale_ = true;
     overlays_->follow(camera_, imageSize(), model_.mesialX());
+    if (measure_->isOn()) measure_->follow(viewport());
     update();
 }
 
@@ -294,9 +296,12 @@ void ToothView::setShowsAim(bool shows) {
     showAim();
 }
 
+/// Not in the pictures of a recording.
+bool ToothView::isMeasuring() const { return measure_->isOn() && !contents_ && model_.runner() != nullptr; }
+
 /// Not in stereo, where a flat line would lie in front of everything.
 void ToothView::showAim() {
-    if (!showsAim_ || contents_ || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
+    if (!showsAim_ || contents_ || isMeasuring() || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
     aim_->show(model_, viewport());
 }
 
@@ -338,12 +343,14 @@ void ToothView::resizeEvent(QResizeEvent* event) {
     secondFrame_->fitTo(imageSize());
     aim_->setGeometry(rect());
     overlays_->follow(camera_, imageSize(), model_.mesialX());
+    if (measure_->isOn()) measure_->follow(viewport());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = toPixel(event->position());
-    if (event->button() != Qt::LeftButton || contents_ || mirrorMouse_.isHeld()) return;
-    model_.manipulator().press(viewport(), mouse_);
+    if (event->button() != Qt::LeftButton) return;
+    if (isMeasuring()) return measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+    if (!contents_ && !mirrorMouse_.isHeld()) model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -374,7 +381,9 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 from = std::exchange(mouse_, to);
     const Vec2 displacement = to - from;
     if (model_.runner() == nullptr) return;
-    if (mirrorMouse_.isHeld()) {
+    if (isMeasuring() && !mirrorMouse_.isHeld()) {
+        measure_->point(*touchableSurface(model_), viewport(), to);
+    } else if (mirrorMouse_.isHeld()) {
         mirrorMouse_.move(viewport(), from, to, (with & keys_.lean) != 0);
     } else if (with & keys_.lean) {
         model_.manipulator().tilt(viewport(), displacement);
@@ -403,6 +412,10 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     }
     if (!contents_ && isPress(key)) {
         if (key.isAutoRepeat()) return true;
+        if (isMeasuring()) {
+            measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+            return true;
+        }
         model_.manipulator().press(viewport(), mouse_);
         isPressedByKey_ = true;
         return true;

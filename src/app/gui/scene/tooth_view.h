@@ -14,6 +14,7 @@
 #include "app/gui/keys/key_map.h"
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
+#include "app/gui/scene/measure_tool.h"
 #include "app/gui/scene/second_view_frame.h"
 #include "app/gui/scene/view_overlays.h"
 #include "app/gui/settings/window_settings.h"
@@ -70,6 +71,7 @@ public:
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
     /// Off: the aim shows no numbers and no warnings.
     void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
+    [[nodiscard]] MeasureTool& measureTool() { return *measure_; }
     /// What helps to find one's way in the picture.
     void setAids(const ViewAids& aids);
     /// The keys that work in the picture.
@@ -123,6 +125,7 @@ private:
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
+    [[nodiscard]] bool isMeasuring() const;
     void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     [[nodiscard]] bool isPress(const QKeyEvent& key) const;
@@ -145,6 +148,7 @@ private:
     Stereo::Mode stereo_ = Stereo::Mode::Off;
     std::optional<StandardView> second_;
     AimOverlay* aim_;
+    MeasureTool* measure_;
     bool showsAim_ = true;
     SecondViewFrame* secondFrame_;
     ViewOverlays* overlays_;

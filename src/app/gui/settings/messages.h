@@ -10,6 +10,8 @@ namespace tactooth::msg {
 inline constexpr MessageText kOptionAsTheSystem{"option_as_the_system", "as the system", "システムに合わせる"};
 inline constexpr MessageText kOptionWindowFolder{"option_window_folder", "Folder that file dialogs open first",
                                                  "ファイルの選択で最初に開くフォルダー"};
+inline constexpr MessageText kOptionWindowNotation{"option_window_notation", "Numbers of the teeth in the tooth chart",
+                                                   "歯列図の歯の番号"};
 inline constexpr MessageText kOptionWindowLanguage{"option_window_language", "Language of the window",
                                                    "ウィンドウの言語"};
 inline constexpr MessageText kOptionWindowDark{"option_window_dark", "Dark colours", "暗い配色"};
@@ -38,6 +40,8 @@ inline constexpr MessageText kOptionMirrorFogged{"option_mirror_fogged", "Fog on
 inline constexpr MessageText kOptionMirrorWet{"option_mirror_wet", "Drops on the mirror's glass", "ミラーの水滴"};
 inline constexpr MessageText kOptionDrillBur{"option_drill_bur", "Bur of the catalogue, by its number",
                                              "カタログのバー（番号で選ぶ）"};
+inline constexpr MessageText kOptionDrillFavourites{
+    "option_drill_favourites", "Numbers of the favourite burs, as \"4, 245\"", "お気に入りのバーの番号（例：4, 245）"};
 inline constexpr MessageText kOptionDrillDrive{"option_drill_drive", "Drive, by its name in the window",
                                                "駆動装置（ウィンドウに出る名前で選ぶ）"};
 inline constexpr MessageText kOptionDrillWater{"option_drill_water", "Water spray with the pedal",

@@ -99,11 +99,12 @@ struct ViewAids {
 
 /// The settings that the window keeps from one start to the next. An empty text means the default of the window.
 struct WindowSettings {
-    std::string geometry;   ///< of the window, in Qt's format, base64
-    std::string docks;      ///< state of docks and tool bars, likewise
-    std::string folder;     ///< of the last file that was opened or saved
-    std::string bur = "4";  ///< number in the catalogue; usually round, 1.4 mm: a dentist opens a fissure with it
-    std::string spindle;    ///< name
+    std::string geometry;       ///< of the window, in Qt's format, base64
+    std::string docks;          ///< state of docks and tool bars, likewise
+    std::string folder;         ///< of the last file that was opened or saved
+    std::string bur = "4";      ///< number in the catalogue; usually round, 1.4 mm: a dentist opens a fissure with it
+    std::string favouriteBurs;  ///< numbers in the catalogue: "4, 245"
+    std::string spindle;        ///< name
     bool showsTurbine = true;
     bool showsAim = true;
     bool showsMirror = true;
@@ -114,7 +115,8 @@ struct WindowSettings {
     std::string ownSounds;  ///< file of the user's sounds; empty: synthesised sounds
     std::string language;   ///< "en" or "ja"; empty: the language of the system
     bool dark = false;
-    std::string recent;  ///< paths of the last teeth, one a line, newest first
+    std::string recent;            ///< paths of the last teeth, one a line, newest first
+    std::string notation = "fdi";  ///< of the tooth chart: "fdi", "universal" or "palmer"
     MirrorSettings mirror;
     bool water = true;                ///< water flows with the pedal
     bool suction = false;             ///< an assistant holds the suction tube

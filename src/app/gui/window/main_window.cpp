@@ -156,9 +156,11 @@ void MainWindow::connectNumbers() {
 
 void MainWindow::showNewTooth() {
     setWindowTitle(tr("%1[*] — Tactooth").arg(translated(model_.tooth()->name)));
+    menus_.file().showTooth();
     hints_.showUsual();
     showImportNotes();
     panels_.view->resetView();
+    panels_.view->measureTool().takeTooth();
     exercise_.takeTooth();
     restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);

@@ -17,6 +17,7 @@ WindowSettings unusual() {
             .docks = "AAAA/wAAAAD9",
             .folder = "/home/someone/Zähne \"neu\"",
             .bur = "58",
+            .favouriteBurs = "4, 33-1/2",
             .spindle = "Micromotor, 1:1",
             .showsTurbine = false,
             .showsAim = false,
@@ -38,6 +39,7 @@ WindowSettings unusual() {
             .language = "ja",
             .dark = true,
             .recent = "/a.stl\n/b.tactooth",
+            .notation = "palmer",
             .mirror = {"5", true, true},
             .water = false,
             .suction = true,
@@ -51,6 +53,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.docks, b.docks);
     EXPECT_EQ(a.folder, b.folder);
     EXPECT_EQ(a.bur, b.bur);
+    EXPECT_EQ(a.favouriteBurs, b.favouriteBurs);
     EXPECT_EQ(a.spindle, b.spindle);
     EXPECT_EQ(a.showsTurbine, b.showsTurbine);
     EXPECT_EQ(a.showsMirror, b.showsMirror);
@@ -67,6 +70,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);
+    EXPECT_EQ(a.notation, b.notation);
     EXPECT_EQ(a.mirror, b.mirror);
     EXPECT_EQ(a.water, b.water);
     EXPECT_EQ(a.suction, b.suction);

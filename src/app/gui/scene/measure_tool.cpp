@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/measure_tool.h"
+
+#include "session/control/surface_ray.h"
+
+namespace tactooth {
+
+MeasureTool::MeasureTool(QWidget& view) : QObject(&view), view_(view), overlay_(new MeasureOverlay(&view)) {}
+
+void MeasureTool::setKind(std::optional<MeasureKind> kind) {
+    if (!allowed_) kind.reset();
+    measure_ = kind ? std::optional(SurfaceMeasure(*kind)) : std::nullopt;
+    pointer_.reset();
+    show();
+    emit changed();
+}
+
+std::optional<MeasureKind> MeasureTool::kind() const {
+    return measure_ ? std::optional(measure_->kind()) : std::nullopt;
+}
+
+void MeasureTool::setAllowed(bool allowed) {
+    allowed_ = allowed;
+    if (!allowed) return setKind({});
+    emit changed();
+}
+
+void MeasureTool::clear() {
+    if (!measure_) return;
+    if (measure_->places().empty()) return setKind({});
+    takeTooth();
+}
+
+void MeasureTool::takeTooth() {
+    if (measure_) measure_->clear();
+    show();
+    emit changed();
+}
+
+void MeasureTool::point(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
+    const Ray ray = picture.rayThrough(pixel);
+    const auto distance = firstHit(surface, ray);
+    pointer_ = distance ? std::optional<Vec3>(ray.origin + *distance * ray.direction) : std::nullopt;
+    follow(picture);
+}
+
+void MeasureTool::pick(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
+    if (!measure_) return;
+    const auto place = placeOn(surface, picture.rayThrough(pixel));
+    if (!place) return;
+    measure_->add(*place);
+    pointer_.reset();
+    follow(picture);
+    emit changed();
+}
+
+void MeasureTool::follow(const Viewport& picture) {
+    picture_ = picture;
+    show();
+}
+
+void MeasureTool::show() {
+    if (!measure_) return overlay_->showNothing();
+    overlay_->setGeometry(view_.rect());
+    overlay_->show(*measure_, pointer_, picture_);
+}
+
+}  // namespace tactooth

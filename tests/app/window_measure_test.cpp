@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Distances and angles that are measured in the picture.
+#include <QAction>
+#include <QApplication>
+#include <cmath>
+
+#include "app/gui/settings/window_setup.h"
+#include "app/window_session.h"
+#include "session/control/surface_ray.h"
+
+namespace tactooth {
+
+class WindowMeasureTest : public test::WindowSession {
+    Q_OBJECT
+
+public:
+    /// Pictures to look at.
+    void savePictures(const QString& folder);
+
+private slots:
+    void initTestCase();
+    void twoClicksMeasureADistanceAndPressNoBur();
+    void theMarksStayOnTheToothWhileTheEyeMoves();
+    void escapeClearsAndThenEnds();
+    void twoClicksMeasureTheAngleBetweenWalls();
+    void itIsDoneByKeysAlone();
+    void aClickBesideTheToothMarksNothing();
+    void anotherToothTakesTheMarksAway();
+    void afterwardsTheMousePressesTheBurAgain();
+    void cleanupTestCase();
+
+private:
+    [[nodiscard]] const MeasureOverlay& overlay() const { return view().measureTool().overlay(); }
+    [[nodiscard]] QAction& entry(const char* name) const { return *window_->findChild<QAction*>(name); }
+    [[nodiscard]] Vec3 placeUnder(const QPoint& place) const {
+        const Ray ray = view().viewport().rayThrough(Vec2(place.x(), place.y()) * view().devicePixelRatioF());
+        return ray.origin + firstHit(*touchableSurface(window_->model()), ray).value() * ray.direction;
+    }
+    void click(const QPoint& place) const { QTest::mouseClick(&view(), Qt::LeftButton, {}, place); }
+    [[nodiscard]] double number() const {
+        return QString(overlay().result()).split(' ')[0].remove(QChar(0xB0)).toDouble();
+    }
+};
+
+void WindowMeasureTest::initTestCase() {
+    openWindow();
+    waitForTooth();
+}
+
+void WindowMeasureTest::cleanupTestCase() { closeWindow(); }
+
+void WindowMeasureTest::twoClicksMeasureADistanceAndPressNoBur() {
+    QVERIFY(overlay().isHidden());
+    key(Qt::Key_I);
+    QVERIFY(entry("distance").isChecked() && overlay().isVisible());
+    const QPoint first = middle() - QPoint(40, 0), second = middle() + QPoint(50, 20);
+    const Pose bur = window_->model().manipulator().pose();
+    QTest::mouseMove(&view(), first);
+    QTest::mousePress(&view(), Qt::LeftButton, {}, first);
+    QVERIFY(!window_->model().manipulator().isPressing());
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, first);
+    QCOMPARE(overlay().places().size(), std::size_t{1});
+    QVERIFY(overlay().result().isEmpty());
+    click(second);
+    QCOMPARE(overlay().places().size(), std::size_t{2});
+    const double expected = (placeUnder(second) - placeUnder(first)).norm();
+    QVERIFY(expected > 1);
+    QCOMPARE(overlay().result(), QString("%1 mm").arg(expected, 0, 'f', 2));
+    QVERIFY((window_->model().manipulator().pose().position - bur.position).norm() < 1e-9);
+    QVERIFY((overlay().places()[0] - QPointF(first)).manhattanLength() < 1.5);
+    QVERIFY((overlay().places()[1] - QPointF(second)).manhattanLength() < 1.5);
+}
+
+void WindowMeasureTest::theMarksStayOnTheToothWhileTheEyeMoves() {
+    const QString before = overlay().result();
+    const QPointF place = overlay().places()[0];
+    key(Qt::Key_1);
+    QCOMPARE(overlay().result(), before);
+    QVERIFY((overlay().places()[0] - place).manhattanLength() > 3);
+    key(Qt::Key_0);
+    QVERIFY((overlay().places()[0] - place).manhattanLength() < 1.5);
+}
+
+void WindowMeasureTest::escapeClearsAndThenEnds() {
+    key(Qt::Key_Escape);
+    QVERIFY(overlay().places().empty() && overlay().result().isEmpty());
+    QVERIFY(entry("distance").isChecked());
+    key(Qt::Key_Escape);
+    QVERIFY(!entry("distance").isChecked() && overlay().isHidden());
+    QVERIFY(!entry("clearMeasure").isEnabled());
+}
+
+void WindowMeasureTest::twoClicksMeasureTheAngleBetweenWalls() {
+    key(Qt::Key_I);
+    key(Qt::Key_V);  // the one ends the other
+    QVERIFY(entry("angle").isChecked() && !entry("distance").isChecked());
+    const QPoint first = middle() - QPoint(60, 0), second = middle() + QPoint(60, 10);
+    click(first);
+    click(second);
+    const Surface& tooth = *touchableSurface(window_->model());
+    const auto normalAt = [&](const QPoint& place) {
+        const Vec2 pixel = Vec2(place.x(), place.y()) * view().devicePixelRatioF();
+        return placeOn(tooth, view().viewport().rayThrough(pixel)).value().normal;
+    };
+    const double cosine = normalAt(first).dot(normalAt(second));
+    QVERIFY(overlay().result().endsWith(QChar(0xB0)));
+    QVERIFY(std::abs(number() - std::acos(cosine) * 180 / 3.14159265358979) < 0.06);
+    QVERIFY(number() > 1);
+    click(first);  // begins anew
+    QCOMPARE(overlay().places().size(), std::size_t{1});
+    click(first);
+    QCOMPARE(number(), 0.0);
+    key(Qt::Key_V);
+    QVERIFY(overlay().isHidden());
+}
+
+void WindowMeasureTest::itIsDoneByKeysAlone() {
+    key(Qt::Key_I);
+    QCOMPARE(window_->focusWidget(), static_cast<QWidget*>(&view()));
+    QTest::mouseMove(&view(), middle());
+    QTest::keyClick(&view(), Qt::Key_Return);
+    QVERIFY(!window_->model().manipulator().isPressing());
+    for (int i = 0; i < 10; ++i) QTest::keyClick(&view(), Qt::Key_Right);
+    QTest::keyClick(&view(), Qt::Key_Return);
+    QVERIFY(number() > 0.3);
+    key(Qt::Key_I);
+}
+
+void WindowMeasureTest::aClickBesideTheToothMarksNothing() {
+    key(Qt::Key_I);
+    click(QPoint(40, view().height() / 2));
+    QVERIFY(overlay().places().empty());
+    key(Qt::Key_I);
+}
+
+void WindowMeasureTest::anotherToothTakesTheMarksAway() {
+    key(Qt::Key_I);
+    click(middle());
+    QCOMPARE(overlay().places().size(), std::size_t{1});
+    loadMolar();
+    QTRY_VERIFY_WITH_TIMEOUT(overlay().places().empty(), kLoadPatience);
+    key(Qt::Key_Escape);
+    QVERIFY(overlay().isHidden());
+}
+
+void WindowMeasureTest::afterwardsTheMousePressesTheBurAgain() {
+    pressBurOn(middle() + QPoint(0, 40));
+    QVERIFY(window_->model().manipulator().isPressing());
+    QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
+    liftBur(middle());
+}
+
+void WindowMeasureTest::savePictures(const QString& folder) {
+    initTestCase();
+    const auto measure = [&](Qt::Key which, const QPoint& first, const QPoint& second, const char* name) {
+        key(which);
+        click(first);
+        click(second);
+        (void)waitForQuietPicture();
+        view().grab().save(folder + '/' + name + ".png");
+        key(which);
+    };
+    key(Qt::Key_H);  // nothing in front of the tooth
+    measure(Qt::Key_I, middle() - QPoint(60, 10), middle() + QPoint(80, 30), "measure");
+    measure(Qt::Key_V, middle() - QPoint(60, 10), middle() + QPoint(10, 90), "measure-angle");
+    cleanupTestCase();
+}
+
+}  // namespace tactooth
+
+/// `window_measure_tests --pictures FOLDER` saves pictures instead of testing.
+int main(int argc, char** argv) {
+    const auto application = tactooth::startApplication(argc, argv);
+    tactooth::WindowMeasureTest test;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == "--pictures") {
+        test.savePictures(arguments.value(2));
+        return 0;
+    }
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_measure_test.moc"
