@@ -90,7 +90,10 @@ TEST(BuiltinMouth, UpperTeethOverlapTheLowerOnesToTheOutside) {
 TEST(BuiltinMouth, ArchesAreAsWideAsAveragePeoples) {
     const auto across = [&](int right) {
         const MouthTooth* tooth = mouth().find(right);
-        return 2 * (tooth->toothInMouth * Vec3(0, 0, tooth->tooth.fdi % 10 > 3 ? 6.0 : 10.0)).x();
+        const std::vector<Vec3f>& vertices = tooth->tooth.outer.vertices;
+        const auto tip = std::ranges::max_element(vertices, {}, [](const Vec3f& v) { return v.z(); });
+        const bool hasTip = tooth->tooth.fdi % 10 == 3;
+        return 2 * (tooth->toothInMouth * (hasTip ? tip->cast<double>() : Vec3(0, 0, 6))).x();
     };
     EXPECT_NEAR(across(13), 35, 3.5);  // tips of the upper canines
     EXPECT_NEAR(across(43), 26, 3);

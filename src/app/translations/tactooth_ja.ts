@@ -816,30 +816,6 @@ It is off in an examination.</source>
         <source>Ma&amp;nual</source>
         <translation>説明書(&amp;N)</translation>
     </message>
-    <message>
-        <source>Ctrl + T</source>
-        <translation>Ctrl + T</translation>
-    </message>
-    <message>
-        <source>the tooth chart; there arrow keys, numbers and Enter choose a tooth</source>
-        <translation>歯列図。矢印キー、番号、Enter で歯を選ぶ</translation>
-    </message>
-    <message>
-        <source>Ctrl + B</source>
-        <translation>Ctrl + B</translation>
-    </message>
-    <message>
-        <source>the burs; there arrow keys, letters of the search and Enter choose one</source>
-        <translation>バーの一覧。矢印キー、検索の文字、Enter で選ぶ</translation>
-    </message>
-    <message>
-        <source>I, V</source>
-        <translation>I, V</translation>
-    </message>
-    <message>
-        <source>measure a distance, an angle between walls: click two places; Esc clears, and ends</source>
-        <translation>距離、壁の間の角度を測る：2か所をクリック。Esc で消す、終わる</translation>
-    </message>
 </context>
 <context>
     <name>tactooth::InstrumentMenus</name>

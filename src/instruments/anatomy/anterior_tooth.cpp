@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instruments/anatomy/anterior_tooth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -22,27 +23,67 @@ std::vector<Section> centred(std::vector<Section> sections) {
     return sections;
 }
 
+/// Root and canal lean together: a bend below the neck that becomes straight toward the apex.
+std::vector<Section> leaning(std::vector<Section> sections, const AnteriorToothPlan& plan) {
+    for (Section& s : sections) {
+        if (s.z >= 0) continue;
+        constexpr double kBend = 1.35;  // power: 1 is a kink at the neck, 2 a parabola
+        const double part = std::pow(s.z / plan.apex, kBend);
+        s.x -= plan.distally * part;
+        s.y -= plan.lean * part;
+    }
+    return sections;
+}
+
+/// The share of a ridge's height at a distance from its line, given by its square over that of four half widths: a bump
+/// that ends.
+double fading(double square) {
+    if (square >= 1) return 0;
+    const double left = (1 - square) * (1 - square);
+    return left * left;
+}
+
+/// The height of a ridge at a place of the face.
+double heightOf(const FaceRidge& ridge, double x, double z) {
+    const double reach = 1 / (4 * ridge.width * ridge.width);
+    double height = 0;
+    for (std::size_t i = 0; i + 1 < ridge.points.size(); ++i) {
+        const FaceRidge::Point &a = ridge.points[i], &b = ridge.points[i + 1];
+        const double alongX = b.x - a.x, alongZ = b.z - a.z;
+        const double part =
+            std::clamp(((x - a.x) * alongX + (z - a.z) * alongZ) / (alongX * alongX + alongZ * alongZ), 0.0, 1.0);
+        const double dx = x - a.x - part * alongX, dz = z - a.z - part * alongZ;
+        const double here = std::lerp(a.height, b.height, part) * fading(reach * (dx * dx + dz * dz));
+        if (std::abs(here) > std::abs(height)) height = here;
+    }
+    return height;
+}
+
 class AnteriorTooth {
 public:
     explicit AnteriorTooth(AnteriorToothPlan plan)
-        : plan_(std::move(plan)), body_(centred(plan_.body)), pulp_(plan_.pulp) {}
+        : plan_(std::move(plan)),
+          body_(leaning(centred(plan_.body), plan_)),
+          pulp_(leaning(plan_.pulp, plan_)),
+          fall_(plan_.fall) {}
 
     [[nodiscard]] double outer(const Vec3& p) const {
         constexpr double kApexBlend = 0.8, kEdgeBlend = 0.5;
-        const double withApex = smoothIntersection(sides(p), plan_.apex - p.z(), kApexBlend);
-        return smoothIntersection(withApex, edge(p), kEdgeBlend);
+        const Vec3 q = unbent(p);
+        const double withApex = smoothIntersection(sides(q, p), plan_.apex - p.z(), kApexBlend);
+        return smoothIntersection(withApex, edge(q), kEdgeBlend);
     }
 
     [[nodiscard]] double core(const Vec3& p) const {
         const double height = cervical(p), surface = outer(p);
         if (height <= 0) return surface;
-        constexpr double kFeather = 1.6;  // mm over which the enamel grows from its thin edge
-        const double thickness = plan_.enamelThickness * (1 - std::exp(-height / kFeather));
-        return smoothIntersection(surface + thickness, edge(p) + plan_.incisalEnamel, 0.6);
+        const Vec3 q = unbent(p);
+        return smoothIntersection(surface + enamel(q, height), edge(q) + plan_.incisalEnamel, 0.6);
     }
 
     [[nodiscard]] double cervical(const Vec3& p) const {
-        const double part = p.x() / plan_.cervicalHalfWidth;
+        // Above the neck the crown is wider: there the line must not rise on.
+        const double part = std::clamp(p.x() / plan_.cervicalHalfWidth, -1.0, 1.0);
         return p.z() - (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * part * part;
     }
 
@@ -53,34 +94,58 @@ public:
     }
 
 private:
-    [[nodiscard]] double sides(const Vec3& p) const {
-        double distance = body_(p);
-        for (const FaceGroove& f : p.y() > body_.at(p.z()).y ? plan_.labial : plan_.lingual) distance += depthOf(f, p);
+    /// The point of the straight stack of sections for one of the crown.
+    [[nodiscard]] Vec3 unbent(const Vec3& p) const {
+        if (p.z() <= 0) return p;
+        const Section s = body_.at(p.z());
+        const double grown = smoothStep(0.1, 0.75, p.z() / plan_.edgeZ), begun = smoothStep(0, 2.5, p.z());
+        const CrownBend& bend = plan_.bend;
+        const double aside = p.x() - s.x, part = std::clamp(aside / (aside > 0 ? s.plusX : s.minusX), -1.3, 1.3);
+        const double behind = (aside > 0 ? bend.mesialArch : bend.distalArch) * part * part - bend.turn * part;
+        const double y = p.y() + grown * behind;
+        const double ahead = std::clamp((y - s.y) / s.plusY, -1.2, 1.2);
+        const double x = (aside - begun * bend.shear * (y - s.y)) / (1 + begun * bend.taper * ahead);
+        return {s.x + x, y, p.z()};
+    }
+
+    /// Thickness of the enamel at a height above the cervical line: a feather edge, then a steady growth to three
+    /// quarters of the crown. It is thinner on the lingual face.
+    [[nodiscard]] double enamel(const Vec3& q, double height) const {
+        constexpr double kNeck = 0.45, kFeather = 0.4;  // share of the thickness near the neck; mm
+        const double share = height / (height + std::max(plan_.edgeZ - q.z(), 0.0));
+        const double grown = kNeck * (1 - std::exp(-height / kFeather)) + (1 - kNeck) * smoothStep(0, 0.75, share);
+        const Section section = body_.at(q.z());
+        constexpr double kLingual = 0.65;  // of the labial thickness
+        const double labial = smoothStep(-0.7, 0.7, (q.y() - section.y) / section.plusY);
+        return plan_.enamelThickness * grown * std::lerp(kLingual, 1.0, labial);
+    }
+
+    /// The distance to the sides: `q` is the point `p` unbent.
+    [[nodiscard]] double sides(const Vec3& q, const Vec3& p) const {
         constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
-        return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
+        const double distance = body_(q) + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
+        constexpr double kFar = 2;  // mm: the surface is not there
+        if (q.z() <= 0 || std::abs(distance) > kFar) return distance;
+        const Section section = body_.at(q.z());
+        const double fromMiddle = (q.y() - section.y) / section.plusY;
+        double relief = 0;
+        for (const FaceRidge& r : fromMiddle > 0 ? plan_.labial : plan_.lingual) relief += heightOf(r, q.x(), q.z());
+        // So that neither face gets the ridges of the other.
+        return distance - relief * smoothStep(0.0, 0.6, std::abs(fromMiddle));
     }
 
-    [[nodiscard]] double depthOf(const FaceGroove& f, const Vec3& p) const {
-        const Section section = body_.at(p.z());
-        // So that neither face gets the grooves of the other.
-        const double fromMiddle = std::abs(p.y() - section.y) / section.plusY;
-        constexpr double kFade = 1.5;  // mm above and below
-        return f.depth * bump(p.x() - f.x, f.width) * smoothStep(f.from - kFade, f.from, p.z()) *
-               smoothStep(f.to + kFade, f.to, p.z()) * smoothStep(0.0, 0.6, fromMiddle);
-    }
-
-    [[nodiscard]] double edge(const Vec3& p) const {
-        const double aside = p.x() - plan_.edgeX, slope = aside > 0 ? plan_.mesialEdgeSlope : plan_.distalEdgeSlope;
-        const double round = plan_.edgeRoundness;
-        const double fall = slope * (std::sqrt(aside * aside + round * round) - round);
-        const Section top = body_.at(plan_.edgeZ);
-        const double lingually = top.y + top.plusY - p.y();
-        const double height = p.z() - plan_.edgeZ + fall + plan_.bevel * lingually;
-        return height / std::sqrt(1 + slope * slope + plan_.bevel * plan_.bevel);
+    [[nodiscard]] double edge(const Vec3& q) const {
+        const auto [fall, slope] = fall_(q.x());
+        const double aside = q.y() - plan_.crestY, round = plan_.edgeRoundness;
+        const double bevel = aside > 0 ? plan_.labialBevel : plan_.lingualBevel;
+        const double away = std::sqrt(aside * aside + round * round), steep = bevel * aside / away;
+        const double height = q.z() - plan_.edgeZ + fall + bevel * (away - round);
+        return height / std::sqrt(1 + slope * slope + steep * steep);
     }
 
     AnteriorToothPlan plan_;
     SectionLoft body_, pulp_;
+    SmoothCurve fall_;
 };
 
 /// The point where the line from an inner point leaves the body.
@@ -94,47 +159,6 @@ Vec3 surfacePoint(const ScalarField& body, Vec3 inside, Vec3 outside) {
 }
 
 }  // namespace
-
-AnteriorToothPlan resized(AnteriorToothPlan plan, const AnteriorToothSize& from, const AnteriorToothSize& to,
-                          std::string name, int fdi) {
-    TACTOOTH_ASSERT(from.crown > 0 && from.root > 0);
-    TACTOOTH_ASSERT(to.crown > 0 && to.root > 0);
-    plan.name = std::move(name);
-    plan.fdi = fdi;
-    const double crown = to.crown / from.crown, root = to.root / from.root;
-    const double cervixX = to.cervixMesiodistal / from.cervixMesiodistal, wideX = to.mesiodistal / from.mesiodistal;
-    const double cervixY = to.cervixLabiolingual / from.cervixLabiolingual, wideY = to.labiolingual / from.labiolingual;
-    // Mesiodistally an anterior tooth is widest near its edge, labiolingually just above its neck.
-    constexpr double kWideX = 0.6, kWideY = 0.15;  // of the crown's length
-    const auto alongX = [&](double z) { return std::lerp(cervixX, wideX, smoothStep(0, kWideX * from.crown, z)); };
-    const auto alongY = [&](double z) { return std::lerp(cervixY, wideY, smoothStep(0, kWideY * from.crown, z)); };
-    const auto resize = [&](Section& s) {
-        const double x = alongX(s.z), y = alongY(s.z);
-        s = {s.z * (s.z > 0 ? crown : root),
-             x * s.plusX,
-             x * s.minusX,
-             y * s.plusY,
-             y * s.minusY,
-             s.squareness,
-             x * s.x,
-             y * s.y};
-    };
-    for (Section& s : plan.body) resize(s);
-    for (Section& s : plan.pulp) resize(s);
-    for (std::vector<FaceGroove>* furrows : {&plan.labial, &plan.lingual}) {
-        for (FaceGroove& f : *furrows)
-            f = {f.x * wideX, f.width * wideX, f.from * crown, f.to * crown, f.depth * wideX};
-    }
-    plan.apex *= root;
-    plan.edgeX *= wideX;
-    plan.edgeZ *= crown;
-    plan.edgeRoundness *= wideX;
-    plan.cervicalHalfWidth *= cervixX;
-    for (Vec3* point : {&plan.lesionFrom, &plan.lesionToward}) {
-        *point = point->cwiseProduct(Vec3(alongX(point->z()), alongY(point->z()), crown));
-    }
-    return plan;
-}
 
 ToothShape anteriorTooth(const AnteriorToothPlan& plan) {
     TACTOOTH_ASSERT(plan.enamelThickness > 0 && plan.incisalEnamel > 0);
@@ -151,7 +175,7 @@ ToothShape anteriorTooth(const AnteriorToothPlan& plan) {
     shape.pulp = [tooth](const Vec3& p) { return tooth->pulp(p); };
     shape.lesionSite = surfacePoint(shape.outer, plan.lesionFrom, plan.lesionToward);
     shape.lesionInward = (plan.lesionFrom - plan.lesionToward).normalized();
-    shape.lesionEnamel = plan.enamelThickness * 0.8;
+    shape.lesionEnamel = (shape.lesionSite - surfacePoint(shape.core, plan.lesionFrom, shape.lesionSite)).norm();
     return shape;
 }
 

@@ -10,11 +10,15 @@
 namespace tactooth {
 namespace {
 
-double squaredDistanceToSegment(double x, double y, double ax, double ay, double bx, double by) {
+/// The nearest place of a line: how far along it, and its squared distance.
+struct Nearest {
+    double part, square;
+};
+Nearest nearestOnSegment(double x, double y, double ax, double ay, double bx, double by) {
     const double dx = bx - ax, dy = by - ay;
     const double part = std::clamp(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
     const double fromX = x - ax - part * dx, fromY = y - ay - part * dy;
-    return fromX * fromX + fromY * fromY;
+    return {part, fromX * fromX + fromY * fromY};
 }
 
 /// |x| without its kink: ridges are rounded.
@@ -45,7 +49,7 @@ double occlusalHeight(const PosteriorToothPlan& plan, double x, double y) {
         height = -smoothUnion(-height, -cuspHeight(cusp, plan.tip, x, y, height - kBlend), kBlend);
     }
     for (const OcclusalRidge& ridge : plan.ridges) {
-        const double away = squaredDistanceToSegment(x, y, ridge.ax, ridge.ay, ridge.bx, ridge.by);
+        const double away = nearestOnSegment(x, y, ridge.ax, ridge.ay, ridge.bx, ridge.by).square;
         const double ridgeHeight = ridge.z - ridge.slope * (std::sqrt(away + kRidgeRound * kRidgeRound) - kRidgeRound);
         height = -smoothUnion(-height, -ridgeHeight, kBlend);
     }
@@ -57,8 +61,9 @@ double grooveDepth(const PosteriorToothPlan& plan, double x, double y) {
     constexpr double kGone = 18;
     double deepest = 0;
     for (const OcclusalGroove& g : plan.grooves) {
-        const double widths = squaredDistanceToSegment(x, y, g.ax, g.ay, g.bx, g.by) / (g.width * g.width);
-        if (widths < kGone) deepest = std::max(deepest, g.depth * std::exp(-widths));
+        const auto [part, square] = nearestOnSegment(x, y, g.ax, g.ay, g.bx, g.by);
+        const double widths = square / (g.width * g.width);
+        if (widths < kGone) deepest = std::max(deepest, std::lerp(g.depth, g.endDepth, part) * std::exp(-widths));
     }
     for (const OcclusalPit& pit : plan.pits) {
         const double dx = x - pit.x, dy = y - pit.y, widths = (dx * dx + dy * dy) / (pit.width * pit.width);

@@ -26,7 +26,9 @@ public:
     explicit PosteriorTooth(PosteriorToothPlan plan) : plan_(std::move(plan)), crown_(plan_.crown) {
         for (const RootPlan& root : plan_.roots) roots_.emplace_back(root.sections);
         for (const std::vector<Section>& canal : plan_.canals) canals_.emplace_back(canal);
-        for (const OcclusalGroove& groove : plan_.grooves) deepestGroove_ = std::max(deepestGroove_, groove.depth);
+        for (const OcclusalGroove& groove : plan_.grooves) {
+            deepestGroove_ = std::max({deepestGroove_, groove.depth, groove.endDepth});
+        }
         for (const OcclusalPit& pit : plan_.pits) deepestGroove_ += pit.depth;
     }
 
@@ -69,7 +71,9 @@ private:
     /// Coordinates in which the crown neither narrows to one side nor is skew.
     [[nodiscard]] Vec3 straightened(const Vec3& p) const {
         constexpr double kReach = 6.0;  // mm: farther away, the coordinates must not fold
-        const double x = p.x() - plan_.skew * std::clamp(p.y(), -kReach, kReach);
+        constexpr double kOnset = 2.5;  // mm
+        const double skew = plan_.skew * smoothStep(plan_.skewFrom, plan_.skewFrom + kOnset, p.z());
+        const double x = p.x() - skew * std::clamp(p.y(), -kReach, kReach);
         return {x / (1 + plan_.narrowsLingually * std::clamp(p.y(), -kReach, kReach)),
                 p.y() / (1 + plan_.narrowsDistally * std::clamp(p.x(), -kReach, kReach)), p.z()};
     }

@@ -22,8 +22,9 @@ struct OcclusalRidge {
     double ax, ay, bx, by, z, slope;
 };
 
+/// A straight piece of a groove from a to b, at whose ends it may be of different depth.
 struct OcclusalGroove {
-    double ax, ay, bx, by, depth, width;
+    double ax, ay, bx, by, depth, width, endDepth = depth;
 };
 
 struct OcclusalPit {
@@ -54,6 +55,7 @@ struct PosteriorToothPlan {
     double narrowsLingually = 0;  ///< share of the mesiodistal width gained for each mm to buccal
     double narrowsDistally = 0;   ///< share of the buccolingual width gained for each mm to mesial
     double skew = 0;              ///< mm that the buccal side is shifted to mesial, for each mm to buccal
+    double skewFrom = -100;       ///< height at which the skew begins, so that the neck fits the root
     double fossa = 4.75;          ///< lower bound of the height of the occlusal surface
     double tip = 0.45;            ///< mm of height that rounding removes from the tip of a cusp
     std::vector<Cusp> cusps;

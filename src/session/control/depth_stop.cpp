@@ -13,22 +13,26 @@ namespace {
 constexpr double kDrift = 15;  // mm/s
 // How steep a floor may be, so that a tool that slides up on it is held exactly: 72 degrees.
 constexpr double kSteepest = 3;
+constexpr double kFinish = 0.08;    // mm beyond the floor until the proxy is there: no more can be cut too deep
+constexpr double kAtFloor = 0.015;  // mm: there
 
 }  // namespace
 
 /// How far the device is beyond the floor, as far as the tool can follow in this tick.
-double DepthStop::next(const Pose& wanted, const DepthControl* control, double elapsed) const {
+double DepthStop::next(const Pose& wanted, const DepthControl* control, double elapsed, const Vec3* proxy) const {
     const Vec3 inward = wanted.rotation * -Vec3::UnitZ();
     double target = 0;
     if (control != nullptr) {
-        if (const auto left = control->toFloor(wanted.position, inward)) target = std::max(0.0, -*left);
+        const auto toGo = proxy != nullptr ? control->toFloor(*proxy, inward) : std::nullopt;
+        const double finish = toGo && *toGo > kAtFloor ? kFinish : 0;
+        if (const auto left = control->toFloor(wanted.position, inward)) target = std::max(0.0, -*left - finish);
     }
     const double motion = hasLast_ ? (wanted.position - last_).norm() : 0;
     const double reach = kSteepest * motion + kDrift * elapsed;
     return std::clamp(target, std::max(0.0, beyond_ - reach), beyond_ + reach);
 }
 
-Pose DepthStop::hold(const Pose& wanted, const DepthControl* control, double elapsed) {
+Pose DepthStop::hold(const Pose& wanted, const DepthControl* control, double elapsed, const Vec3* proxy) {
     const bool isValid = wanted.position.allFinite() && isUnit(wanted.rotation * Vec3::UnitZ());
     if (!isValid || !(elapsed >= 0) || (control == nullptr && beyond_ == 0)) {
         beyond_ = 0;
@@ -36,7 +40,7 @@ Pose DepthStop::hold(const Pose& wanted, const DepthControl* control, double ela
         hasLast_ = false;
         return wanted;
     }
-    const double beyond = next(wanted, control, elapsed);
+    const double beyond = next(wanted, control, elapsed, proxy);
     const double deeper = elapsed > 0 ? (beyond - beyond_) / elapsed : 0;  // mm/s
     const Vec3 outward = wanted.rotation * Vec3::UnitZ();
     force_ = beyond > 0 ? Vec3(std::max(0.0, kStiffness * beyond + kDamping * deeper) * outward) : Vec3(Vec3::Zero());

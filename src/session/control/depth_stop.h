@@ -14,8 +14,11 @@ namespace tactooth {
 class DepthStop {
 public:
     /// The pose of the tool for a device that holds it at `wanted`, `elapsed` s after the last call. `control`: where
-    /// the floor is; null: there is none. A floor that appears above the tool lifts it slowly.
-    [[nodiscard]] Pose hold(const Pose& wanted, const DepthControl* control, double elapsed);
+    /// the floor is; null: there is none. `proxy`: the tip of the tool as the tooth lets it be; it is pressed a little
+    /// beyond the floor until it is there, else the force would fade with the distance. Null: nobody knows. A floor
+    /// that appears above the tool lifts it slowly.
+    [[nodiscard]] Pose hold(const Pose& wanted, const DepthControl* control, double elapsed,
+                            const Vec3* proxy = nullptr);
 
     /// How far the device is beyond the tool, mm.
     [[nodiscard]] double beyond() const { return beyond_; }
@@ -26,7 +29,7 @@ public:
     static constexpr double kDamping = 0.001;  ///< N s/mm, against going deeper
 
 private:
-    [[nodiscard]] double next(const Pose& wanted, const DepthControl* control, double elapsed) const;
+    [[nodiscard]] double next(const Pose& wanted, const DepthControl* control, double elapsed, const Vec3* proxy) const;
 
     Vec3 last_ = Vec3::Zero();  // position of the device at the last call
     bool hasLast_ = false;

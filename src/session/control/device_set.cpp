@@ -97,7 +97,9 @@ void DeviceSet::move(std::size_t instrument, const DeviceControls& controls, dou
     frame.setMotionScaling(controls.motionScaling);
     frame.setClutch(controls.clutch || hand.buttons.clutchHeld());
     const Pose wanted = frame.toolFor(hand.sample.hand);
-    instruments_[instrument] = instrument == kTurbine ? depthStop_.hold(wanted, controls.depthStop, elapsed) : wanted;
+    instruments_[instrument] = instrument == kTurbine ? depthStop_.hold(wanted, controls.depthStop, elapsed,
+                                                                        proxy_ ? &proxy_->position : nullptr)
+                                                      : wanted;
 }
 
 void DeviceSet::read(double elapsed, const DeviceControls& controls) {

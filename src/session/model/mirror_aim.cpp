@@ -17,7 +17,7 @@ constexpr std::array kHeights = {0.2, 0.7, 1.2, 2.0, 3.0};
 constexpr std::array kDistances = {11.0, 9.0, 13.0, 16.0};  // mm from tip to glass: as it is held, first choice first
 constexpr double kGrazing = 0.35;                           // cosine to the glass; flatter the picture is a slit
 constexpr double kStem = 25;                                // mm of the stem that must be free
-constexpr int kRimPoints = 8;
+constexpr int kRimPoints = 12;
 
 /// Whether nothing of the mouth is between two places.
 bool isFree(const Surface& mouth, const Vec3& from, const Vec3& to) {
@@ -44,10 +44,12 @@ bool clearsMouth(const Pose& mirror, double radius, const Surface& mouth) {
     const Vec3 x = mirror.rotation * Vec3::UnitX();
     const Vec3 y = mirror.rotation * Vec3::UnitY();
     const Vec3 z = mirror.rotation * Vec3::UnitZ();
-    for (int i = 0; i < kRimPoints; ++i) {
+    const auto rim = [&](int i) -> Vec3 {
         const double angle = 2 * std::numbers::pi * i / kRimPoints;
-        const Vec3 out = std::cos(angle) * x + std::sin(angle) * y;
-        if (!isFree(mouth, mirror.position, mirror.position + (radius + kAir) * out)) return false;
+        return mirror.position + (radius + kAir) * (std::cos(angle) * x + std::sin(angle) * y);
+    };
+    for (int i = 0; i < kRimPoints; ++i) {  // spokes, and the rim between them
+        if (!isFree(mouth, mirror.position, rim(i)) || !isFree(mouth, rim(i), rim(i + 1))) return false;
     }
     if (!isFree(mouth, mirror.position - kAir * z, mirror.position + kAir * z)) return false;
     const Vec3 stem = (x - z).normalized();  // 45 degrees behind the glass

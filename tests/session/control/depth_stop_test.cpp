@@ -56,12 +56,23 @@ TEST_F(DepthStopTest, TheHandFeelsASpringAlongTheShaft) {
 }
 
 TEST_F(DepthStopTest, NothingIsFeltAboveTheFloorAndOnTheWayOut) {
-    EXPECT_EQ(move(at(0, 2), at(0, -0.99), 20).position.z(), -0.99);
+    EXPECT_NEAR(move(at(0, 2), at(0, -0.99), 20).position.z(), -0.99, 1e-12);
     EXPECT_EQ(stop_.force(), Vec3::Zero());
     (void)move(at(0, -0.99), at(0, -2), 20);
     EXPECT_NEAR(move(at(0, -2), at(0, 1), 50).position.z(), 1, 1e-9);
     EXPECT_EQ(stop_.force(), Vec3::Zero());
     EXPECT_EQ(stop_.beyond(), 0);
+}
+
+TEST_F(DepthStopTest, AToolThatIsNotThereYetIsPressedALittleBeyondTheFloor) {
+    (void)move(at(0, 2), at(0, -2), 20);
+    const Vec3 above(0, 0, -0.5), there(0, 0, -1);
+    double z = 0;
+    for (int i = 0; i < 50; ++i) z = stop_.hold(at(0, -2), &control_, kTick, &above).position.z();
+    EXPECT_LT(z, -1.02);
+    EXPECT_GT(z, -1.1) << "no more can be cut too deep";
+    for (int i = 0; i < 50; ++i) z = stop_.hold(at(0, -2), &control_, kTick, &there).position.z();
+    EXPECT_NEAR(z, -1, 1e-9);
 }
 
 TEST_F(DepthStopTest, ALeaningShaftIsHeldAlongItself) {

@@ -240,9 +240,9 @@ TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
     EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) == 0; }));
 }
 
-/// A hand presses far beyond a floor of 0.15 mm, with the stop, without it, and where it is not allowed.
+/// A hand presses far beyond a floor of 0.03 mm, with the stop, without it, and where it is not allowed.
 TEST_F(SessionModelTest, ADeviceStopsAtTheDepthOfTheMouseIfItIsSaidSoAndAllowed) {
-    constexpr double kDepth = 0.15;  // mm
+    constexpr double kDepth = 0.03;  // mm
     const auto cutDepth = [this](bool on, bool allowed) {
         model_.install(test::blockTooth());
         model_.manipulator().depthControl().setDepth(kDepth);
@@ -252,7 +252,7 @@ TEST_F(SessionModelTest, ADeviceStopsAtTheDepthOfTheMouseIfItIsSaidSoAndAllowed)
         const double area = std::numbers::pi * test::kBurRadius * test::kBurRadius;
         return total(model_.runner()->feed().removed()) / area;
     };
-    EXPECT_NEAR(cutDepth(true, true), kDepth, 0.03);
+    EXPECT_NEAR(cutDepth(true, true), kDepth, 0.01);
     EXPECT_GT(cutDepth(false, true), 2 * kDepth);
     EXPECT_GT(cutDepth(true, false), 2 * kDepth);
 }

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The crowns of the average mouth against measured ones. Teeth of the left side are mirror images of these
+// (PermanentTooth.HasItsMirrorImageOnTheOtherSide).
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "geometry/io/stl_reader.h"
+#include "instruments/crown_measures.h"
+#include "support/sanitizer.h"
+#include "support/test_data.h"
+
+namespace tactooth {
+namespace {
+
+constexpr int kTriangles = 12000;
+
+/// What the tooth must not exceed; mm but for the correlation. A change of its form lowers these numbers.
+struct Limit {
+    int fdi;
+    double mirrorCorrelation, section, edge, thickness;
+};
+
+constexpr std::array<Limit, 16> kLimits = {{{11, 0.88, 0.25, 0.20, 0.10},
+                                            {12, 0.86, 0.35, 0.40, 0.10},
+                                            {13, 0.75, 0.30, 0.32, 0.20},
+                                            {14, 0.87, 1.00, 0, 0},
+                                            {15, 0.89, 1.20, 0, 0},
+                                            {16, 0.75, 0.70, 0, 0},
+                                            {17, 0.25, 0.80, 0, 0},
+                                            {18, 0.70, 0, 0, 0},
+                                            {41, 0.87, 0.35, 0.20, 0.15},
+                                            {42, 0.78, 0.25, 0.25, 0.15},
+                                            {43, 0.80, 0.35, 0.32, 0.16},
+                                            {44, 0.915, 1.30, 0, 0},
+                                            {45, 0.78, 1.00, 0, 0},
+                                            {46, 0.86, 1.25, 0, 0},
+                                            {47, 0.88, 0.55, 0, 0},
+                                            {48, 0.74, 0, 0, 0}}};
+constexpr double kMeanCorrelation = 0.78;  // that of real teeth is 0.79
+
+TEST(CrownAnatomy, IsNotFartherFromMeasuredTeethThanItsLimits) {
+    std::printf("%-6s %10s %10s %10s %10s\n", "teeth", "mirror", "section", "edge", "thickness");
+    const auto teeth = test::cases<std::size_t>(kLimits.size(), 2);
+    double sum = 0;
+    for (std::size_t i = 0; i < teeth; ++i) {
+        const Limit& limit = kLimits[i];
+        const test::CrownDeviation is = test::deviationOf(makeTooth({limit.fdi, kTriangles, 0, {}}));
+        const double edge = is.edge.value_or(0), thickness = is.thickness.value_or(0);
+        std::printf("%d %d  %10.3f %10.2f %10.2f %10.2f\n", limit.fdi, limit.fdi + (limit.fdi < 20 ? 10 : -10),
+                    is.mirrorCorrelation, is.section, edge, thickness);
+        sum += is.mirrorCorrelation;
+        EXPECT_LE(is.mirrorCorrelation, limit.mirrorCorrelation) << limit.fdi;
+        EXPECT_LE(is.section, limit.section) << limit.fdi;
+        EXPECT_LE(edge, limit.edge) << limit.fdi;
+        EXPECT_LE(thickness, limit.thickness) << limit.fdi;
+    }
+    std::printf("mean   %10.3f\n", sum / static_cast<double>(teeth));
+    if (teeth == kLimits.size()) {
+        EXPECT_LE(sum / static_cast<double>(teeth), kMeanCorrelation);
+    }
+}
+
+/// A lower tooth of one real adult.
+struct RealTooth {
+    int fdi;
+    const char* file;
+    bool mirrored;    ///< it is a tooth of the right side
+    double distance;  ///< limit, mm
+};
+
+constexpr RealTooth kRealTeeth[] = {{32, "openmandible/whole/L1_whole.stl", true, 0.14},
+                                    {33, "openmandible/whole/L3_whole.stl", false, 0.21},
+                                    {36, "openmandible/whole/L6_whole.stl", false, 0.31}};
+
+TEST(CrownAnatomy, IsAsNearToARealToothAsItsLimit) {
+    const auto folder = test::realTeethFolder();
+    if (!folder) GTEST_SKIP() << "needs the real teeth";
+    for (const RealTooth& tooth : kRealTeeth) {
+        TriangleMesh real = *readStl(*folder / tooth.file);
+        if (tooth.mirrored) {
+            for (Vec3f& vertex : real.vertices) vertex.x() = -vertex.x();
+            for (Triangle& triangle : real.triangles) std::swap(triangle[1], triangle[2]);
+        }
+        constexpr double kFrom = 1.5;  // mm: the crown above its neck
+        const TriangleMesh model = makeTooth({tooth.fdi, kTriangles, 0, {}}).outer;
+        const double distance = test::distanceFromReal(model, real, kFrom);
+        std::printf("%d  %.3f mm from a real one\n", tooth.fdi, distance);
+        EXPECT_LE(distance, tooth.distance) << tooth.fdi;
+    }
+}
+
+}  // namespace
+}  // namespace tactooth

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Fit to a real tooth: P. J. Besl, N. D. McKay, "A method for registration of 3-D shapes", IEEE PAMI 14 (1992), here
+// with a scale for each axis of the tooth; rotations by W. Kabsch, Acta Cryst. A32 (1976).
+#include "instruments/crown_measures.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "collision/bvh/closest_point.h"
+#include "instruments/measured_teeth.h"
+#include "instruments/permanent_teeth.h"
+#include "instruments/relief_map.h"
+
+namespace tactooth::test {
+namespace {
+
+const AverageTooth& averageOf(int fdi) { return *std::ranges::find(kAverageTeeth, fdi, &AverageTooth::fdi); }
+
+const MeasuredCrown* measuredCrown(int fdi) {
+    const auto* const found = std::ranges::find(kMeasuredCrowns, fdi, &MeasuredCrown::fdi);
+    return found == kMeasuredCrowns.end() ? nullptr : found;
+}
+
+/// Factors that give a measured tooth the diameters of the average one.
+Vec3 stretchOf(int fdi) {
+    const AverageTooth& average = averageOf(fdi);
+    const MeasuredCrown& measured = *measuredCrown(fdi);
+    return {average.mesiodistal / measured.mesiodistal, average.faciolingual / measured.buccolingual, 1};
+}
+
+/// The outline of a mesh at a height.
+Box3 sectionAt(const TriangleMesh& mesh, double z) {
+    Box3 box;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3 from = mesh.corner(i, corner), to = mesh.corner(i, (corner + 1) % 3);
+            if ((from.z() < z) != (to.z() < z)) box.extend(from + (z - from.z()) / (to.z() - from.z()) * (to - from));
+        }
+    }
+    return box;
+}
+
+double sectionDeviation(const TriangleMesh& mesh, int fdi) {
+    const MeasuredCrown& measured = *measuredCrown(fdi);
+    const double top = boundingBox(mesh).max().z(), length = averageOf(fdi).crown;
+    const Vec3 stretch = stretchOf(fdi);
+    double largest = 0;
+    for (std::size_t i = 0; i < kSectionDepths.size(); ++i) {
+        const MeasuredSection& section = measured.sections[i];
+        if (section.mesiodistal == 0) continue;
+        const Vec3 size = sectionAt(mesh, top - kSectionDepths[i] * length).sizes();
+        largest = std::max({largest, std::abs(size.x() - stretch.x() * section.mesiodistal),
+                            std::abs(size.y() - stretch.y() * section.buccolingual)});
+    }
+    return largest;
+}
+
+/// The highest place of a map over a line along `v`.
+Vec3 crestAt(const ReliefMap& map, double u) {
+    Vec3 crest(u, 0, -1e9);
+    for (double v = map.box().min().y(); v < map.box().max().y(); v += ReliefMap::kCell) {
+        const auto height = map.at(u, v);
+        if (height && *height > crest.z()) crest = {u, v, *height};
+    }
+    return crest;
+}
+
+/// Places of the edge from distal to mesial, of which the outermost ones stand where the outline falls steeply: those
+/// count with their distance in the plane of the edge alone.
+double edgeDeviation(const TriangleMesh& mesh, const MeasuredEdge& measured) {
+    const ReliefMap above(mesh, 0, 1, 2);
+    const double top = boundingBox(mesh).max().z();
+    const Vec3 stretch = stretchOf(measured.fdi);
+    double largest = 0;
+    for (std::size_t i = 1; i + 1 < measured.edge.size(); ++i) {
+        const Vec3 place = stretch.cwiseProduct(measured.edge[i]);
+        const Vec3 crest = crestAt(above, place.x());
+        largest = std::max({largest, std::abs(top - crest.z() - place.z()), std::abs(crest.y() - place.y())});
+    }
+    return largest;
+}
+
+double thicknessDeviation(const TriangleMesh& mesh, const MeasuredEdge& measured) {
+    const ReliefMap lip(mesh, 0, 2, 1), tongue(mesh, 0, 2, 1, -1);
+    const double top = crestAt(ReliefMap(mesh, 0, 1, 2), 0).z(), stretch = stretchOf(measured.fdi).y();
+    double squares = 0;
+    for (std::size_t i = 0; i < kProfileDepths.size(); ++i) {
+        const double z = top - kProfileDepths[i];
+        const double thickness = lip.at(0, z).value_or(0) - tongue.at(0, z).value_or(0);
+        const double difference = thickness - stretch * (measured.lip[i] - measured.tongue[i]);
+        squares += difference * difference;
+    }
+    return std::sqrt(squares / static_cast<double>(kProfileDepths.size()));
+}
+
+/// A map of a real tooth's points to the model's frame.
+struct Fit {
+    Mat3 turn = Mat3::Identity();
+    Vec3 scale = Vec3::Ones(), shift = Vec3::Zero();  ///< p -> scale * (turn p) + shift
+
+    [[nodiscard]] Vec3 operator()(const Vec3& p) const { return scale.cwiseProduct(turn * p) + shift; }
+    [[nodiscard]] Vec3 inverse(const Vec3& p) const { return turn.transpose() * (p - shift).cwiseQuotient(scale); }
+};
+
+/// The fit of `from` to `to`, nearer than `last`: first the rotation, then the scales.
+Fit fitted(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, const Fit& last) {
+    Fit fit;
+    const Vec3 middleFrom = from.rowwise().mean(), middleTo = to.rowwise().mean();
+    const Eigen::Matrix3Xd b = to.colwise() - middleTo;
+    const Mat3 products = last.scale.cwiseInverse().asDiagonal() * b * (from.colwise() - middleFrom).transpose();
+    const Eigen::JacobiSVD<Mat3> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double side = svd.matrixU().determinant() * svd.matrixV().determinant();
+    fit.turn = svd.matrixU() * Vec3(1, 1, side).asDiagonal() * svd.matrixV().transpose();
+    const Eigen::Matrix3Xd a = fit.turn * (from.colwise() - middleFrom);
+    fit.scale = a.cwiseProduct(b).rowwise().sum().cwiseQuotient(a.cwiseProduct(a).rowwise().sum());
+    constexpr double kMost = 1.25;  // between two adults
+    fit.scale = fit.scale.cwiseMax(1 / kMost).cwiseMin(kMost);
+    fit.shift = middleTo - fit.scale.cwiseProduct(fit.turn * middleFrom);
+    return fit;
+}
+
+/// Root mean square of the distances after the best fit from a start.
+double distanceAfterFit(const Eigen::Matrix3Xd& model, const SurfacePart& real, Fit fit) {
+    constexpr int kRounds = 60;
+    double square = 0;
+    Eigen::Matrix3Xd nearest(3, model.cols());
+    for (int round = 0; round <= kRounds; ++round) {
+        square = 0;
+        for (Eigen::Index i = 0; i < model.cols(); ++i) {
+            nearest.col(i) = closestPoint(real, fit.inverse(model.col(i)))->point;
+            square += (fit(nearest.col(i)) - model.col(i)).squaredNorm();
+        }
+        fit = fitted(nearest, model, fit);
+    }
+    return std::sqrt(square / static_cast<double>(model.cols()));
+}
+
+}  // namespace
+
+TriangleMesh mesialFrame(const BuiltinTooth& tooth) {
+    TriangleMesh mesh = tooth.outer;
+    if (mesialX(tooth.fdi) > 0) return mesh;
+    for (Vec3f& vertex : mesh.vertices) vertex.x() = -vertex.x();
+    for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    return mesh;
+}
+
+CrownDeviation deviationOf(const BuiltinTooth& tooth) {
+    const TriangleMesh mesh = mesialFrame(tooth);
+    const Box3 box = boundingBox(mesh);
+    CrownDeviation deviation;
+    if (isAnteriorTooth(tooth.fdi)) {
+        const double length = averageOf(tooth.fdi).crown;
+        deviation.mirrorCorrelation = mirrorCorrelation(ReliefMap(mesh, 0, 2, 1, -1), 0.15 * length, 0.97 * length);
+    } else {
+        const ReliefMap above(mesh, 0, 1, 2);
+        deviation.mirrorCorrelation = mirrorCorrelation(above, box.min().y(), box.max().y());
+    }
+    if (measuredCrown(tooth.fdi) == nullptr) return deviation;
+    deviation.section = sectionDeviation(mesh, tooth.fdi);
+    const auto* const edge = std::ranges::find(kMeasuredEdges, tooth.fdi, &MeasuredEdge::fdi);
+    if (edge == kMeasuredEdges.end()) return deviation;
+    deviation.edge = edgeDeviation(mesh, *edge);
+    deviation.thickness = thicknessDeviation(mesh, *edge);
+    return deviation;
+}
+
+double distanceFromReal(const TriangleMesh& model, const TriangleMesh& real, double from) {
+    std::vector<Vec3> crown;
+    for (const Vec3f& vertex : model.vertices) {
+        if (vertex.z() > from) crown.push_back(vertex.cast<double>());
+    }
+    constexpr std::size_t kPoints = 500;
+    const std::size_t step = std::max<std::size_t>(1, crown.size() / kPoints);
+    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(crown.size() / step));
+    for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = crown[static_cast<std::size_t>(i) * step];
+    const SurfacePart part(real);
+    const Box3 modelBox = boundingBox(model), realBox = boundingBox(real);
+    double least = 1e9;
+    constexpr int kStarts = 8;
+    for (int i = 0; i < kStarts; ++i) {
+        Fit start;
+        start.turn = Eigen::AngleAxisd(2 * std::numbers::pi * i / kStarts, Vec3::UnitZ()).toRotationMatrix();
+        start.shift = Vec3(0, 0, modelBox.max().z() - realBox.max().z());
+        const Vec3 middle = start.turn * realBox.center();
+        start.shift.head<2>() = -middle.head<2>();
+        least = std::min(least, distanceAfterFit(points, part, start));
+    }
+    return least;
+}
+
+}  // namespace tactooth::test
