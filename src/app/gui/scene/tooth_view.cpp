@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-#include "app/common/spin_blur.h"
+#include "app/gui/scene/scene_change.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/scene/view_cube.h"
 
@@ -24,23 +24,6 @@ constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
 constexpr double kZoomStep = 0.88;                         // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar
 constexpr double kKeyTurn = 6;      // times kKeyStep for a turn of the tooth
-
-/// A twentieth of a pixel at the bur's rim: the slow end of a bur that runs down is not drawn.
-constexpr double kSeenSpin = 0.003;  // rad
-constexpr float kSeenBlur = 0.02F;   // of spinBlur
-
-bool samePose(const Pose& a, const Pose& b) {
-    constexpr double kSeen = 0.002;  // mm, and rad times the length of the tool: a twentieth of a pixel
-    return (a.position - b.position).norm() < kSeen && a.rotation.angularDistance(b.rotation) < kSeen / 20;
-}
-
-bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<ShownOther>& drawn) {
-    if (now.has_value() != drawn.has_value()) return true;
-    if (!now) return false;
-    return now->tooth != drawn->tooth || now->tool.has_value() != drawn->tool.has_value() ||
-           (now->tool && (now->tool->bur != drawn->tool->bur || now->tool->turbine != drawn->tool->turbine ||
-                          !samePose(now->tool->toolInTooth, drawn->tool->toolInTooth)));
-}
 
 }  // namespace
 
@@ -196,26 +179,7 @@ std::optional<SecondView> ToothView::secondPicture() const {
 }
 
 FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
-    using enum FramePacer::Change;
-    if (now.tooth != drawn_.tooth || now.tool.has_value() != drawn_.tool.has_value() ||
-        now.mirror.has_value() != drawn_.mirror.has_value() || now.suction.has_value() != drawn_.suction.has_value() ||
-        now.flying != drawn_.flying || isOtherMoved(now.other, drawn_.other)) {
-        return Motion;
-    }
-    if (now.mirror && (now.mirror->mesh != drawn_.mirror->mesh || now.mirror->fog != drawn_.mirror->fog ||
-                       now.mirror->drops != drawn_.mirror->drops)) {
-        return Motion;
-    }
-    if (!now.tool) return None;
-    if (now.tool->bur != drawn_.tool->bur || now.tool->turbine != drawn_.tool->turbine ||
-        !samePose(now.tool->toolInTooth, drawn_.tool->toolInTooth)) {
-        return Motion;
-    }
-    const float blur = spinBlur(now.tool->speedRpm, now.tool->edge);
-    if (std::abs(blur - spinBlur(drawn_.tool->speedRpm, drawn_.tool->edge)) > kSeenBlur) return Spin;
-    if (blur == 1 && now.tool->blurred != nullptr) return None;  // a full blur looks the same at each angle
-    const double turned = std::remainder(now.tool->spin - drawn_.tool->spin, 2 * std::numbers::pi);
-    return std::abs(turned) > kSeenSpin && (second_ || seesTip(now)) ? Spin : None;
+    return sceneChange(now, drawn_, [&] { return second_ || seesTip(now); });
 }
 
 /// Whether the bur may be visible in the picture.

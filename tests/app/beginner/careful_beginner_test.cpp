@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "app/beginner_hand.h"
+#include "app/beginner/beginner_hand.h"
 #include "app/common/inspection.h"
 #include "app/gui/input/viewport.h"
 #include "assessment/cavity_metrics.h"

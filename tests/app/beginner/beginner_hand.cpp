@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/beginner_hand.h"
+#include "app/beginner/beginner_hand.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
