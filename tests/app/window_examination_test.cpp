@@ -124,7 +124,7 @@ void WindowExaminationTest::nothingIsMeasured() {
         window_->findChild<QAction*>(name)->trigger();
     }
     key(Qt::Key_I);
-    key(Qt::Key_V);
+    QTest::keyClick(&view(), Qt::Key_I, Qt::ShiftModifier);
     view().measureTool().setKind(MeasureKind::Distance);
     QVERIFY(!view().measureTool().isOn());
     QVERIFY(view().measureTool().overlay().isHidden());

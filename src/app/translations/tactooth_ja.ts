@@ -388,8 +388,8 @@ enamel is hard, dentin softer, caries soft. Switch off to set them yourself.</so
         <translation>初期値</translation>
     </message>
     <message>
-        <source>Haptic device stops there</source>
-        <translation>力覚装置もその深さで止める</translation>
+        <source>Device stops there</source>
+        <translation>装置も止める</translation>
     </message>
     <message>
         <source>A device that renders force holds the bur at the depth and pushes the hand back.

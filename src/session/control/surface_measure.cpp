@@ -49,8 +49,14 @@ Vec3 meanNormal(const Surface& surface, const Vec3& point, const Vec3& facing, d
     return axis;
 }
 
-std::optional<MeasuredPlace> placeOn(const Surface& surface, const Ray& ray) {
-    const auto hit = firstHitWithNormal(surface, ray);
+std::optional<MeasuredPlace> placeOn(const Surface& surface, const Ray& seen) {
+    constexpr double kBeside = 1e-5;  // mm: a ray right through an edge may pass between the triangles
+    Ray ray = seen;
+    auto hit = firstHitWithNormal(surface, ray);
+    if (!hit) {
+        ray.origin += kBeside * ray.direction.unitOrthogonal();
+        hit = firstHitWithNormal(surface, ray);
+    }
     if (!hit) return std::nullopt;
     const Vec3 point = ray.origin + hit->distance * ray.direction;
     const Vec3 towardEye = hit->normal.dot(ray.direction) > 0 ? Vec3(-hit->normal) : hit->normal;  // an open surface

@@ -13,7 +13,7 @@
 namespace tactooth {
 
 BurEntry::BurEntry(QWidget& window, DrillBar& drill, const ExerciseController& exercise)
-    : window_(window), drill_(drill), exercise_(exercise), action_(new QAction(tr("&Burs…"), this)) {
+    : window_(window), drill_(drill), exercise_(exercise), action_(new QAction(tr("&Burs…"), &window)) {
     action_->setObjectName("burEntry");
     bindKey(*action_, KeyId::Burs);
     action_->setStatusTip(tr("Chooses a bur by its picture"));

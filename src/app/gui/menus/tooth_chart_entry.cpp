@@ -28,7 +28,7 @@ ToothChartEntry::ToothChartEntry(QWidget& window, SessionModel& model, ToothCont
       model_(model),
       teeth_(teeth),
       exercise_(exercise),
-      action_(new QAction(tr("&Tooth chart…"), this)) {
+      action_(new QAction(tr("&Tooth chart…"), &window)) {
     action_->setObjectName("toothChartEntry");
     bindKey(*action_, KeyId::Chart);
     const QString tip = tr("Chooses a tooth of the whole mouth, with its neighbours and gums (Ctrl+T)");

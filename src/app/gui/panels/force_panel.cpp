@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/panels/force_panel.h"
 
+#include <QHBoxLayout>
 #include <QPushButton>
 
 #include "app/gui/text/translation.h"
@@ -66,13 +67,16 @@ void ForcePanel::addHand(QGridLayout& grid) {
     flat_->setToolTip(
         tr("On: the depth counts from the place where the cavity was begun, and the floor is flat.\nOff: the floor "
            "follows the surface."));
-    grid.addWidget(flat_, grid.rowCount(), 0, 1, 3);
-    stop_ = new QCheckBox(tr("Haptic device stops there"));
+    stop_ = new QCheckBox(tr("Device stops there"));
     stop_->setObjectName("depthStop");
     stop_->setToolTip(
         tr("A device that renders force holds the bur at the depth and pushes the hand back.\nIt is off in an "
            "examination."));
-    grid.addWidget(stop_, grid.rowCount(), 0, 1, 3);
+    auto* switches = new QHBoxLayout;  // in one row: the panel is as high as the window at its first start
+    switches->addWidget(flat_);
+    switches->addWidget(stop_);
+    switches->addStretch();
+    grid.addLayout(switches, grid.rowCount(), 0, 1, 3);
     press_ =
         new NumberRow(grid, tr("Mouse presses"), {0, MouseManipulator::kMaxPressDepth, 0.1, 1, tr(" mm")}, usual.press,
                       tr("How far the mouse presses beyond the surface: 1 mm is about 1 N on enamel."));
