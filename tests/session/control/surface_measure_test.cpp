@@ -146,9 +146,8 @@ TEST(SurfaceMeasure, ARoughSurfaceHasTheNormalOfItsMeanPlane) {
     const Surface rough = surfaceOf(std::move(mesh));
     double worst = 0;
     for (int i = 0; i < 20; ++i) {
-        worst = std::max(
-            worst,
-            degreesBetween(placeOn(rough, downAt(0.05 * i, 0.02 * i)).value().normal, Vec3::UnitZ()));
+        worst =
+            std::max(worst, degreesBetween(placeOn(rough, downAt(0.05 * i, 0.02 * i)).value().normal, Vec3::UnitZ()));
     }
     EXPECT_LT(worst, 1.5);  // a single triangle leans by up to ten degrees
 }
