@@ -145,6 +145,7 @@ void WindowKeysTest::thePictureObeysOwnKeys() {
     QApplication::setActiveWindow(window_.get());
     view().setFocus();
     const auto aimed = [this] { return window_->model().manipulator().landing(); };
+    QTest::mouseMove(&view(), middle() + QPoint(0, 80));  // on the tooth
     QTest::keyClick(&view(), Qt::Key_Right);
     QVERIFY(aimed().has_value());
     const Vec3 before = *aimed();

@@ -86,7 +86,7 @@ void WindowManualTest::aDialogIsExplainedAndLeavesTheManualFree() {
     auto* contents = manual().findChild<QTreeWidget*>("manualContents");
     contents->scrollToItem(contents->topLevelItem(0));
     const QRect place = contents->visualItemRect(contents->topLevelItem(0));
-    QTest::mouseClick(contents->viewport(), Qt::LeftButton, {}, place.center());
+    QTest::mouseClick(contents->viewport(), Qt::LeftButton, {}, {place.left() + 20, place.center().y()});
     QCOMPARE(manual().browser().page(), QString("user/first-ten-minutes.md"));
     QTest::keyClick(editor, Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<KeyEditor*>() == nullptr, kPatience);

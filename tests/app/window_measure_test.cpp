@@ -38,6 +38,8 @@ private:
         const Ray ray = view().viewport().rayThrough(Vec2(place.x(), place.y()) * view().devicePixelRatioF());
         return ray.origin + firstHit(*touchableSurface(window_->model()), ray).value() * ray.direction;
     }
+    /// A place on the chewing surface.
+    [[nodiscard]] QPoint crown() const { return middle() + QPoint(0, 80); }
     void click(const QPoint& place) const { QTest::mouseClick(&view(), Qt::LeftButton, {}, place); }
     [[nodiscard]] double number() const {
         return QString(overlay().result()).split(' ')[0].remove(QChar(0xB0)).toDouble();
@@ -56,7 +58,7 @@ void WindowMeasureTest::twoClicksMeasureADistanceAndPressNoBur() {
     QVERIFY(overlay().isHidden());
     key(Qt::Key_I);
     QVERIFY(entry("distance").isChecked() && overlay().isVisible());
-    const QPoint first = middle() - QPoint(40, 0), second = middle() + QPoint(50, 20);
+    const QPoint first = crown() - QPoint(40, 0), second = crown() + QPoint(50, 20);
     const Pose bur = window_->model().manipulator().pose();
     QTest::mouseMove(&view(), first);
     QTest::mousePress(&view(), Qt::LeftButton, {}, first);
@@ -97,7 +99,7 @@ void WindowMeasureTest::twoClicksMeasureTheAngleBetweenWalls() {
     key(Qt::Key_I);
     QTest::keyClick(&view(), Qt::Key_I, Qt::ShiftModifier);  // the one ends the other
     QVERIFY(entry("angle").isChecked() && !entry("distance").isChecked());
-    const QPoint first = middle() - QPoint(60, 0), second = middle() + QPoint(60, 10);
+    const QPoint first = crown() - QPoint(60, 0), second = crown() + QPoint(60, 10);
     click(first);
     click(second);
     const Surface& tooth = *touchableSurface(window_->model());
@@ -120,7 +122,7 @@ void WindowMeasureTest::twoClicksMeasureTheAngleBetweenWalls() {
 void WindowMeasureTest::itIsDoneByKeysAlone() {
     key(Qt::Key_I);
     QCOMPARE(window_->focusWidget(), static_cast<QWidget*>(&view()));
-    QTest::mouseMove(&view(), middle());
+    QTest::mouseMove(&view(), crown());
     QTest::keyClick(&view(), Qt::Key_Return);
     QVERIFY(!window_->model().manipulator().isPressing());
     for (int i = 0; i < 10; ++i) QTest::keyClick(&view(), Qt::Key_Right);
@@ -138,7 +140,7 @@ void WindowMeasureTest::aClickBesideTheToothMarksNothing() {
 
 void WindowMeasureTest::anotherToothTakesTheMarksAway() {
     key(Qt::Key_I);
-    click(middle());
+    click(crown());
     QCOMPARE(overlay().places().size(), std::size_t{1});
     loadMolar();
     QTRY_VERIFY_WITH_TIMEOUT(overlay().places().empty(), kLoadPatience);
@@ -147,25 +149,25 @@ void WindowMeasureTest::anotherToothTakesTheMarksAway() {
 }
 
 void WindowMeasureTest::afterwardsTheMousePressesTheBurAgain() {
-    pressBurOn(middle() + QPoint(0, 40));
+    pressBurOn(crown() + QPoint(0, 40));
     QVERIFY(window_->model().manipulator().isPressing());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
-    liftBur(middle());
+    liftBur(crown());
 }
 
 void WindowMeasureTest::savePictures(const QString& folder) {
     initTestCase();
-    const auto measure = [&](Qt::Key which, const QPoint& first, const QPoint& second, const char* name) {
-        key(which);
+    const auto measure = [&](const char* which, const QPoint& first, const QPoint& second, const char* name) {
+        entry(which).trigger();
         click(first);
         click(second);
         (void)waitForQuietPicture();
         view().grab().save(folder + '/' + name + ".png");
-        key(which);
+        entry(which).trigger();
     };
     key(Qt::Key_H);  // nothing in front of the tooth
-    measure(Qt::Key_I, middle() - QPoint(60, 10), middle() + QPoint(80, 30), "measure");
-    measure(Qt::Key_V, middle() - QPoint(60, 10), middle() + QPoint(10, 90), "measure-angle");
+    measure("distance", crown() - QPoint(60, 10), crown() + QPoint(80, 30), "measure");
+    measure("angle", crown() - QPoint(60, 10), crown() + QPoint(10, 90), "measure-angle");
     cleanupTestCase();
 }
 

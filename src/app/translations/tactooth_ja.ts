@@ -2234,4 +2234,215 @@ It is off in an examination.</source>
         <translation>すべて最初の値に(&amp;A)</translation>
     </message>
 </context>
+<context>
+    <name>tactooth::BurDialog</name>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search: shape, number, ISO number or size</source>
+        <translation>検索：形、番号、ISO番号、寸法</translation>
+    </message>
+    <message>
+        <source>Fa&amp;vourites only</source>
+        <translation>お気に入りだけ(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite (space)</source>
+        <translation>お気に入り（スペース）(&amp;F)</translation>
+    </message>
+    <message>
+        <source>No bur is like this</source>
+        <translation>当てはまるバーはありません</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurEntry</name>
+    <message>
+        <source>&amp;Burs…</source>
+        <translation>バー(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Chooses a bur by its picture</source>
+        <translation>絵からバーを選びます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurGrid</name>
+    <message>
+        <source>Burs</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Used in this exercise</source>
+        <translation>この演習で使うバー</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>お気に入り</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::BurList</name>
+    <message>
+        <source>From files</source>
+        <translation>ファイルから</translation>
+    </message>
+    <message>
+        <source>Diameter %1 mm</source>
+        <translation>直径 %1 mm</translation>
+    </message>
+    <message>
+        <source>Head length %1 mm</source>
+        <translation>頭部の長さ %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::MeasureMenu</name>
+    <message>
+        <source>M&amp;easure</source>
+        <translation>計測(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>距離(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Two clicks: the straight distance between two places, in mm</source>
+        <translation>2回クリック：2点間の直線距離（mm）</translation>
+    </message>
+    <message>
+        <source>&amp;Angle between walls</source>
+        <translation>壁の間の角度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Two clicks: the angle between the normals of the surface at two places, in degrees</source>
+        <translation>2回クリック：2か所の面の法線がなす角度（度）</translation>
+    </message>
+    <message>
+        <source>&amp;Clear, and end</source>
+        <translation>消す、終わる(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::MeasureOverlay</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Angle between walls: normals over discs of %1 mm radius</source>
+        <translation>壁の間の角度：半径 %1 mm の円板で平均した法線</translation>
+    </message>
+    <message>
+        <source>Distance from place to place</source>
+        <translation>2点間の距離</translation>
+    </message>
+    <message>
+        <source>Click the second place. Esc: clear</source>
+        <translation>2か所目をクリック。Esc：消す</translation>
+    </message>
+    <message>
+        <source>Click the first place. Esc: end</source>
+        <translation>1か所目をクリック。Esc：終わる</translation>
+    </message>
+    <message>
+        <source>Click to measure again. Esc: clear</source>
+        <translation>クリックで測り直す。Esc：消す</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChart</name>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>, on the bench</source>
+        <translation>（作業中の歯）</translation>
+    </message>
+    <message>
+        <source>; exercise: %1</source>
+        <translation>、演習：%1</translation>
+    </message>
+    <message>
+        <source>Upper right</source>
+        <translation>上顎右側</translation>
+    </message>
+    <message>
+        <source>Upper left</source>
+        <translation>上顎左側</translation>
+    </message>
+    <message>
+        <source>Lower right</source>
+        <translation>下顎右側</translation>
+    </message>
+    <message>
+        <source>Lower left</source>
+        <translation>下顎左側</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChartDialog</name>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>FDI (11 to 48)</source>
+        <translation>FDI（11～48）</translation>
+    </message>
+    <message>
+        <source>Universal (1 to 32)</source>
+        <translation>ユニバーサル（1～32）</translation>
+    </message>
+    <message>
+        <source>Palmer (1 to 8 with a corner)</source>
+        <translation>パーマー（1～8と鉤形）</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>番号(&amp;N)</translation>
+    </message>
+    <message>
+        <source>on the bench</source>
+        <translation>作業中の歯</translation>
+    </message>
+    <message>
+        <source>has an exercise</source>
+        <translation>演習がある歯</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothChartEntry</name>
+    <message>
+        <source>&amp;Tooth chart…</source>
+        <translation>歯列図(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Chooses a tooth of the whole mouth, with its neighbours and gums (Ctrl+T)</source>
+        <translation>口全体から歯を選びます。隣の歯と歯肉も一緒に読み込みます（Ctrl+T）</translation>
+    </message>
+    <message>
+        <source>Tooth chart</source>
+        <translation>歯列図</translation>
+    </message>
+    <message>
+        <source>Tooth %1</source>
+        <translation>歯 %1</translation>
+    </message>
+</context>
 </TS>

@@ -43,7 +43,9 @@ StatusLine::StatusLine(QWidget* parent)
     cancel_->setObjectName("cancelLoading");
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Keeps the present tooth; what is being loaded is dropped"));
+    cancel_->setAutoRaise(true);
     for (QWidget* part : std::initializer_list<QWidget*>{progress_, cancel_}) {
+        part->setMaximumHeight(fontMetrics().height());  // else the panels would jump when they come and go
         addWidget(part);
         part->hide();
     }

@@ -114,7 +114,8 @@ void MeasureOverlay::paintEvent(QPaintEvent*) {
         painter.setPen(ink);
         painter.drawText(box, Qt::AlignCenter, text);
     };
-    write(mark_.hint, QPointF(width() / 2.0, 0), QColor(245, 250, 255));
+    constexpr double kBelowLetters = 48;  // pixels from the upper edge
+    write(mark_.hint, QPointF(width() / 2.0, kBelowLetters), QColor(245, 250, 255));
     if (mark_.result.isEmpty() || mark_.places.size() < 2) return;
     QFont large = font();
     large.setBold(true);
