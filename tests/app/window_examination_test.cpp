@@ -160,7 +160,7 @@ void WindowExaminationTest::nothingIsTakenBack() {
     window_->model().goTo(0);
     for (QAction* menu : window_->menuBar()->actions()) {
         for (QAction* action : menu->menu()->actions()) {
-            if (action->text().contains("demonstration") || action->text().contains("Reset")) action->trigger();
+            if (action->text().contains("demonstration") || action->text().contains("Reset tooth")) action->trigger();
         }
     }
     waitForSteps(20);

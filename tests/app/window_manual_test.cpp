@@ -149,6 +149,7 @@ void WindowManualTest::inJapanesePagesAreJapaneseOrSaySo() {
         MainWindow again(*sound_);
         again.manual().openForFocus();
         ManualBrowser& browser = again.manual().manual()->browser();
+        browser.open("user/first-ten-minutes.md");
         QVERIFY(browser.toPlainText().contains(QStringLiteral("最初の10分")));
         emit browser.anchorClicked(QUrl("keys.ja.md"));
         QVERIFY(browser.toPlainText().contains(QStringLiteral("マウスとキー")));

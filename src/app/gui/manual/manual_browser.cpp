@@ -76,7 +76,7 @@ void ManualBrowser::finish(const QUrl& shown) {
     drawTables();
     showMarks();
     goTo(shown.fragment());
-    emit opened(page());
+    emit opened(pageOf(shown));  // source() may still be the page before
 }
 
 /// Markdown gives headings no names: the anchor is compared with that of each heading.

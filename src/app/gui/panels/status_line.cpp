@@ -56,7 +56,7 @@ StatusLine::StatusLine(QWidget* parent)
     pace_->setTextFormat(Qt::RichText);
 }
 
-void StatusLine::showLoading(bool isLoading, const std::optional<double>& share, bool canCancel) {
+bool StatusLine::showLoading(bool isLoading, const std::optional<double>& share, bool canCancel) {
     if (!isLoading) {
         loadingSince_.invalidate();
     } else if (!loadingSince_.isValid()) {
@@ -65,9 +65,10 @@ void StatusLine::showLoading(bool isLoading, const std::optional<double>& share,
     const bool isLong = isLoading && loadingSince_.elapsed() > kMomentMs;
     progress_->setVisible(isLong);
     cancel_->setVisible(isLong && canCancel);
-    if (!isLong) return;
+    if (!isLong) return false;
     progress_->setRange(0, share ? kPercent : 0);
     if (share) progress_->setValue(static_cast<int>(*share * kPercent));
+    return true;
 }
 
 /// A lamp with words, so that nobody has to tell its colours apart.

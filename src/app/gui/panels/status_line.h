@@ -27,8 +27,9 @@ public:
     /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
     /// Something is being loaded, `share` of it is done (0..1; none: nobody knows), or nothing is. What takes longer
-    /// than a moment has a bar and a button that cancels it. `canCancel`: there is a tooth to go back to.
-    void showLoading(bool isLoading, const std::optional<double>& share, bool canCancel);
+    /// than a moment has a bar and a button that cancels it. `canCancel`: there is a tooth to go back to. Returns
+    /// whether the bar is visible.
+    bool showLoading(bool isLoading, const std::optional<double>& share, bool canCancel);
     /// Whether it says how much was removed.
     void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
 

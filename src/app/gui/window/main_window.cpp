@@ -133,9 +133,10 @@ void MainWindow::connectLoop() {
         devices_.followButtons();
         sounds_.poll();
         exercise_.poll();
-        updater_.showStep(isBusy() || teeth_.isImporting() || replay_.isLoading());
+        const bool hasBar =
+            panels_.status->showLoading(teeth_.isBusy(), teeth_.loadedShare(), model_.tooth().has_value());
+        updater_.showStep(!hasBar && (isBusy() || teeth_.isImporting() || replay_.isLoading()));
         loop_.setBusy(isBusy() || restorer_.isBusy());
-        panels_.status->showLoading(teeth_.isBusy(), teeth_.loadedShare(), model_.tooth().has_value());
         unsaved_.showState();
     });
 }
