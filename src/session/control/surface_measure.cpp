@@ -54,7 +54,8 @@ std::optional<MeasuredPlace> placeOn(const Surface& surface, const Ray& seen) {
     Ray ray = seen;
     auto hit = firstHitWithNormal(surface, ray);
     if (!hit) {
-        ray.origin += kBeside * ray.direction.unitOrthogonal();
+        const Vec3 u = ray.direction.unitOrthogonal();
+        ray.origin += kBeside * (0.8 * u + 0.6 * ray.direction.cross(u));  // not along the edge of a grid either
         hit = firstHitWithNormal(surface, ray);
     }
     if (!hit) return std::nullopt;
