@@ -206,6 +206,19 @@ TEST(DeviceSet, ADepthStopInFreeSpacePushesNothing) {
     EXPECT_EQ(rig.hands.turbine().position.z(), 2);
 }
 
+TEST(DeviceSet, ASwapAtTheDepthStopMovesNothing) {
+    const DepthControl floor = floorAt(0.3);
+    Rig rig;
+    rig.controls.depthStop = &floor;
+    rig.press(rig.first);
+    const Vec3 held = rig.hands.turbine().position;
+    rig.click(rig.first, kSwap);
+    EXPECT_LT((rig.hands.turbine().position - held).norm(), 0.01);
+    rig.run(200);
+    EXPECT_LT((rig.hands.turbine().position - held).norm(), 0.1) << "no more than the press beyond the floor";
+    EXPECT_EQ(rig.second.force, Vec3::Zero()) << "not before it has been in free space";
+}
+
 TEST(DeviceSet, ALostDeviceGetsNoForceOfTheDepthStop) {
     const DepthControl floor = floorAt(0.3);
     Rig rig;
