@@ -7,10 +7,9 @@
 
 namespace tactooth {
 
-/// A depth stop for a hand that feels force: a virtual fixture (L. B. Rosenberg 1993). It holds the
-/// tool at the floor of a cavity while the device goes deeper, and pushes the device back along the shaft with a spring
-/// and a damper. What is simulated and recorded is the tool that was held. Servo thread only; does not allocate or
-/// lock.
+/// A depth stop for a hand that feels force: a virtual fixture (L. B. Rosenberg 1993). It holds the tool at the floor
+/// of a cavity while the device goes deeper, and pushes the device back along the shaft with a spring and a damper.
+/// What is simulated and recorded is the tool that was held. Servo thread only; does not allocate or lock.
 class DepthStop {
 public:
     /// The pose of the tool for a device that holds it at `wanted`, `elapsed` s after the last call. `control`: where

@@ -120,9 +120,8 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
 ForceCommand DeviceSet::wantedFor(const HeldDevice& hand, const Tick& tick, bool enabled) const {
     const int holder = holders_[kTurbine];
     const bool holds = holder != kNoHolder && devices_[static_cast<std::size_t>(holder)] == &hand;
-    ForceCommand wanted = forceCommandFrom(tick);
+    ForceCommand wanted = holds ? forceCommandFrom(tick) : ForceCommand{};
     if (holds) addDepthStop(wanted, depthStop_);
-    if (!holds) wanted = ForceCommand{};
     const DeviceMapping& frame = hand.frames[kTurbine];
     wanted.wrench = frame.toDevice(wanted.wrench);
     wanted.driveForce = frame.toDevice(Wrench{wanted.driveForce, Vec3::Zero()}).force;

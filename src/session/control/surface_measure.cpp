@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -39,7 +40,7 @@ Vec3 areaSum(const Surface& surface, const Vec3& point, const Vec3& axis, double
 
 Vec3 meanNormal(const Surface& surface, const Vec3& point, const Vec3& facing, double radius) {
     TACTOOTH_ASSERT(radius > 0);
-    TACTOOTH_ASSERT(std::abs(facing.norm() - 1) < 1e-6);
+    TACTOOTH_ASSERT(isUnit(facing));
     Vec3 axis = facing;
     for (int round = 0; round < kRounds; ++round) {
         const Vec3 sum = areaSum(surface, point, axis, radius);
