@@ -4,6 +4,7 @@
 
 #include <QPainter>
 
+#include "app/common/image_view.h"
 #include "app/common/offscreen_application.h"
 
 namespace tactooth {
@@ -19,8 +20,7 @@ ContactSheet::ContactSheet(int columns, int rows, ImageSize tile)
 }
 
 void ContactSheet::place(int column, int row, const Image& picture, const std::string& word) {
-    const QImage tile(reinterpret_cast<const uchar*>(picture.pixels.data()), picture.size.width, picture.size.height,
-                      QImage::Format_RGBA8888);
+    const QImage tile = viewOf(picture);
     const int x = column * tile_.width, y = row * (tile_.height + kWordHeight);
     QPainter painter(&sheet_);
     painter.drawImage(x, y, tile);

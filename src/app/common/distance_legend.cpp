@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/common/image_view.h"
 #include "app/common/offscreen_application.h"
 #include "view/mesh/distance_grid.h"
 
@@ -60,8 +61,7 @@ void drawDistanceLegend(QPainter& painter, const QRectF& box, const DistanceScal
 
 void drawDistanceLegend(Image& image, const DistanceScale& scale) {
     const OffscreenApplication application;
-    QImage canvas(reinterpret_cast<uchar*>(image.pixels.data()), image.size.width, image.size.height,
-                  QImage::Format_RGBA8888);
+    QImage canvas = viewOf(image);
     QPainter painter(&canvas);
     const double unit = std::max(1.0, image.size.height / 60.0);
     drawDistanceLegend(painter, QRectF(1.5 * unit, image.size.height - 9.5 * unit, 30 * unit, 8 * unit), scale,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/common/image_view.h"
 #include "app/common/offscreen_application.h"
 #include "geometry/util/assert.h"
 
@@ -84,8 +85,7 @@ void drawAxisLetter(QPainter& painter, const QRectF& box, char letter) {
 
 void drawViewMarks(Image& image, const Camera& camera, double mesialX, double pixelsPerMm) {
     const OffscreenApplication application;
-    QImage canvas(reinterpret_cast<uchar*>(image.pixels.data()), image.size.width, image.size.height,
-                  QImage::Format_RGBA8888);
+    QImage canvas = viewOf(image);
     QPainter painter(&canvas);
     const double unit = std::max(4.0, image.size.height / 100.0);
     const ScaleBar bar = scaleBar(pixelsPerMm, image.size.width / 5.0);

@@ -2433,8 +2433,12 @@ It is off in an examination.</source>
         <translation>歯列図(&amp;T)…</translation>
     </message>
     <message>
-        <source>Chooses a tooth of the whole mouth, with its neighbours and gums (Ctrl+T)</source>
-        <translation>口全体から歯を選びます。隣の歯と歯肉も一緒に読み込みます（Ctrl+T）</translation>
+        <source>Chooses a tooth of the whole mouth, with its neighbours and gums (%1)</source>
+        <translation>口全体から歯を選びます。隣の歯と歯肉も一緒に読み込みます（%1）</translation>
+    </message>
+    <message>
+        <source>Chooses a tooth of the whole mouth, with its neighbours and gums</source>
+        <translation>口全体から歯を選びます。隣の歯と歯肉も一緒に読み込みます</translation>
     </message>
     <message>
         <source>Tooth chart</source>

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "app/common/distance_legend.h"
+#include "app/common/image_view.h"
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
 #include "view/render/offscreen.h"
@@ -34,8 +35,7 @@ std::string titleOf(std::string_view name) {
 }
 
 std::string pngBase64(const Image& image) {
-    const QImage picture(reinterpret_cast<const uchar*>(image.pixels.data()), image.size.width, image.size.height,
-                         4 * image.size.width, QImage::Format_RGBA8888);
+    const QImage picture = viewOf(image);
     QByteArray encoded;
     QBuffer buffer(&encoded);
     buffer.open(QIODevice::WriteOnly);

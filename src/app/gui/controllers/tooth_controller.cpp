@@ -64,10 +64,10 @@ void ToothController::replaceTooth(const std::function<void()>& load) {
     unsaved_.confirmDiscard(load, [this] { emit loadingDeclined(); });
 }
 
-void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hint) {
-    replaceTooth([this, tooth = std::move(tooth), hint] {
+void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hint, LoadedShare share) {
+    replaceTooth([this, tooth = std::move(tooth), hint, share = std::move(share)] {
         messages_.setHint(hint);
-        share_.reset();
+        share_ = share;
         loader_.load(tooth);
     });
 }
@@ -87,18 +87,16 @@ void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
 }
 
 void ToothController::loadMouth(const MouthChoice& mouth) {
-    replaceTooth([this, mouth] {
-        messages_.setHint(tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
-        share_ = std::make_shared<std::atomic<double>>(0);
-        loader_.load(Task<SessionTooth>::Function([mouth, share = share_] {
-            // The parts are counted by several threads: the largest count is the newest.
-            return makeSessionTooth(mouth, [&](double done) {
-                double before = share->load();
-                while (before < done && !share->compare_exchange_weak(before, done)) {
-                }
-            });
-        }));
-    });
+    const auto share = std::make_shared<std::atomic<double>>(0);
+    const auto make = [mouth, share] {
+        // The parts are counted by several threads: the largest count is the newest.
+        return makeSessionTooth(mouth, [&](double done) {
+            double before = share->load();
+            while (before < done && !share->compare_exchange_weak(before, done)) {
+            }
+        });
+    };
+    load(make, tr("Making the whole mouth around tooth %1…").arg(mouth.fdi), share);
 }
 
 void ToothController::openTooth(const ToothSource& source, const std::string& workOn) {

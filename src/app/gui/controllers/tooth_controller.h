@@ -33,8 +33,10 @@ public:
     void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
     void loadMouth(const MouthChoice& mouth);
+    /// The share of the work that is done, 0..1; null: nobody knows.
+    using LoadedShare = std::shared_ptr<const std::atomic<double>>;
     /// `hint`: what the status line says meanwhile.
-    void load(Task<SessionTooth>::Function tooth, const QString& hint);
+    void load(Task<SessionTooth>::Function tooth, const QString& hint, LoadedShare share = nullptr);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// A tooth, a case, the description of an exercise, or a recorded session.
     void openFile(const QString& file);
@@ -81,7 +83,8 @@ signals:
     void exerciseFileChosen(const QString& file);
     void recordingChosen(const QString& file);
     void loadingFailed();
-    /// The tooth stays: the user keeps its cuts, which are not saved, or an examination goes on with it.
+    /// The tooth stays: the user keeps its cuts, which are not saved, an examination goes on with it, or the user has
+    /// cancelled what was being loaded.
     void loadingDeclined();
 
 private:
@@ -96,7 +99,7 @@ private:
     UnsavedWork& unsaved_;
     QWidget& window_;
     SessionLoader loader_;
-    std::shared_ptr<std::atomic<double>> share_;  // of the whole mouth that is loaded; null: none is
+    LoadedShare share_;
     ScanImporter importer_;
     ToothSource source_;
     std::function<SessionWork()> work_;

@@ -103,8 +103,7 @@ QString WindowHints::text(Reason reason) const {
             return forceStateText(ForceState::AwaitsFreeSpace);
         case Reason::WorkspaceEnd:
             return tr("The hand is at the end of the device's workspace: hold the bur (%1), bring the hand back and "
-                      "let "
-                      "go")
+                      "let go")
                 .arg(keyOf(*panels_.device->clutchAction()));
         case Reason::BurStopped:
             return tr("The bur stands still: hold the pedal (%1), or tick Keep down").arg(pedalKey());

@@ -4,12 +4,12 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "app/common/scene_builder.h"
+#include "app/gui/input/picture_pixels.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -19,7 +19,6 @@ constexpr int kFrameMs = 66;         // between two pictures: software OpenGL ca
 constexpr double kTurnSeconds = 14;  // of one turn
 constexpr double kClick = 4;         // pixels of the screen: a hand that clicks moves less
 constexpr double kMesial = 1;        // along x: nobody has said yet on which side of the mouth the tooth is
-constexpr double kZoomStep = 0.88;   // for one notch of the wheel
 constexpr OrbitCamera::Direction kStart{1.25, 0.45};
 
 }  // namespace
@@ -49,23 +48,13 @@ void ScanPreview::forgetRenderer() {
     doneCurrent();
 }
 
-ImageSize ScanPreview::imageSize() const {
-    const double ratio = devicePixelRatioF();
-    return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
-            std::max(1, static_cast<int>(std::lround(height() * ratio)))};
-}
-
-Vec2 ScanPreview::toPixel(const QPointF& position) const {
-    return Vec2(position.x(), position.y()) * devicePixelRatioF();
-}
-
 void ScanPreview::show(std::shared_ptr<const Surface> surface) {
     surface_ = std::move(surface);
     if (surface_ == nullptr) {
         turning_.stop();
         return update();
     }
-    eye_.fit(surface_->base->tree().box(), imageSize().aspect());
+    eye_.fit(surface_->base->tree().box(), pictureSize(*this).aspect());
     if (!wasHeld_) turning_.start();
     look();
 }
@@ -73,12 +62,12 @@ void ScanPreview::show(std::shared_ptr<const Surface> surface) {
 void ScanPreview::turnOn() {
     constexpr double kHalfHeights = 4;  // pictures' half heights in a turn: see OrbitCamera::orbit
     const double share = kFrameMs / (1000 * kTurnSeconds);
-    eye_.orbit(Vec2(-share * kHalfHeights * imageSize().height / 2.0, 0), imageSize());
+    eye_.orbit(Vec2(-share * kHalfHeights * pictureSize(*this).height / 2.0, 0), pictureSize(*this));
     look();
 }
 
 void ScanPreview::look() {
-    overlays_->follow(eye_, imageSize(), kMesial);
+    overlays_->follow(eye_, pictureSize(*this), kMesial);
     update();
 }
 
@@ -93,7 +82,7 @@ void ScanPreview::paintGL() {
     SceneContents contents;
     contents.tooth = surface_;
     contents.camera = eye_.camera();
-    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), imageSize(), kQuick);
+    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(*this), kQuick);
 }
 
 void ScanPreview::resizeEvent(QResizeEvent* event) {
@@ -102,7 +91,7 @@ void ScanPreview::resizeEvent(QResizeEvent* event) {
 }
 
 void ScanPreview::mousePressEvent(QMouseEvent* event) {
-    pressed_ = last_ = toPixel(event->position());
+    pressed_ = last_ = pixelAt(*this, event->position());
     isDrag_ = false;
     wasHeld_ = true;
     turning_.stop();
@@ -110,16 +99,16 @@ void ScanPreview::mousePressEvent(QMouseEvent* event) {
 
 void ScanPreview::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) return;
-    const Vec2 now = toPixel(event->position());
+    const Vec2 now = pixelAt(*this, event->position());
     isDrag_ = isDrag_ || (now - pressed_).norm() > kClick * devicePixelRatioF();
     if (!isDrag_) return;
-    eye_.orbit(now - std::exchange(last_, now), imageSize());
+    eye_.orbit(now - std::exchange(last_, now), pictureSize(*this));
     look();
 }
 
 void ScanPreview::mouseReleaseEvent(QMouseEvent* event) {
     if (isDrag_ || surface_ == nullptr || event->button() != Qt::LeftButton) return;
-    const Ray ray = rayThrough(eye_.camera(), imageSize(), toPixel(event->position()));
+    const Ray ray = rayThrough(eye_.camera(), pictureSize(*this), pixelAt(*this, event->position()));
     const auto hit = firstHit(*surface_, ray);
     if (!hit) return;
     const Vec3 place = ray.origin + *hit * ray.direction;
@@ -127,9 +116,8 @@ void ScanPreview::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void ScanPreview::wheelEvent(QWheelEvent* event) {
-    constexpr double kNotch = 120;  // eighths of a degree
-    const double notches = event->angleDelta().y() / kNotch;
-    eye_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
+    const double notches = notchesOf(*event);
+    eye_.zoom(std::pow(kZoomStep, notches), pixelAt(*this, event->position()), pictureSize(*this));
     look();
     event->accept();
 }

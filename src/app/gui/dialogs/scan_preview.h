@@ -42,8 +42,6 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    [[nodiscard]] ImageSize imageSize() const;
-    [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     void turnOn();
     void look();
     void forgetRenderer();

@@ -22,12 +22,19 @@ struct Word {
     const char* word;
     const MessageText* text;
 };
-constexpr std::array kWords = {
-    Word{"fit", &msg::kSettingsWordFit},           Word{"occlusal", &msg::kSettingsWordOcclusal},
-    Word{"buccal", &msg::kSettingsWordBuccal},     Word{"lingual", &msg::kSettingsWordLingual},
-    Word{"mesial", &msg::kSettingsWordMesial},     Word{"distal", &msg::kSettingsWordDistal},
-    Word{"none", &msg::kSettingsWordNone},         Word{kMouseToDepth, &msg::kSettingsWordDepth},
-    Word{kMouseByForce, &msg::kSettingsWordForce}, Word{"en", &msg::kSettingsWordEnglish}};
+constexpr std::array kWords = {Word{"fit", &msg::kSettingsWordFit},
+                               Word{"occlusal", &msg::kSettingsWordOcclusal},
+                               Word{"buccal", &msg::kSettingsWordBuccal},
+                               Word{"lingual", &msg::kSettingsWordLingual},
+                               Word{"mesial", &msg::kSettingsWordMesial},
+                               Word{"distal", &msg::kSettingsWordDistal},
+                               Word{"none", &msg::kSettingsWordNone},
+                               Word{kMouseToDepth, &msg::kSettingsWordDepth},
+                               Word{kMouseByForce, &msg::kSettingsWordForce},
+                               Word{"fdi", &msg::kSettingsWordFdi},
+                               Word{"universal", &msg::kSettingsWordUniversal},
+                               Word{"palmer", &msg::kSettingsWordPalmer},
+                               Word{"en", &msg::kSettingsWordEnglish}};
 
 /// A word of the settings as the user reads it; numbers stay as they are.
 QString shownWord(const QString& word) {

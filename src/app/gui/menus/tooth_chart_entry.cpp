@@ -30,10 +30,8 @@ ToothChartEntry::ToothChartEntry(QWidget& window, SessionModel& model, ToothCont
       exercise_(exercise),
       action_(new QAction(tr("&Tooth chart…"), &window)) {
     action_->setObjectName("toothChartEntry");
-    bindKey(*action_, KeyId::Chart);
-    const QString tip = tr("Chooses a tooth of the whole mouth, with its neighbours and gums (Ctrl+T)");
-    action_->setToolTip(tip);
-    action_->setStatusTip(tip);
+    bindKey(*action_, KeyId::Chart, tr("Chooses a tooth of the whole mouth, with its neighbours and gums (%1)"));
+    action_->setStatusTip(tr("Chooses a tooth of the whole mouth, with its neighbours and gums"));
     setLineIcon(*action_, "mouth");
     connect(action_, &QAction::triggered, this, &ToothChartEntry::open);
     showTooth();

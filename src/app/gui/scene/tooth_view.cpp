@@ -21,7 +21,6 @@ namespace {
 constexpr int kRestMs = 400;                               // without a change until the full-quality picture is drawn
 constexpr double kPressStep = 0.1;                         // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
-constexpr double kZoomStep = 0.88;                         // for one notch, or one press of a key
 constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar
 constexpr double kKeyTurn = 6;      // times kKeyStep for a turn of the tooth
 
@@ -92,16 +91,6 @@ void ToothView::setContents(ContentsSource contents) {
     redraw();
 }
 
-ImageSize ToothView::imageSize() const {
-    const double ratio = devicePixelRatioF();
-    return {std::max(1, static_cast<int>(std::lround(width() * ratio))),
-            std::max(1, static_cast<int>(std::lround(height() * ratio)))};
-}
-
-Vec2 ToothView::toPixel(const QPointF& position) const {
-    return Vec2(position.x(), position.y()) * devicePixelRatioF();
-}
-
 void ToothView::report(const Error& error) {
     failed_ = true;
     emit failed(QString::fromStdString(error.message()));
@@ -123,7 +112,7 @@ void ToothView::initializeGL() {
 /// Draws the picture again. When only the desktop needs it, Qt reuses the last one.
 void ToothView::redraw() {
     isStale_ = true;
-    overlays_->follow(camera_, imageSize(), model_.mesialX());
+    overlays_->follow(camera_, pictureSize(*this), model_.mesialX());
     if (measure_->isOn()) measure_->follow(viewport());
     update();
 }
@@ -148,7 +137,7 @@ void ToothView::paintGL() {
     Scene scene = sceneFor(now);
     scene.second = secondPicture();
     if (magnifies() && now.tool) scene.magnified = now.tool->toolInTooth * Vec3(0, 0, 0.5 * now.tool->head.length);
-    auto done = renderer_->render(scene, defaultFramebufferObject(), imageSize(), settings);
+    auto done = renderer_->render(scene, defaultFramebufferObject(), pictureSize(*this), settings);
     if (!done) report(done.error());
     context()->functions()->glFinish();  // a software renderer still works after the last call
     if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
@@ -184,7 +173,7 @@ FramePacer::Change ToothView::changeTo(const SceneContents& now) const {
 
 /// Whether the bur may be visible in the picture.
 bool ToothView::seesTip(const SceneContents& now) const {
-    const ImageSize size = imageSize();
+    const ImageSize size = pictureSize(*this);
     const auto pixel = project(camera_.camera(), size, now.tool->toolInTooth.position);
     constexpr double kAround = 0.3;  // of the picture's size: the shaft may be visible when the tip is outside
     return pixel && std::abs(pixel->x() / size.width - 0.5) < 0.5 + kAround &&
@@ -203,7 +192,7 @@ void ToothView::refresh() {
 void ToothView::fit() {
     if (!model_.tooth()) return;
     constexpr double kFilled = 0.8;  // of the picture: the rim shows what is around
-    camera_.fill(crownCorners(contents().tooth.get(), model_.tooth()->box()), kFilled, imageSize().aspect());
+    camera_.fill(crownCorners(contents().tooth.get(), model_.tooth()->box()), kFilled, pictureSize(*this).aspect());
     redraw();
 }
 
@@ -213,11 +202,11 @@ void ToothView::setOrbitCamera(const OrbitCamera& eye) {
 }
 
 void ToothView::orbitBy(const Vec2& displacement, bool shifts) {
-    moveCamera(imageSize().height * displacement, shifts ? Qt::MiddleButton : Qt::RightButton);
+    moveCamera(pictureSize(*this).height * displacement, shifts ? Qt::MiddleButton : Qt::RightButton);
 }
 
 void ToothView::zoomBy(double factor) {
-    const ImageSize size = imageSize();
+    const ImageSize size = pictureSize(*this);
     camera_.zoom(factor, Vec2(size.width / 2.0, size.height / 2.0), size);
     redraw();
 }
@@ -241,7 +230,7 @@ void ToothView::resetView() {
     camera_.setView(defaultView(model_));
     // The user works on the crown. The roots may be outside the picture, the head of the handpiece should not.
     constexpr double kAbove = 13;  // mm
-    if (model_.tooth()) camera_.fit(crownBox(model_.tooth()->box(), kAbove), imageSize().aspect());
+    if (model_.tooth()) camera_.fit(crownBox(model_.tooth()->box(), kAbove), pictureSize(*this).aspect());
     redraw();
 }
 
@@ -304,14 +293,14 @@ void ToothView::setSecondView(std::optional<StandardView> view, const QString& t
 void ToothView::resizeEvent(QResizeEvent* event) {
     isStale_ = true;
     QOpenGLWidget::resizeEvent(event);
-    secondFrame_->fitTo(imageSize());
+    secondFrame_->fitTo(pictureSize(*this));
     aim_->setGeometry(rect());
-    overlays_->follow(camera_, imageSize(), model_.mesialX());
+    overlays_->follow(camera_, pictureSize(*this), model_.mesialX());
     if (measure_->isOn()) measure_->follow(viewport());
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
-    mouse_ = toPixel(event->position());
+    mouse_ = pixelAt(*this, event->position());
     if (event->button() != Qt::LeftButton) return;
     if (isMeasuring()) return measure_->pick(*touchableSurface(model_), viewport(), mouse_);
     if (!contents_ && !mirrorMouse_.isHeld()) model_.manipulator().press(viewport(), mouse_);
@@ -323,15 +312,15 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event) {
 
 void ToothView::moveCamera(const Vec2& displacement, Qt::MouseButtons buttons) {
     if (buttons & Qt::RightButton) {
-        camera_.orbit(displacement, imageSize());
+        camera_.orbit(displacement, pictureSize(*this));
     } else {
-        camera_.pan(displacement, imageSize());
+        camera_.pan(displacement, pictureSize(*this));
     }
     redraw();
 }
 
 void ToothView::mouseMoveEvent(QMouseEvent* event) {
-    const Vec2 now = toPixel(event->position());
+    const Vec2 now = pixelAt(*this, event->position());
     const bool turnsByLeft = contents_ && (event->buttons() & Qt::LeftButton) != 0;
     if (turnsByLeft || (event->buttons() & (Qt::RightButton | Qt::MiddleButton))) {
         moveCamera(now - mouse_, turnsByLeft ? Qt::MouseButtons(Qt::RightButton) : event->buttons());
@@ -362,7 +351,7 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
 bool ToothView::obeyKey(const QKeyEvent& key) {
     const std::array<std::pair<int, Vec2>, 4> directions = {
         {{keys_.left, Vec2(-1, 0)}, {keys_.right, Vec2(1, 0)}, {keys_.up, Vec2(0, -1)}, {keys_.down, Vec2(0, 1)}}};
-    const ImageSize size = imageSize();
+    const ImageSize size = pictureSize(*this);
     if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
     for (const auto& [code, displacement] : directions) {
         if (key.key() != code) continue;
@@ -439,13 +428,11 @@ void ToothView::endKeyPress() {
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {
-    constexpr double kNotch = 120;              // eighths of a degree
-    const QPoint turned = event->angleDelta();  // with Alt a wheel turns sideways
-    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / kNotch;
+    const double notches = notchesOf(*event);
     if (mirrorMouse_.isHeld()) {
         mirrorMouse_.turnWheel(viewport(), notches);
     } else if (contents_ || (event->modifiers() & keys_.zoom)) {
-        camera_.zoom(std::pow(kZoomStep, notches), toPixel(event->position()), imageSize());
+        camera_.zoom(std::pow(kZoomStep, notches), pixelAt(*this, event->position()), pictureSize(*this));
         redraw();
     } else {
         turnWheel(notches, event->modifiers());

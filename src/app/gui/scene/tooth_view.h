@@ -10,6 +10,7 @@
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
 #include "app/gui/input/mirror_mouse.h"
+#include "app/gui/input/picture_pixels.h"
 #include "app/gui/input/viewport.h"
 #include "app/gui/keys/key_map.h"
 #include "app/gui/scene/aim_overlay.h"
@@ -81,7 +82,7 @@ public:
     /// Shows a small picture from another side too; none: no small picture.
     void setSecondView(std::optional<StandardView> view, const QString& title = {});
     /// The picture for the mouse manipulator.
-    [[nodiscard]] Viewport viewport() const { return {camera_.camera(), imageSize()}; }
+    [[nodiscard]] Viewport viewport() const { return {camera_.camera(), pictureSize(*this)}; }
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
@@ -113,8 +114,6 @@ protected:
 private:
     [[nodiscard]] SceneContents contents() const;
     void addGlass(SceneContents& contents) const;
-    [[nodiscard]] ImageSize imageSize() const;
-    [[nodiscard]] Vec2 toPixel(const QPointF& position) const;
     [[nodiscard]] FramePacer::Change changeTo(const SceneContents& now) const;
     [[nodiscard]] Scene sceneFor(const SceneContents& contents) const;
     [[nodiscard]] bool seesTip(const SceneContents& now) const;

@@ -137,6 +137,9 @@ inline constexpr MessageText kSettingsWordDepth{"settings_word_depth", "a depth"
 inline constexpr MessageText kSettingsWordForce{"settings_word_force", "the force", "力"};
 inline constexpr MessageText kSettingsWordOn{"settings_word_on", "on", "オン"};
 inline constexpr MessageText kSettingsWordOff{"settings_word_off", "off", "オフ"};
+inline constexpr MessageText kSettingsWordFdi{"settings_word_fdi", "FDI", "FDI"};  // a name
+inline constexpr MessageText kSettingsWordUniversal{"settings_word_universal", "Universal", "ユニバーサル"};
+inline constexpr MessageText kSettingsWordPalmer{"settings_word_palmer", "Palmer", "パーマー"};
 inline constexpr MessageText kSettingsWordEnglish{"settings_word_english", "English", "English"};  // a name
 
 }  // namespace tactooth::msg
