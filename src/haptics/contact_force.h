@@ -37,9 +37,9 @@ struct ContactState {
 
 /// Replaces numbers of all materials, for experiments. They hold at once, without a blend. None is negative.
 struct ForceOverrides {
-    std::optional<double> stiffness;  ///< N/mm
-    std::optional<double> damping;    ///< N*s/mm
-    std::optional<double> friction;   ///< Coulomb coefficient; 0: only spring and damper
+    std::optional<double> stiffness{};  ///< N/mm
+    std::optional<double> damping{};    ///< N*s/mm
+    std::optional<double> friction{};   ///< Coulomb coefficient; 0: only spring and damper
 
     friend bool operator==(const ForceOverrides&, const ForceOverrides&) = default;
 };

@@ -64,7 +64,7 @@ struct ToothRequest {
     int fdi = 46;            ///< permanent tooth: isPermanentTooth(fdi)
     int triangles = 20000;   ///< of `outer`, about; the other layers have the same resolution
     std::uint32_t seed = 0;  ///< 0: the average tooth; any other number: the same tooth of another patient
-    std::optional<Lesion> lesion;
+    std::optional<Lesion> lesion{};
 };
 
 /// Whether a number is one of 11-18, 21-28, 31-38, 41-48.

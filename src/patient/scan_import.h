@@ -28,7 +28,7 @@ struct Scan {
 
 /// Settings of the user for a scan; what is empty is guessed.
 struct ImportOptions {
-    std::optional<double> mmPerUnit;
+    std::optional<double> mmPerUnit{};
     FrameHints frame = {};
     HolesToFill holes = HolesToFill::Small;
     bool modelsLayers = true;  ///< false: a scan without layers is of one material

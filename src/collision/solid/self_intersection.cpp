@@ -22,11 +22,11 @@
 namespace tactooth {
 namespace {
 
-struct Box8 {
+struct LeafBoxes {
     Vec3x8 low, high;
 };
 
-Box8 boxesOf(const AabbTree::Leaf& leaf) {
+LeafBoxes boxesOf(const AabbTree::Leaf& leaf) {
     const Vec3x8 a = Vec3x8::load(leaf.corner[0]), b = Vec3x8::load(leaf.corner[1]), c = Vec3x8::load(leaf.corner[2]);
     return {min(min(a, b), c), max(max(a, b), c)};
 }
@@ -50,7 +50,7 @@ struct NearBox {
         }
     }
     /// One bit for each of eight boxes that overlaps this one.
-    [[nodiscard]] std::uint32_t meets(const Box8& other) const {
+    [[nodiscard]] std::uint32_t meets(const LeafBoxes& other) const {
         const Vec3x8 here = Vec3x8::all(low[0], low[1], low[2]), there = Vec3x8::all(high[0], high[1], high[2]);
         return lessEqual(other.low.x, there.x) & lessEqual(other.low.y, there.y) & lessEqual(other.low.z, there.z) &
                lessEqual(here.x, other.high.x) & lessEqual(here.y, other.high.y) & lessEqual(here.z, other.high.z);
@@ -108,7 +108,7 @@ public:
 private:
     void meet(AabbTree::Link link, std::vector<std::uint32_t>& crossing) {
         const AabbTree::Leaf& other = tree_.leaf(link);
-        const Box8 boxes = boxesOf(other);
+        const LeafBoxes boxes = boxesOf(other);
         const bool isSame = link.index() == number_;
         ++tests_;
         for (std::uint32_t lane = 0; lane < leaf_.count; ++lane) {

@@ -18,7 +18,7 @@ public:
     void add(std::uint32_t from, std::uint32_t to) { next_[from].push_back(to); }
 
     /// All loops. `broken` grows by the number of chains that do not close.
-    std::vector<Loop> take(std::size_t& broken) {
+    std::vector<BoundaryLoop> take(std::size_t& broken) {
         while (!next_.empty()) {
             path_.assign(1, next_.begin()->first);
             onPath_.clear();
@@ -46,7 +46,7 @@ private:
         }
         const std::size_t first = place->second;
         TACTOOTH_ASSERT(first < path_.size() && path_[first] == to);
-        Loop loop(path_.begin() + static_cast<std::ptrdiff_t>(first), path_.end());
+        BoundaryLoop loop(path_.begin() + static_cast<std::ptrdiff_t>(first), path_.end());
         for (std::size_t i = first + 1; i < path_.size(); ++i) onPath_.erase(path_[i]);
         path_.resize(first + 1);
         std::rotate(loop.begin(), loop.begin() + 1, loop.end());
@@ -55,31 +55,31 @@ private:
     }
 
     std::map<std::uint32_t, std::vector<std::uint32_t>> next_;
-    Loop path_;
+    BoundaryLoop path_;
     std::map<std::uint32_t, std::size_t> onPath_;
-    std::vector<Loop> loops_;
+    std::vector<BoundaryLoop> loops_;
 };
 
 /// Removes the loops that are an isolated triangle of the mesh: filling one would double the triangle.
-void keepIsolatedTriangles(const TriangleMesh& mesh, std::vector<Loop>& loops, std::size_t& open) {
+void keepIsolatedTriangles(const TriangleMesh& mesh, std::vector<BoundaryLoop>& loops, std::size_t& open) {
     const auto sortedOf = [](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         Triangle sorted = {a, b, c};
         std::ranges::sort(sorted);
         return sorted;
     };
-    if (std::ranges::none_of(loops, [](const Loop& loop) { return loop.size() == 3; })) return;
+    if (std::ranges::none_of(loops, [](const BoundaryLoop& loop) { return loop.size() == 3; })) return;
     std::vector<Triangle> known;
     known.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) known.push_back(sortedOf(a, b, c));
     std::ranges::sort(known);
-    open += std::erase_if(loops, [&](const Loop& loop) {
+    open += std::erase_if(loops, [&](const BoundaryLoop& loop) {
         return loop.size() == 3 && std::ranges::binary_search(known, sortedOf(loop[0], loop[1], loop[2]));
     });
 }
 
 }  // namespace
 
-std::vector<Loop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open) {
+std::vector<BoundaryLoop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open) {
     LoopFinder finder;
     MeshEdges(mesh).forEachEdge([&](std::span<const EdgeUse> uses) {
         if (uses.size() != 1) return;
@@ -87,8 +87,8 @@ std::vector<Loop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open) {
         const Triangle& triangle = mesh.triangles[corner / 3];
         finder.add(triangle[(corner % 3 + 1) % 3], triangle[corner % 3]);
     });
-    std::vector<Loop> loops = finder.take(open);
-    open += std::erase_if(loops, [](const Loop& loop) { return loop.size() < 3; });
+    std::vector<BoundaryLoop> loops = finder.take(open);
+    open += std::erase_if(loops, [](const BoundaryLoop& loop) { return loop.size() < 3; });
     keepIsolatedTriangles(mesh, loops, open);
     return loops;
 }

@@ -11,11 +11,11 @@
 namespace tactooth {
 
 /// A closed chain of vertices that visits no vertex twice.
-using Loop = std::vector<std::uint32_t>;
+using BoundaryLoop = std::vector<std::uint32_t>;
 
 /// The boundary loops of a surface, each in the direction opposite to the triangles beside it. Holes that share corners
 /// have separate loops. `open` grows by the number of loops that cannot be filled: they do not close, or they are those
 /// of a single isolated triangle.
-[[nodiscard]] std::vector<Loop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open);
+[[nodiscard]] std::vector<BoundaryLoop> boundaryLoops(const TriangleMesh& mesh, std::size_t& open);
 
 }  // namespace tactooth

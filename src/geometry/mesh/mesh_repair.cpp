@@ -159,7 +159,7 @@ void orient(TriangleMesh& mesh, const RepairOptions& options, RepairReport& repo
     mesh.triangles = std::move(rest);
 }
 
-double lengthOf(const TriangleMesh& mesh, const Loop& loop) {
+double lengthOf(const TriangleMesh& mesh, const BoundaryLoop& loop) {
     double length = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         length += (mesh.vertices[loop[i]] - mesh.vertices[loop[(i + 1) % loop.size()]]).cast<double>().norm();
@@ -167,7 +167,7 @@ double lengthOf(const TriangleMesh& mesh, const Loop& loop) {
     return length;
 }
 
-void fill(TriangleMesh& mesh, const Loop& loop) {
+void fill(TriangleMesh& mesh, const BoundaryLoop& loop) {
     TACTOOTH_ASSERT(loop.size() >= 3);
     if (loop.size() == 3) {
         mesh.triangles.push_back({loop[0], loop[1], loop[2]});
@@ -184,7 +184,7 @@ void fill(TriangleMesh& mesh, const Loop& loop) {
 
 void fillHoles(TriangleMesh& mesh, const RepairOptions& options, RepairReport& report) {
     const double longest = options.smallHole * boundingBox(mesh).diagonal().norm();
-    for (const Loop& loop : boundaryLoops(mesh, report.openHoles)) {
+    for (const BoundaryLoop& loop : boundaryLoops(mesh, report.openHoles)) {
         const double rim = lengthOf(mesh, loop);
         const bool fills = options.holes == HolesToFill::All || (options.holes == HolesToFill::Small && rim <= longest);
         if (!fills) {

@@ -87,8 +87,8 @@ Quat anyRotation(Random& random) {
 }
 
 class AnyOutline : public ::testing::TestWithParam<Shape> {};
-INSTANTIATE_TEST_SUITE_P(PolygonTriangulator, AnyOutline, ::testing::ValuesIn(kShapes), [](const auto& info) {
-    std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(PolygonTriangulator, AnyOutline, ::testing::ValuesIn(kShapes), [](const auto& outline) {
+    std::string name = outline.param.name;
     std::erase(name, ' ');
     return name;
 });

@@ -68,8 +68,12 @@ TEST_F(Moments, AreTheCutsWithTheirVolumesAndWhatWasTakenBack) {
     for (const SessionMoment& moment : all) {
         names.push_back(moment.what);
         if (moment.what == "cut ended") cut += moment.removed.value();
-        if (moment.what == "undo") EXPECT_NEAR(moment.removed.value(), -undone_, 1e-9);
-        if (moment.what == "cut begun") EXPECT_NEAR(std::abs(moment.place->x()), 0.6, 0.1);
+        if (moment.what == "undo") {
+            EXPECT_NEAR(moment.removed.value(), -undone_, 1e-9);
+        }
+        if (moment.what == "cut begun") {
+            EXPECT_NEAR(std::abs(moment.place->x()), 0.6, 0.1);
+        }
     }
     EXPECT_NEAR(cut, removed_, 1e-9);
     EXPECT_EQ(std::ranges::count(names, "bur"), 1);
