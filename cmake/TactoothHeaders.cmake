@@ -5,7 +5,7 @@
 
 # _REENTRANT as SDL's users have it. GCC 12 takes warnings of its own library for ours when they come from such a header.
 set(tactooth_headers_options
-  -D_REENTRANT $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict>)
+  -D_REENTRANT $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict>)
 
 # tactooth_headers(NAME LINKS tactooth::geometry ... HEADERS <vector> ...)
 function(tactooth_headers name)

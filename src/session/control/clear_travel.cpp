@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "tooth/volume/bur_feed.h"
+
 namespace tactooth {
 namespace {
 
@@ -34,10 +36,6 @@ TriangleMesh inflated(const TriangleMesh& tool, double by) {
 }
 
 Vec3 alongShaft(const Pose& pose) { return pose.rotation * Vec3::UnitZ(); }
-
-Pose between(const Pose& a, const Pose& b, double part) {
-    return {a.position + part * (b.position - a.position), a.rotation.slerp(part, b.rotation).normalized()};
-}
 
 bool isSame(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSamePlace && a.rotation.angularDistance(b.rotation) < kSamePlace;

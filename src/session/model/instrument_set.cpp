@@ -8,10 +8,20 @@
 #include "instruments/turbine.h"
 
 namespace tactooth {
+namespace {
+
+/// Made once in a program, like the handpieces: they are the same for every session.
+const std::shared_ptr<const TriangleMesh>& suctionTube() {
+    static const auto kTube = std::make_shared<const TriangleMesh>(makeSuctionTube());
+    return kTube;
+}
+
+}  // namespace
 
 HandpieceMeshes HandpieceMeshes::make() {
-    return {.turbine = std::make_shared<const TriangleMesh>(makeTurbine()),
-            .contraAngle = std::make_shared<const TriangleMesh>(makeContraAngle())};
+    static const HandpieceMeshes kMeshes = {.turbine = std::make_shared<const TriangleMesh>(makeTurbine()),
+                                            .contraAngle = std::make_shared<const TriangleMesh>(makeContraAngle())};
+    return kMeshes;
 }
 
 const std::shared_ptr<const TriangleMesh>& HandpieceMeshes::of(const SpindlePreset& spindle) const {
@@ -22,7 +32,7 @@ InstrumentSet::InstrumentSet(const TaskExecutor& executor) : task_(executor) {
     task_.start([] {
         InstrumentMeshes meshes;
         meshes.handpieces = HandpieceMeshes::make();
-        meshes.suction = std::make_shared<const TriangleMesh>(makeSuctionTube());
+        meshes.suction = suctionTube();
         return Expected<InstrumentMeshes>(std::move(meshes));
     });
 }

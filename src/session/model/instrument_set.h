@@ -20,7 +20,7 @@ struct HandpieceMeshes {
     std::shared_ptr<const TriangleMesh> turbine;
     std::shared_ptr<const TriangleMesh> contraAngle;
 
-    /// Makes all of them; it takes about a second.
+    /// All of them. The first call of a program makes them, which takes about a second.
     [[nodiscard]] static HandpieceMeshes make();
     /// The one that a drive needs.
     [[nodiscard]] const std::shared_ptr<const TriangleMesh>& of(const SpindlePreset& spindle) const;

@@ -78,7 +78,7 @@ TEST(BoundaryLoops, ThatDoNotCloseAreCounted) {
     std::size_t open = 0;
     const auto loops = boundaryLoops(mesh, open);
     EXPECT_GT(open, 0u);
-    for (const Loop& loop : loops) EXPECT_GE(loop.size(), 3u);
+    for (const BoundaryLoop& loop : loops) EXPECT_GE(loop.size(), 3u);
 }
 
 }  // namespace

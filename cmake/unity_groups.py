@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Tactooth authors
+# SPDX-License-Identifier: Apache-2.0
+"""Chooses the source files of each target that are compiled together (cmake/TactoothUnity.cmake).
+
+    unity_groups.py LINES < FILES
+
+FILES has one line 'TARGET PATH' for each file, those of a target in a row. Prints 'TARGET GROUP PATH' for each. A group
+holds at most LINES lines of code. Two files of a group never disagree about a name: what one of them declares for itself
+(in an anonymous namespace, static, or by a macro), the other does not mention at all.
+"""
+import re
+import sys
+
+OPEN_GROUPS = 8  # groups that can still take a file
+
+# What cmake/check_format.sh keeps: a declaration of a namespace begins at the left margin, its parts do not.
+ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", flags=re.M | re.S)
+TEST = re.compile(r"(TEST\w*|TYPED_TEST\w*|INSTANTIATE_\w+|BENCHMARK\w*)\(\s*(\w+)\s*,?\s*(\w*)")
+TYPE = re.compile(r"(?:template .*)?(?:struct|class|enum class|enum|union|using)\s+(\w+)\s*(?:[:;={]|final|$)")
+OTHER = re.compile(r"(\w+)\s*(?:\(|=|\{|\[|;|$)")
+WORD = re.compile(r"\w+")
+
+
+def declared_name(line):
+    test = TEST.match(line)
+    if test:
+        return "_".join(test.groups())
+    if re.match(r"using (namespace|\w+::)|namespace|static_assert|INSTANTIATE|template <[^>]*>$", line):
+        return None  # may be said twice, has its name from a test, or stands in the next line
+    kind = TYPE.match(line)
+    if kind:
+        return kind.group(1)
+    arguments = None
+    while arguments != line:
+        arguments, line = line, re.sub(r"<[^<>]*>", "", line)
+    other = OTHER.search(line)
+    return other.group(1) if other else None
+
+
+def own_names(text):
+    names = set(re.findall(r"^\s*#\s*define\s+(\w+)", text, flags=re.M))
+    names.update(re.findall(r"^static\s[^;{=(]*?(\w+)\s*[;{=(]", text, flags=re.M))
+    for block in ANONYMOUS.finditer(text):
+        names.update(declared_name(line) for line in re.findall(r"^[A-Za-z_].*$", block.group(1), flags=re.M))
+    names.discard(None)
+    return names
+
+
+class Group:
+    def __init__(self, number):
+        self.number, self.lines, self.own, self.mentioned = number, 0, set(), set()
+
+    def takes(self, lines, own, mentioned, limit):
+        fits = self.lines == 0 or self.lines + lines <= limit
+        return fits and not (self.own & mentioned) and not (self.mentioned & own)
+
+    def add(self, lines, own, mentioned):
+        self.lines += lines
+        self.own |= own
+        self.mentioned |= mentioned
+
+
+def main():
+    limit = int(sys.argv[1])
+    target_before, groups, count = None, [], 0
+    for entry in sys.stdin.read().splitlines():
+        target, path = entry.split(" ", 1)
+        if target != target_before:
+            target_before, groups, count = target, [], 0
+        with open(path, encoding="utf-8") as file:
+            text = re.sub(r"//(?! namespace$)[^\n]*", "", file.read(), flags=re.M)
+        lines, own, mentioned = text.count("\n"), own_names(text), set(WORD.findall(text))
+        group = next((g for g in groups if g.takes(lines, own, mentioned, limit)), None)
+        if group is None:
+            group = Group(count)
+            count += 1
+            groups = (groups + [group])[-OPEN_GROUPS:]
+        group.add(lines, own, mentioned)
+        print(target, group.number, path)
+
+
+main()
