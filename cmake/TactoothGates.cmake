@@ -18,6 +18,7 @@ if(NOT TACTOOTH_SANITIZE)  # where they would say the same again
   tactooth_gate(Sources.AreSpelledRight ${checks}/check_spelling.sh)
   tactooth_gate(Commits.HaveClearSubjects ${Python3_EXECUTABLE} ${checks}/check_commits.py)
   tactooth_gate(Benchmarks.AreComparedRight ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/compare_test.py)
+  tactooth_gate(Sources.AreGroupedRight ${Python3_EXECUTABLE} ${checks}/unity_groups_test.py)
   find_program(TACTOOTH_CLANG_TIDY clang-tidy)
   if(TACTOOTH_CLANG_TIDY AND CMAKE_EXPORT_COMPILE_COMMANDS)
     # It reads no headers that another compiler has compiled: presets without them, as `dev`, run it.

@@ -72,10 +72,6 @@ function(tactooth_tests)
   endif()
 
   set(company)
-  set(seconds 900)
-  if(TACTOOTH_SANITIZE)
-    set(seconds 3000)
-  endif()
   if("long" IN_LIST ARG_LABELS OR ARG_SHARDS)  # before the others, which fill the gaps that these leave
     set(company COST 100)
   endif()
@@ -97,7 +93,7 @@ function(tactooth_tests)
     endif()
     math(EXPR index "${shard} - 1")
     add_test(NAME ${name} COMMAND ${target} --gtest_brief=1)
-    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${seconds} ${company}
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 3000 ${company}
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index}")
   endforeach()
 endfunction()

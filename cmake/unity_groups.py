@@ -61,10 +61,9 @@ class Group:
         self.mentioned |= mentioned
 
 
-def main():
-    limit = int(sys.argv[1])
+def chosen_groups(entries, limit):
     target_before, groups, count = None, [], 0
-    for entry in sys.stdin.read().splitlines():
+    for entry in entries:
         target, path = entry.split(" ", 1)
         if target != target_before:
             target_before, groups, count = target, [], 0
@@ -77,7 +76,13 @@ def main():
             count += 1
             groups = (groups + [group])[-OPEN_GROUPS:]
         group.add(lines, own, mentioned)
-        print(target, group.number, path)
+        yield target, group.number, path
 
 
-main()
+def main():
+    sys.stdout.writelines(f"{target} {group} {path}\n" for target, group, path in
+                          chosen_groups(sys.stdin.read().splitlines(), int(sys.argv[1])))
+
+
+if __name__ == "__main__":
+    main()
