@@ -138,6 +138,10 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     setFault(fault);
     QTRY_VERIFY2_WITH_TIMEOUT(state().contains(sentence), qPrintable(state()), kPatience);
     QTRY_VERIFY2_WITH_TIMEOUT(hint().contains(sentence), qPrintable(hint()), kPatience);
+    auto* ghost = window_->findChild<QCheckBox*>("ghost");
+    ghost->toggle();
+    ghost->toggle();
+    QVERIFY2(hint().contains(sentence), qPrintable("a hint covers the fault: " + hint()));
     if (longestForce) {
         const double now = window_->model().log().newest().time;  // a late force would come now
         QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > now + 0.05, kPatience);

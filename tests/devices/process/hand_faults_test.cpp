@@ -201,13 +201,13 @@ void HandFaults::round() {
     ASSERT_TRUE(soon([this] { return standin_->zeroAt() > 0; }));
     // For how long this machine may have kept the two from their work.
     const double hindered = stalls_.takeLongest() + ofHand.seconds() + ofStandin.seconds();
-    if (standin_->zeroAt() < start) {
-        program_.reset();
-        return;
-    }
     if (fault.signal == SIGUSR1) {
         ASSERT_TRUE(soon([this] { return program_->spinsFrom() > 0; }));
         start = program_->spinsFrom();
+    }
+    if (standin_->zeroAt() < start) {
+        program_.reset();
+        return;
     }
     const double time = standin_->zeroAt() - start - (fault.isOfProgram ? kSilence : 0);
     times_.push_back(time);

@@ -35,7 +35,9 @@ WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const 
 QString WindowHints::pedalKey() const { return nativeText(QKeySequence(devices_.pedalKey())); }
 
 void WindowHints::showUsual() {
-    if (model_.devices().first() == nullptr) {
+    if (fault_) {
+        messages_.setHint(translated(*fault_));
+    } else if (model_.devices().first() == nullptr) {
         messages_.setHint(
             tr("Left button: press the bur on the tooth · wheel: how deep · right: turn · %1: pedal").arg(pedalKey()));
     } else if (devices_.isGamepadInPanels()) {
@@ -53,15 +55,17 @@ void WindowHints::showUsual() {
 
 /// A hint, not a message: a message would take the keys and the pedal from the user at work.
 void WindowHints::showFault(const Message* fault) {
-    if (fault != nullptr) {
-        messages_.setHint(translated(*fault));
-    } else {
-        showUsual();
-    }
+    fault_ = fault != nullptr ? std::optional(*fault) : std::nullopt;
     shown_ = Reason::None;
+    showUsual();
+    if (!fault_ && overload_) showOverload(*std::exchange(overload_, std::nullopt));
 }
 
 void WindowHints::showOverload(double microseconds) {
+    if (fault_) {
+        overload_ = microseconds;
+        return;
+    }
     messages_.setHint(
         tr("The scene is heavy for this machine: one tick in a hundred takes %1 of the %2 µs that there are; "
            "take a tooth of fewer triangles ('tactooth simplify') or a bur of fewer triangles, and close "
@@ -71,13 +75,13 @@ void WindowHints::showOverload(double microseconds) {
 }
 
 void WindowHints::showPedal(double pedal) {
-    if (pedal == 0 || panels_.drill->isCutting()) return;
+    if (pedal == 0 || fault_ || panels_.drill->isCutting()) return;
     messages_.setHint(tr("In Touch the bur stands still: choose Cut (%1), and the pedal turns it")
                           .arg(keyOf(*panels_.drill->cutAction())));
 }
 
 void WindowHints::showGhost(bool on) {
-    if (!on) return showUsual();
+    if (!on || fault_) return showUsual();
     messages_.setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
 }
 
@@ -87,7 +91,7 @@ WindowHints::Reason WindowHints::reason() const {
     if (runner == nullptr || panels_.tour->isRunning()) return Reason::None;
     const Tick& tick = model_.log().newest();
     if (device != nullptr) {
-        if (device->faultMessage() != nullptr) return Reason::None;  // showFault says it
+        if (device->faultMessage() != nullptr) return Reason::None;  // showUsual says it
         if (runner->feed().forceState() == ForceState::AwaitsFreeSpace && tick.contacts > 0) return Reason::ForceWaits;
         if (runner->feed().isDeviceAtWorkspaceLimit()) return Reason::WorkspaceEnd;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "app/gui/controllers/window_panels.h"
 #include "geometry/util/message.h"
@@ -23,11 +24,11 @@ public:
     WindowHints(SessionModel& model, const WindowPanels& panels, const DeviceController& devices,
                 WindowMessages& messages);
 
-    /// How to work with the device in use.
+    /// How to work with the device in use, or its fault while there is one.
     void showUsual();
-    /// A message of a device; null: the fault has ended.
+    /// A message of a device, which stays while the fault lasts; null: the fault has ended.
     void showFault(const Message* fault);
-    /// `microseconds`: the time of the slowest tick in a hundred.
+    /// `microseconds`: the time of the slowest tick in a hundred. Waits for the end of a fault.
     void showOverload(double microseconds);
     /// Shows why the bur does not do what the user expects, if the reason has changed.
     void update();
@@ -45,6 +46,8 @@ private:
     const DeviceController& devices_;
     WindowMessages& messages_;
     Reason shown_ = Reason::None;
+    std::optional<Message> fault_;
+    std::optional<double> overload_;  // microseconds; waits
 };
 
 }  // namespace tactooth
