@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <unordered_map>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
@@ -17,6 +19,8 @@ constexpr double kReached = 0.05;    // mm, two samples of a cut tooth: a wall w
 constexpr float kCordRadius =
     0.04F;  // mm: half of it stands out of the enamel; three pixels in a picture of a whole crown
 constexpr std::uint32_t kCordSides = 6;
+constexpr std::size_t kTrianglesPerEdge = 2 * kCordSides;
+constexpr double kDash = 0.4, kGap = 0.3;  // mm along the rim; an edge of it is at most kCavityEdge long
 
 Vec3 middleOf(const TriangleMesh& mesh, std::size_t triangle) {
     return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) + mesh.corner(triangle, 2)) / 3;
@@ -67,11 +71,33 @@ TriangleMesh cordAlongRim(const CavityWalls& walls, const SurfacePart& outer) {
         const std::uint32_t first = ring(from), second = ring(to);
         for (std::uint32_t i = 0; i < kCordSides; ++i) {
             const std::uint32_t next = (i + 1) % kCordSides;
-            cord.triangles.push_back({first + i, second + i, second + next});
-            cord.triangles.push_back({first + i, second + next, first + next});
+            cord.triangles.push_back({first + i, second + next, second + i});
+            cord.triangles.push_back({first + i, first + next, second + next});
         }
     }
     return cord;
+}
+
+/// For each edge of the rim: its part of a dashed line, kGhostRim or kGhostRimGap.
+std::vector<SurfaceTag> dashesOf(const CavityWalls& walls) {
+    std::unordered_map<std::uint32_t, std::size_t> edgeFrom;
+    for (std::size_t i = 0; i < walls.rim.size(); ++i) edgeFrom.emplace(walls.rim[i][0], i);
+    std::vector<SurfaceTag> dashes(walls.rim.size(), kGhostRim);
+    std::vector<bool> isVisited(walls.rim.size());
+    for (std::size_t first = 0; first < walls.rim.size(); ++first) {
+        double along = 0;  // mm
+        for (std::size_t edge = first; !isVisited[edge];) {
+            isVisited[edge] = true;
+            const auto [from, to] = walls.rim[edge];
+            const double length = (walls.mesh.vertices[to] - walls.mesh.vertices[from]).norm();
+            if (std::fmod(along + length / 2, kDash + kGap) > kDash) dashes[edge] = kGhostRimGap;
+            along += length;
+            const auto next = edgeFrom.find(to);
+            if (next == edgeFrom.end()) break;
+            edge = next->second;
+        }
+    }
+    return dashes;
 }
 
 }  // namespace
@@ -80,7 +106,8 @@ CavityGhost::CavityGhost(CavityWalls walls, const SurfacePart& outer) {
     divideIntoPatches(walls.mesh, outer);
     const TriangleMesh cord = cordAlongRim(walls, outer);
     std::vector<SurfaceTag> tags(walls.mesh.triangles.size(), kGhostWall);
-    tags.resize(tags.size() + cord.triangles.size(), kGhostRim);
+    for (const SurfaceTag dash : dashesOf(walls)) tags.insert(tags.end(), kTrianglesPerEdge, dash);
+    TACTOOTH_ASSERT(tags.size() == walls.mesh.triangles.size() + cord.triangles.size());
     append(walls.mesh, cord);
     reached_.resize((tags.size() + 63) / 64);
     shown_.base = std::make_shared<const SurfacePart>(std::move(walls.mesh), std::move(tags));

@@ -8,7 +8,7 @@
 namespace tactooth {
 
 /// The tags of a ghost's triangles.
-inline constexpr SurfaceTag kGhostWall = 0, kGhostRim = 1;
+inline constexpr SurfaceTag kGhostWall = 0, kGhostRim = 1, kGhostRimGap = 2;
 
 /// The target cavity as a mesh inside the tooth: its walls, and a thin cord along their rim, which is the outline of
 /// the cavity on the surface of the tooth. Walls that the cut has reached are hidden.
@@ -24,8 +24,8 @@ public:
     [[nodiscard]] bool empty() const { return shown_.base->mesh().empty(); }
 
     /// The ghost for a snapshot of the tooth: walls with tooth still before them (kGhostWall), and the whole rim
-    /// (kGhostRim). Returns the same pointer as long as nothing changes. Fast where `tooth` differs little from that of
-    /// the last call.
+    /// (kGhostRim, and kGhostRimGap where a dashed line has its gaps). Returns the same pointer as long as nothing
+    /// changes. Fast where `tooth` differs little from that of the last call.
     [[nodiscard]] std::shared_ptr<const Surface> over(const std::shared_ptr<const Surface>& tooth);
 
 private:

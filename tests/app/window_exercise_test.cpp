@@ -180,11 +180,15 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     window->exercise().openTarget(QString::fromStdString(file.string()));
     const auto find = [&](const char* name) { return holder.window().findChild<QCheckBox*>(name); };
     QTRY_VERIFY_WITH_TIMEOUT(find("coloured")->isChecked(), kLoadPatience);
-    const auto* legend = window->findChild<QWidget*>("distanceLegend");
+    auto* legend = window->findChild<QWidget*>("colourLegend");
     QVERIFY(legend->isVisible());
     QVERIFY(window->findChild<ToothView*>("toothView")->rect().contains(legend->geometry()));
+    const QImage colours = legend->grab().toImage();
+    find("ghost")->click();
+    QVERIFY(legend->isVisible() && legend->grab().toImage() != colours);
     find("ghost")->click();
     QVERIFY(!legend->isVisible());
+    find("ghost")->click();
     window->findChild<QComboBox*>("section")->setCurrentIndex(2);
     auto* view = window->findChild<ToothView*>("toothView");
     view->setView(StandardView::Lingual);

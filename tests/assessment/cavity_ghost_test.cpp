@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh/mesh_report.h"
 #include "session/block_with_cavity.h"
 #include "session/simulation/cut_model.h"
 #include "support/shapes.h"
@@ -93,12 +94,42 @@ TEST_F(CavityGhostTest, StepByStepShowsTheSameAsAtOnce) {
 TEST_F(CavityGhostTest, KeepsTheRimOfAFinishedCavity) {
     const auto rimOf = [&](CavityGhost& ghost) {
         const std::vector<SurfaceTag> tags = visibleMesh(*ghost.over(model_.surface())).tags;
-        return std::count(tags.begin(), tags.end(), kGhostRim);
+        return std::count_if(tags.begin(), tags.end(), [](SurfaceTag tag) { return tag != kGhostWall; });
     };
     const auto whole = rimOf(ghost_);
     EXPECT_GT(whole, 12 * 100);  // 16 mm of it, twelve triangles every 0.15 mm
     cut(-1, 1);
     EXPECT_EQ(rimOf(ghost_), whole);
+}
+
+TEST_F(CavityGhostTest, DrawsTheRimAsACordWithItsOutsideOutside) {
+    const auto seen = visibleMesh(*ghost_.over(model_.surface()));
+    TriangleMesh cord = seen.mesh;
+    cord.triangles.clear();
+    double length = 0;
+    for (std::size_t i = 0; i < seen.mesh.triangles.size(); ++i) {
+        if (seen.tags[i] != kGhostWall) cord.triangles.push_back(seen.mesh.triangles[i]);
+    }
+    const CavityWalls walls = cavityWalls(target_, *tooth_->outer());
+    for (const auto& [from, to] : walls.rim) length += (walls.mesh.vertices[to] - walls.mesh.vertices[from]).norm();
+    const double area = 3 * std::sqrt(3.0) / 2 * 0.04 * 0.04;  // of a hexagon
+    EXPECT_NEAR(reportOn(cord).signedVolume, length * area, 0.1 * length * area);
+}
+
+TEST_F(CavityGhostTest, DashesTheRimAllRound) {
+    const auto seen = visibleMesh(*ghost_.over(model_.surface()));
+    std::vector<Vec3> dashes, gaps;
+    for (std::size_t i = 0; i < seen.mesh.triangles.size(); ++i) {
+        if (seen.tags[i] == kGhostRim) dashes.push_back(seen.mesh.corner(i, 0));
+        if (seen.tags[i] == kGhostRimGap) gaps.push_back(seen.mesh.corner(i, 0));
+    }
+    const double share = static_cast<double>(gaps.size()) / static_cast<double>(gaps.size() + dashes.size());
+    EXPECT_NEAR(share, 3.0 / 7, 0.06);
+    const auto isNear = [](const std::vector<Vec3>& some, const Vec3& place) {
+        return std::any_of(some.begin(), some.end(), [&](const Vec3& one) { return (one - place).norm() < 0.4; });
+    };
+    for (const Vec3& place : dashes) EXPECT_TRUE(isNear(gaps, place)) << place.transpose();
+    for (const Vec3& place : gaps) EXPECT_TRUE(isNear(dashes, place)) << place.transpose();
 }
 
 TEST_F(CavityGhostTest, IsTheSameObjectUntilSomethingChanges) {

@@ -67,7 +67,7 @@ protected:
         CavityGhost cavity(visibleMesh(*slotted(1.2, 2.4, 4.2)).mesh, *tooth_->outer());
         SceneObject ghost;
         ghost.shape = cavity.over(tooth);
-        ghost.appearances = {appearances::toCut(), appearances::outline()};
+        ghost.appearances = {appearances::toCut(), appearances::outline(), appearances::outlineGap()};
         ghost.sectioned = ghost.ghost = true;
         return {body(tooth), ghost};
     }

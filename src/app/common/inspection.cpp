@@ -33,8 +33,8 @@ SceneObject layerObject(const LayeredTooth::Layer& layer, const Appearance& appe
 SceneObject ghostObject(CavityGhost& ghost, const std::shared_ptr<const Surface>& tooth) {
     SceneObject object;
     object.shape = ghost.over(tooth);
-    object.appearances = {appearances::toCut(), appearances::outline()};
-    static_assert(kGhostWall == 0 && kGhostRim == 1);
+    object.appearances = {appearances::toCut(), appearances::outline(), appearances::outlineGap()};
+    static_assert(kGhostWall == 0 && kGhostRim == 1 && kGhostRimGap == 2);
     object.sectioned = true;
     object.ghost = true;
     return object;

@@ -1124,8 +1124,8 @@ It is off in an examination.</source>
         <translation>このコンピューターには負荷が大きすぎます：100 回に 1 回の計算が、使える %2 µs のうち %1 µs を要しています。三角形の少ない歯（&apos;tactooth simplify&apos;）または三角形の少ないバーを使い、他のプログラムを終了してください。</translation>
     </message>
     <message>
-        <source>Blue glass: still to cut, darker where deeper. Dark line: the outline.</source>
-        <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形。</translation>
+        <source>Blue glass: still to cut, darker where deeper. Dark line: the outline, dashed where the tooth hides it.</source>
+        <translation>青いガラス：削り残し（深いほど濃い）。濃い線：外形（歯に隠れたところは破線）。</translation>
     </message>
     <message>
         <source>The bur stands still: hold the pedal (%1), or tick Keep down</source>

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/passes/ghost_pass.h"
 
+#include <array>
+
 #include "view/gl/shaders.h"
 #include "view/passes/appearance_uniforms.h"
+#include "view/scene/ghost_scale.h"
 
 namespace tactooth {
 namespace {
@@ -13,9 +16,23 @@ constexpr int kShellUnit = 5;
 constexpr int kColourUnit = 6;
 constexpr int kDepthUnit = 7;
 
-// Factors on the appearance's opacity. The far layer must stay visible through the near one.
+// Where the near layer is visible, the eye looks through tooth that stays: all that lies behind is dimmed.
 constexpr GLenum kFarLayer = GL_BACK, kNearLayer = GL_FRONT;  // the faces that are culled
-constexpr float kFarCover = 1.0F, kNearCover = 0.55F;
+constexpr float kFarCover = 1.0F, kNearCover = 0.40F;         // factors on the appearance's opacity
+constexpr float kBehindNear = 0.30F;                          // factor on the opacity of the far layer
+
+void setScale(const ShaderProgram& program) {
+    std::array<Eigen::Vector4f, kGhostColours.size()> colours;
+    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] << linearColour(kGhostColours[i]), 1;
+    program.setAll("stepColours", colours.data(), static_cast<int>(colours.size()));
+    program.set("stepSize", static_cast<float>(kGhostStep));
+}
+
+void setHiddenOpacities(const ShaderProgram& program, const std::vector<Appearance>& appearances) {
+    std::array<float, kMaxAppearances> packed{};
+    for (std::size_t i = 0; i < appearances.size(); ++i) packed[i] = appearances[i].hiddenOpacity;
+    program.setAll("hiddenOpacities", packed.data(), static_cast<int>(appearances.size()));
+}
 
 }  // namespace
 
@@ -41,7 +58,9 @@ PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& 
 Expected<GhostPass> GhostPass::create() {
     GhostPass pass;
     auto body = ShaderProgram::create(
-        "ghost", "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) + "\n#define RICH 1\n",
+        "ghost",
+        "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) + "\n#define RICH 1\n#define GHOST_STEPS " +
+            std::to_string(kGhostColours.size()) + "\n",
         {shaders::kFrame, shaders::kSolidVert}, {shaders::kFrame, shaders::kColour, shaders::kGhostFrag});
     if (!body) return Unexpected{body.error()};
     auto compose =
@@ -64,10 +83,11 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
     gl::bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell->depthTexture());
     body_.use();
     body_.set("shellDepth", kShellUnit);
+    setScale(body_);
     glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
     glEnable(GL_CULL_FACE);
     glEnable(GL_CLIP_DISTANCE1);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendColor(kBehindNear, kBehindNear, kBehindNear, kBehindNear);
     for (const Drawable& drawable : inputs.ghosts) {
         drawLayer(inputs, drawable, kFarLayer, kFarCover);
         drawLayer(inputs, drawable, kNearLayer, kNearCover);
@@ -84,10 +104,13 @@ void GhostPass::draw(const SolidInputs& inputs, const RenderTarget& into) const 
 void GhostPass::drawLayer(const SolidInputs& inputs, const Drawable& drawable, GLenum culled, float cover) const {
     setAppearances(body_, drawable.object->appearances);
     setOpacities(body_, drawable.object->appearances);
+    setHiddenOpacities(body_, drawable.object->appearances);
     body_.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     body_.set("objectToWorld", drawable.objectToWorld);
     body_.set("sectioned", 1);
     body_.set("cover", cover);
+    body_.set("isNear", culled == kNearLayer ? 1 : 0);
+    glBlendFunc(GL_ONE, culled == kFarLayer ? GL_ONE_MINUS_SRC_ALPHA : GL_CONSTANT_COLOR);
     glCullFace(culled);
     const ClusterCuller culler = cullerFor(inputs, drawable, false, inputs.lodTolerance);
     if (culled == kFarLayer && &drawable == &inputs.ghosts.front()) return drawable.buffers->draw(culler);

@@ -40,8 +40,13 @@ Appearance carbide() {
 Appearance diamond() { return {.colour = {0.60F, 0.59F, 0.57F}, .roughness = 0.5F, .metalness = 0.85F, .grain = 1.0F}; }
 // Blue differs from all tissues, which range from white over yellow to red, for all common kinds of colour blindness
 // (M. Okabe, K. Ito, Color universal design, 2008: their sky blue and blue).
-Appearance toCut() { return {.colour = {0.34F, 0.71F, 0.91F}, .opacity = 0.55F}; }
-Appearance outline() { return {.colour = {0.0F, 0.27F, 0.60F}, .opacity = 1}; }
+Appearance toCut() { return {.colour = {0.34F, 0.71F, 0.91F}, .opacity = 0.62F}; }
+Appearance outline() { return {.colour = {0.0F, 0.27F, 0.60F}, .hiddenOpacity = 0.8F}; }
+Appearance outlineGap() {
+    Appearance gap = outline();
+    gap.hiddenOpacity = 0;
+    return gap;
+}
 
 }  // namespace appearances
 

@@ -15,6 +15,7 @@ struct Appearance {
     float wetness = 0;                       ///< 0..1: film of saliva or water, which gives sharp highlights
     float grain = 0;                         ///< 0..1: fine variation of surface and colour
     float opacity = 1;                       ///< 0..1: below 1 the background shows through, most at perpendicular view
+    float hiddenOpacity = 1;                 ///< 0..1: of an opaque line of a ghost, where the tooth hides it
 };
 
 /// sRGB to linear light, channel by channel.
@@ -29,11 +30,12 @@ namespace appearances {
 [[nodiscard]] Appearance caries();
 [[nodiscard]] Appearance gingiva();
 [[nodiscard]] Appearance bone();
-[[nodiscard]] Appearance steel();    ///< turbine, mirror frame, shank
-[[nodiscard]] Appearance carbide();  ///< tungsten carbide bur head
-[[nodiscard]] Appearance diamond();  ///< diamond-coated bur head
-[[nodiscard]] Appearance toCut();    ///< wall of a cavity to be cut, as a ghost: blue means still to cut
-[[nodiscard]] Appearance outline();  ///< rim of the cavity to be cut
+[[nodiscard]] Appearance steel();       ///< turbine, mirror frame, shank
+[[nodiscard]] Appearance carbide();     ///< tungsten carbide bur head
+[[nodiscard]] Appearance diamond();     ///< diamond-coated bur head
+[[nodiscard]] Appearance toCut();       ///< wall of a cavity to be cut, as a ghost: blue means still to cut
+[[nodiscard]] Appearance outline();     ///< rim of the cavity to be cut
+[[nodiscard]] Appearance outlineGap();  ///< parts of the rim that are not drawn where the tooth hides them
 
 }  // namespace appearances
 

@@ -10,6 +10,10 @@ uniform vec4 appearances[2 * MAX_APPEARANCES];  // (linear colour, roughness), (
 uniform float opacities[MAX_APPEARANCES];
 out float appearanceOpacity;
 #endif
+#ifdef GHOST_STEPS
+uniform float hiddenOpacities[MAX_APPEARANCES];
+out float appearanceHidden;
+#endif
 uniform int appearanceCount;
 uniform int sectioned;  // 0: the section does not cut this object
 
@@ -36,5 +40,8 @@ void main() {
     gl_ClipDistance[1] = sectioned != 0 ? dot(section, world) : 1.0;
 #if RICH
     appearanceOpacity = mix(opacities[first / 2], opacities[second / 2], share);
+#endif
+#ifdef GHOST_STEPS
+    appearanceHidden = mix(hiddenOpacities[first / 2], hiddenOpacities[second / 2], share);
 #endif
 }

@@ -6,9 +6,9 @@
 #include <QImage>
 #include <cctype>
 
-#include "app/common/distance_legend.h"
 #include "app/common/image_view.h"
 #include "app/common/inspection.h"
+#include "app/common/legends/distance_legend.h"
 #include "app/common/scene_builder.h"
 #include "view/render/offscreen.h"
 

@@ -8,9 +8,10 @@
 #include "app/cli/pictures/render_mouth.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
-#include "app/common/distance_legend.h"
 #include "app/common/exit_code.h"
 #include "app/common/inspection.h"
+#include "app/common/legends/distance_legend.h"
+#include "app/common/legends/ghost_legend.h"
 #include "app/common/scene_builder.h"
 #include "app/common/view_marks.h"
 #include "assessment/ideal_shape.h"
@@ -156,6 +157,7 @@ Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const st
     Expected<Image> image = studio.renderer.render(sceneFor(studio, eye), studio.size);
     if (!image) return Unexpected{image.error()};
     if (studio.inspection.distances) drawDistanceLegend(*image, studio.inspection.distances->scale);
+    if (studio.inspection.ghost) drawGhostLegend(*image);
     if (studio.options.marks) {
         drawViewMarks(*image, eye.camera(), studio.tooth.mesialX, 1 / eye.pixelPitch(studio.size));
     }

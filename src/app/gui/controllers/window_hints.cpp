@@ -82,7 +82,9 @@ void WindowHints::showPedal(double pedal) {
 
 void WindowHints::showGhost(bool on) {
     if (!on || fault_) return showUsual();
-    messages_.setHint(tr("Blue glass: still to cut, darker where deeper. Dark line: the outline."));
+    messages_.setHint(
+        tr("Blue glass: still to cut, darker where deeper. Dark line: the outline, dashed where the tooth "
+           "hides it."));
 }
 
 WindowHints::Reason WindowHints::reason() const {

@@ -273,7 +273,8 @@ void ToothView::showOverlays() {
     secondFrame_->setVisible(drawsSecond());
     overlays_->choose(aids_, magnifies());
     const auto& distances = inspection_.distances;
-    overlays_->showLegend(distances ? std::optional(distances->scale) : std::nullopt);
+    overlays_->showLegend(distances ? std::optional(distances->scale) : std::nullopt,
+                          inspection_.ghost != nullptr && !inspection_.ghost->empty());
 }
 
 void ToothView::setInspection(const Inspection& inspection, Stereo::Mode stereo) {

@@ -8,7 +8,8 @@
 #include <functional>
 #include <utility>
 
-#include "app/common/distance_legend.h"
+#include "app/common/legends/distance_legend.h"
+#include "app/common/legends/ghost_legend.h"
 #include "app/gui/scene/corner_geometry.h"
 #include "app/gui/scene/view_cube.h"
 #include "view/camera/magnifier.h"
@@ -64,7 +65,7 @@ ViewOverlays::ViewOverlays(QWidget& view) : QObject(&view), view_(view) {
         painter.drawText(box.adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop,
                          QStringLiteral("\u00d7%1").arg(kMagnification));
     });
-    legend_ = new Mark(&view, "distanceLegend", [](QPainter&, const QRectF&) {});
+    legend_ = new Mark(&view, "colourLegend", [](QPainter&, const QRectF&) {});
     cube_ = new ViewCube(&view);
     cube_->hide();
 }
@@ -79,13 +80,18 @@ void ViewOverlays::choose(const ViewAids& aids, bool magnifies) {
     }
 }
 
-void ViewOverlays::showLegend(const std::optional<DistanceScale>& scale) {
-    legend_->setVisible(scale.has_value());
-    if (!scale) return;
-    const DistanceLegendWords words{tr("cut too deep"), tr("still to cut"), tr("within")};
-    legend_->setPaint([scale = *scale, words](QPainter& painter, const QRectF& box) {
-        drawDistanceLegend(painter, box, scale, words);
-    });
+void ViewOverlays::showLegend(const std::optional<DistanceScale>& scale, bool hasGhost) {
+    legend_->setVisible(scale || hasGhost);
+    const QString stillToCut = tr("still to cut");
+    if (scale) {
+        const DistanceLegendWords words{tr("cut too deep"), stillToCut, tr("within")};
+        legend_->setPaint([scale = *scale, words](QPainter& painter, const QRectF& box) {
+            drawDistanceLegend(painter, box, scale, words);
+        });
+    } else if (hasGhost) {
+        legend_->setPaint(
+            [stillToCut](QPainter& painter, const QRectF& box) { drawGhostLegend(painter, box, stillToCut); });
+    }
     placeLegend();
 }
 

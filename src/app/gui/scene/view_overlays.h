@@ -28,8 +28,8 @@ public:
 
     /// Chooses what is visible. `magnifies`: whether the picture has a magnified part now.
     void choose(const ViewAids& aids, bool magnifies);
-    /// Shows what the colours of the tooth mean; nothing: it has its own colours.
-    void showLegend(const std::optional<DistanceScale>& scale);
+    /// Shows what the colours of the tooth or those of a ghost in it mean; neither: nothing.
+    void showLegend(const std::optional<DistanceScale>& scale, bool hasGhost);
     /// Follows the eye. `size`: of the picture in pixels.
     void follow(const OrbitCamera& eye, ImageSize size, double mesialX);
     [[nodiscard]] ViewCube& cube() { return *cube_; }

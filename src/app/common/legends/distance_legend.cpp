@@ -1,15 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/distance_legend.h"
+#include "app/common/legends/distance_legend.h"
 
-#include <QImage>
 #include <QLocale>
 #include <QPainter>
-#include <algorithm>
-#include <cmath>
 
-#include "app/common/image_view.h"
-#include "app/common/offscreen_application.h"
+#include "app/common/legends/legend_frame.h"
 #include "view/mesh/distance_grid.h"
 
 namespace tactooth {
@@ -37,21 +33,11 @@ QString millimetres(const QString& sign, double number) { return sign + QLocale(
 
 void drawDistanceLegend(QPainter& painter, const QRectF& box, const DistanceScale& scale,
                         const DistanceLegendWords& words) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    const double unit = box.height() / 8;  // a line of text takes two units
-    QFont font = painter.font();
-    font.setPixelSize(std::max(1, static_cast<int>(std::lround(1.6 * unit))));
-    painter.setFont(font);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(20, 26, 32, 190));
-    painter.drawRoundedRect(box, unit / 2, unit / 2);
-    const QRectF bar(box.x() + unit, box.y() + 3.2 * unit, box.width() - 2 * unit, 1.8 * unit);
+    const auto [above, bar, below] = drawLegendFrame(painter, box);
     drawRow(painter, bar, scale);
     painter.setPen(Qt::white);
-    const QRectF above(bar.x(), box.y() + 0.6 * unit, bar.width(), 2.2 * unit);
     painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, words.tooDeep);
     painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, words.stillToCut);
-    const QRectF below(bar.x(), bar.bottom() + 0.3 * unit, bar.width(), 2.2 * unit);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, millimetres(QStringLiteral("\u2212"), scale.range));
     const bool hasBand = scale.tolerance > 0;
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
@@ -60,12 +46,9 @@ void drawDistanceLegend(QPainter& painter, const QRectF& box, const DistanceScal
 }
 
 void drawDistanceLegend(Image& image, const DistanceScale& scale) {
-    const OffscreenApplication application;
-    QImage canvas = viewOf(image);
-    QPainter painter(&canvas);
-    const double unit = std::max(1.0, image.size.height / 60.0);
-    drawDistanceLegend(painter, QRectF(1.5 * unit, image.size.height - 9.5 * unit, 30 * unit, 8 * unit), scale,
-                       {"cut too deep", "still to cut", "within"});
+    drawLegendInto(image, [&scale](QPainter& painter, const QRectF& box) {
+        drawDistanceLegend(painter, box, scale, {"cut too deep", "still to cut", "within"});
+    });
 }
 
 }  // namespace tactooth
