@@ -28,6 +28,7 @@ private slots:
     void theRingLiesUnderThePointer();
     void whileItsKeyIsHeldTheMouseMovesTheMirror();
     void theMirrorIsPlacedBehindTheBurAndPutBack();
+    void overAMarginalRidgeTheRingMarksTheNeighbour();
     void cleanupTestCase();
 
 private:
@@ -209,6 +210,31 @@ void WindowAidsTest::theRingLiesUnderThePointer() {
     key(Qt::Key_J);
     QVERIFY(view().aim().ring().empty());
     key(Qt::Key_J);
+}
+
+/// From above, the palate is right before the eye. It is too near to be drawn, and the mouse does not point at it.
+void WindowAidsTest::overAMarginalRidgeTheRingMarksTheNeighbour() {
+    window_->teeth().loadMouth({46});
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->mouthTooth, 46, kLoadPatience);
+    waitForTooth();
+    key(Qt::Key_1);
+    const Box3 tooth = window_->model().tooth()->piece->tooth().ownBox();
+    const auto aimBeside = [&](double toContact) {  // mm from the mesial contact
+        const double x = window_->model().mesialX() > 0 ? tooth.max().x() - toContact : tooth.min().x() + toContact;
+        const Vec3 crown(x, tooth.center().y(), tooth.max().z() - 1);
+        const auto pixel = project(view().camera(), {view().width(), view().height()}, crown);
+        QTest::mouseMove(&view(), QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())));
+        const auto isThere = [&] { return std::abs(window_->model().log().newest().proxy.position.x() - x) < 0.5; };
+        QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatience);
+    };
+    aimBeside(0.3);
+    waitForSteps(20);
+    window_->grab().save("/tmp/gh/aim-beside.png");
+    QTRY_VERIFY_WITH_TIMEOUT(view().aim().marksBeside(), kPatience);
+    QVERIFY(view().aim().lines().contains("Will touch the neighbour or gum"));
+    aimBeside(3);
+    QTRY_VERIFY_WITH_TIMEOUT(!view().aim().marksBeside() && !view().aim().ring().empty(), kPatience);
+    QVERIFY(!view().aim().lines().contains("Will touch the neighbour or gum"));
 }
 
 }  // namespace tactooth

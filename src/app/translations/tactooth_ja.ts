@@ -12,6 +12,10 @@
         <translation>深さ %1 mm</translation>
     </message>
     <message>
+        <source>Will touch the neighbour or gum</source>
+        <translation>隣の歯または歯肉に触れます</translation>
+    </message>
+    <message>
         <source>Over the pulp %1 mm</source>
         <translation>歯髄まで %1 mm</translation>
     </message>

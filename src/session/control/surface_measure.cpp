@@ -53,11 +53,11 @@ Vec3 meanNormal(const Surface& surface, const Vec3& point, const Vec3& facing, d
 std::optional<MeasuredPlace> placeOn(const Surface& surface, const Ray& seen) {
     constexpr double kBeside = 1e-5;  // mm: a ray right through an edge may pass between the triangles
     Ray ray = seen;
-    auto hit = firstHitWithNormal(surface, ray);
+    auto hit = firstSeen(surface, ray);
     if (!hit) {
         const Vec3 u = ray.direction.unitOrthogonal();
         ray.origin += kBeside * (0.8 * u + 0.6 * ray.direction.cross(u));  // not along the edge of a grid either
-        hit = firstHitWithNormal(surface, ray);
+        hit = firstSeen(surface, ray);
     }
     if (!hit) return std::nullopt;
     const Vec3 point = ray.origin + hit->distance * ray.direction;

@@ -55,7 +55,10 @@ double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
     return enter <= leave + kRounding ? enter : kNever;
 }
 
-Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, Meeting best) {
+/// Which sides of the triangles count.
+enum class Sides { Both, Outside };
+
+Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, Sides sides, Meeting best) {
     const auto& [tree, hidden] = visible;
     if (tree.empty()) return best;
     std::array<AabbTree::Link, AabbTree::kStackSize> stack;
@@ -75,33 +78,42 @@ Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& 
             const std::uint32_t triangle = leaf.triangle[lane];
             if (hidden != nullptr && isHidden(*hidden, triangle)) continue;
             const Meeting found = meeting(ray, cornersOf(part.mesh(), triangle));
+            if (found.leaves && sides == Sides::Outside) continue;
             if (found.distance < best.distance) best = {found.distance, found.leaves, &part, triangle};
         }
     }
     return best;
 }
 
-Meeting firstOf(const Surface& surface, const Ray& ray) {
-    Meeting best = firstOf(*surface.base, visibleBase(surface), ray, {});
-    for (const auto& patch : surface.patches) best = firstOf(*patch, {patch->tree(), nullptr}, ray, best);
+Meeting firstOf(const Surface& surface, const Ray& ray, Sides sides) {
+    Meeting best = firstOf(*surface.base, visibleBase(surface), ray, sides, {});
+    for (const auto& patch : surface.patches) best = firstOf(*patch, {patch->tree(), nullptr}, ray, sides, best);
     return best;
+}
+
+std::optional<SurfaceHit> hitOf(const Meeting& best) {
+    if (best.part == nullptr) return std::nullopt;
+    return SurfaceHit{best.distance, best.part->mesh().areaVector(best.triangle).normalized(),
+                      best.part->isAdjacent(best.triangle)};
 }
 
 }  // namespace
 
 std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
-    const Meeting best = firstOf(surface, ray);
+    const Meeting best = firstOf(surface, ray, Sides::Both);
     return best.distance < kNever ? std::optional(best.distance) : std::nullopt;
 }
 
 std::optional<SurfaceHit> firstHitWithNormal(const Surface& surface, const Ray& ray) {
-    const Meeting best = firstOf(surface, ray);
-    if (best.part == nullptr) return std::nullopt;
-    return SurfaceHit{best.distance, best.part->mesh().areaVector(best.triangle).normalized()};
+    return hitOf(firstOf(surface, ray, Sides::Both));
+}
+
+std::optional<SurfaceHit> firstSeen(const Surface& surface, const Ray& ray) {
+    return hitOf(firstOf(surface, ray, surface.closed ? Sides::Outside : Sides::Both));
 }
 
 double depthInside(const SurfacePart& whole, const Vec3& place, const Vec3& up) {
-    const Meeting first = firstOf(whole, {whole.tree(), nullptr}, {place, up}, {});
+    const Meeting first = firstOf(whole, {whole.tree(), nullptr}, {place, up}, Sides::Both, {});
     return first.leaves ? first.distance : 0;
 }
 

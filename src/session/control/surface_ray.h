@@ -17,9 +17,14 @@ namespace tactooth {
 struct SurfaceHit {
     double distance = 0;         ///< along the ray, mm
     Vec3 normal = Vec3::Zero();  ///< of the triangle there, unit, outward
+    bool isAdjacent = false;     ///< it belongs to a body around the tooth
 };
 /// The same as firstHit, with the normal. A triangle without area is not met.
 [[nodiscard]] std::optional<SurfaceHit> firstHitWithNormal(const Surface& surface, const Ray& ray);
+
+/// The same for a line of sight: a closed surface is seen from outside only, as in a picture. An eye inside a gum or
+/// behind a jaw sees through it.
+[[nodiscard]] std::optional<SurfaceHit> firstSeen(const Surface& surface, const Ray& ray);
 
 /// How deep `place` lies inside `whole`, a closed surface that nothing has been cut from: the distance along `up`
 /// (unit) to where it leaves the surface, mm. 0 outside. With the tip of a bur and its shaft it is the depth of the

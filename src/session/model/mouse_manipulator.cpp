@@ -62,13 +62,13 @@ Vec3 MouseManipulator::onPlane(const PointerView& picture, const Vec2& pixel) co
 /// A cavity does not move the landing place: the tip goes down at the place of its rim that the user points at.
 void MouseManipulator::noteLanding(const PointerView& picture, const Vec2& pixel, const Surface& surface) {
     const Ray ray = picture.rayThrough(pixel);
-    std::optional<double> hit = firstHit(surface, ray);
+    std::optional<SurfaceHit> hit = firstSeen(surface, ray);
     if (pressesToDepth()) {
-        const std::optional<double> before = firstHit(*depthControl_.surface(), ray);
-        if (before && (!hit || *before < *hit)) hit = before;
+        const std::optional<SurfaceHit> before = firstSeen(*depthControl_.surface(), ray);
+        if (before && (!hit || before->distance < hit->distance)) hit = before;
     }
     landing_.reset();
-    if (hit) landing_ = ray.origin + *hit * ray.direction;
+    if (hit) landing_ = ray.origin + hit->distance * ray.direction;
 }
 
 void MouseManipulator::aim(const PointerView& picture, const Vec2& pixel, const Surface& surface) {
@@ -94,8 +94,8 @@ void MouseManipulator::press(const PointerView& picture, const Vec2& pixel) {
 void MouseManipulator::drag(const PointerView& picture, const Vec2& pixel) {
     if (pressesToDepth()) {
         const Ray ray = picture.rayThrough(pixel);
-        if (const auto hit = firstHit(*depthControl_.surface(), ray)) {
-            landing_ = ray.origin + *hit * ray.direction;
+        if (const auto hit = firstSeen(*depthControl_.surface(), ray)) {
+            landing_ = ray.origin + hit->distance * ray.direction;
             grabbed_ = pixel;
             return;
         }

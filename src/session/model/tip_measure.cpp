@@ -17,6 +17,7 @@ constexpr double kHeadPart = 2.5;  // mm of the head above the tip that can be n
 constexpr double kRings = 0.15;    // mm between two rings of places on the head
 constexpr int kAround = 8;         // places around the axis
 constexpr double kOutside = 60;    // mm, outside of every tooth
+constexpr double kFirstCut = 0.3;  // mm that a bur cuts at once where a force presses it
 
 /// The direction in which the hand presses, into the tooth.
 Vec3 inwardOf(const SessionModel& model) {
@@ -46,6 +47,13 @@ std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelo
     return least;
 }
 
+/// How far the tip of `mark` will go along the press direction, mm.
+double travelOf(const MouseManipulator& hand, const AimMark& mark) {
+    const auto toFloor = hand.depthControl().toFloor(mark.tip, hand.pressDirection());
+    if (hand.pressMode() == PressMode::Depth && toFloor) return *toFloor;
+    return (*mark.landing - mark.tip).dot(hand.pressDirection()) + kFirstCut;
+}
+
 }  // namespace
 
 TipMeasure tipMeasure(const SessionModel& model) {
@@ -72,6 +80,10 @@ TipWarning warningOf(const TipMeasure& measure, const SessionModel& model) {
     return isDeep && newest.contacts > 0 ? TipWarning::Deep : TipWarning::None;
 }
 
+bool AimMark::touchesBeside() const {
+    return std::any_of(ring.begin(), ring.end(), [](const AimPlace& place) { return place.touchesBeside; });
+}
+
 AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& tool) {
     const MouseManipulator::Surroundings& there = hand.surroundings();
     AimMark mark;
@@ -94,10 +106,14 @@ AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& too
     if (!mark.landing) return mark;
     const Vec3 u = inward.unitOrthogonal();
     const Vec3 v = inward.cross(u);
+    const double travel = travelOf(hand, mark);
     for (int i = 0; i < kRingPlaces; ++i) {
         const double angle = 2 * std::numbers::pi * i / kRingPlaces;
-        const auto place = landingOf(mark.tip + headRadius * (std::cos(angle) * u + std::sin(angle) * v));
-        if (place) mark.ring.push_back(*place);
+        const Vec3 start = mark.tip + headRadius * (std::cos(angle) * u + std::sin(angle) * v);
+        const auto place = landingOf(start);
+        if (!place) continue;
+        const auto first = firstHitWithNormal(*there.touchable, {start, inward});
+        mark.ring.push_back({*place, first && first->isAdjacent && first->distance < travel});
     }
     return mark;
 }

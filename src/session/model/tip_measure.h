@@ -34,12 +34,21 @@ inline constexpr double kAtPulp = 0.5;
 [[nodiscard]] TipMeasure tipMeasure(const SessionModel& model);
 [[nodiscard]] TipWarning warningOf(const TipMeasure& measure, const SessionModel& model);
 
+/// A place of the outline of a bur that will land.
+struct AimPlace {
+    Vec3 at = Vec3::Zero();
+    /// The bur will touch a neighbour or a gum here before it is as deep as it is to go.
+    bool touchesBeside = false;
+};
+
 /// Where the bur will land, for a picture: the outline of its head on the surface below it.
 struct AimMark {
     Vec3 tip = Vec3::Zero();
     std::optional<Vec3> landing;  ///< below the tip along the press direction; none beside the tooth
     /// The outline, closed; a place that misses the tooth is left out.
-    std::vector<Vec3> ring;
+    std::vector<AimPlace> ring;
+
+    [[nodiscard]] bool touchesBeside() const;
 };
 inline constexpr int kRingPlaces = 32;
 

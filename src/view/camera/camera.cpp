@@ -41,7 +41,8 @@ Ray rayThrough(const Camera& camera, ImageSize size, const Vec2& pixel) {
     const double halfHeight = std::tan(camera.fieldOfView / 2);
     const Vec3 inCamera(((2 * pixel.x() / size.width - 1) * size.aspect() + camera.lensShift) * halfHeight,
                         (1 - 2 * pixel.y() / size.height) * halfHeight, -1);
-    return {camera.cameraInWorld.position, (camera.cameraInWorld.rotation * inCamera).normalized()};
+    const Vec3 perDepth = camera.cameraInWorld.rotation * inCamera;
+    return {camera.cameraInWorld.position + camera.nearDistance * perDepth, perDepth.normalized()};
 }
 
 std::optional<Vec2> project(const Camera& camera, ImageSize size, const Vec3& point) {

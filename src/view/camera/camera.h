@@ -48,8 +48,8 @@ struct Camera {
 /// The reflection in `plane`, as a matrix on points (world).
 [[nodiscard]] Mat4 reflectionMatrix(const Plane& plane);
 
-/// The ray from the eye through `pixel` (origin at the picture's top left corner, y down, the first pixel's centre is
-/// at 0.5, 0.5).
+/// The line of sight through `pixel` (origin at the picture's top left corner, y down, the first pixel's centre is at
+/// 0.5, 0.5). It begins at the near plane: nothing nearer is drawn, so nobody points at it.
 [[nodiscard]] Ray rayThrough(const Camera& camera, ImageSize size, const Vec2& pixel);
 
 /// The position of `point` (world) in the picture; nothing if it is not in front of the eye.

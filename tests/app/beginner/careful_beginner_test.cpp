@@ -128,7 +128,7 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
             test::SeenPicture seen;
             seen.outline = outline;
             const AimMark mark = aimMark(hand, scene.bur.head.radius, tick.proxy);
-            for (const Vec3& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place));
+            for (const AimPlace& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place.at));
             if (mark.landing) seen.landing = *project(view.camera(), kPicture, *mark.landing);
             seen.depth = hand.depthControl().depthOf(tick.proxy.position, hand.pressDirection());
             if (plan.isFlat)

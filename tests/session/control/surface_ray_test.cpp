@@ -41,6 +41,23 @@ TEST(SurfaceRay, FindsTheNearSideOfABall) {
     EXPECT_LT(hits, 1700);
 }
 
+TEST(SurfaceRay, AnEyeInsideAClosedBodySeesThroughIt) {
+    Surface surface;
+    TriangleMesh mesh = test::sphere(Vec3(0, 0, 20), 5, 64, 32);
+    append(mesh, test::box(Vec3(-3, -3, -3), Vec3(3, 3, 3)));
+    surface.base = std::make_shared<const SurfacePart>(std::move(mesh));
+    for (const double height : {18.0, 20.0, 22.0}) {
+        const Ray down{Vec3(0.1, 0.2, height), -Vec3::UnitZ()};
+        EXPECT_NEAR(firstHit(surface, down).value(), height - 15, 0.05);
+        const SurfaceHit seen = firstSeen(surface, down).value();
+        EXPECT_NEAR(seen.distance, height - 3, 1e-9);
+        EXPECT_NEAR(seen.normal.z(), 1, 1e-9);
+    }
+    EXPECT_NEAR(firstSeen(surface, {Vec3(0.1, 0.2, 30), -Vec3::UnitZ()}).value().distance, 5, 0.05);
+    surface.closed = false;  // an open surface is drawn from both sides
+    EXPECT_NEAR(firstSeen(surface, {Vec3(0.1, 0.2, 20), -Vec3::UnitZ()}).value().distance, 5, 0.05);
+}
+
 TEST(SurfaceRay, LooksThroughWhatWasCutAwayAndSeesThePatches) {
     Surface surface = ball();
     const Ray down{Vec3(1.01, 2.02, 10), -Vec3::UnitZ()};

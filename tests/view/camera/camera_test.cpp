@@ -26,7 +26,17 @@ TEST(Camera, CentreOfPictureLooksAlongMinusZ) {
     const Camera camera = tiltedCamera();
     const Ray ray = rayThrough(camera, kSize, Vec2(320, 200));
     EXPECT_LT((ray.direction - camera.cameraInWorld.rotation * Vec3(0, 0, -1)).norm(), 1e-12);
-    EXPECT_EQ(ray.origin, camera.cameraInWorld.position);
+    EXPECT_LT((ray.origin - camera.cameraInWorld.position - camera.nearDistance * ray.direction).norm(), 1e-12);
+}
+
+TEST(Camera, ARayBeginsAtTheNearPlaneWhereThePictureBegins) {
+    Camera camera = tiltedCamera();
+    camera.nearDistance = 2.5;
+    for (const Vec2& pixel : {Vec2(0, 0), Vec2(620, 30), Vec2(320, 399)}) {
+        const Ray ray = rayThrough(camera, kSize, pixel);
+        EXPECT_NEAR(clipPosition(camera, ray.origin).z(), -1, 1e-9);
+        EXPECT_LT((*project(camera, kSize, ray.origin) - pixel).norm(), 1e-9);
+    }
 }
 
 TEST(Camera, RightOfPictureIsPlusXAndTopIsPlusY) {

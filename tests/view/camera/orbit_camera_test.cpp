@@ -166,7 +166,8 @@ TEST(OrbitCamera, ZoomKeepsThePointUnderTheCursor) {
     const Vec2 cursor(620, 140);
     const Ray ray = rayThrough(camera.camera(), kSize, cursor);
     const Vec3 forward = camera.camera().cameraInWorld.rotation * Vec3(0, 0, -1);
-    const Vec3 point = ray.origin + ray.direction * (camera.distance() / ray.direction.dot(forward));
+    const double beyondNear = camera.distance() - camera.camera().nearDistance;
+    const Vec3 point = ray.origin + ray.direction * (beyondNear / ray.direction.dot(forward));
     camera.zoom(0.4, cursor, kSize);
     const auto pixel = project(camera.camera(), kSize, point);
     ASSERT_TRUE(pixel);

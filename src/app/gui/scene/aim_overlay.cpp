@@ -20,6 +20,7 @@ constexpr int kPlumbPlaces = 12;        // of the plumb line that are looked at
 constexpr double kOnSurface = 0.08;     // mm: a place this near to what the eye sees is not hidden
 constexpr double kShortestPlumb = 0.1;  // mm: the tip is where it lands
 const QColor kHalo(0, 0, 0, 120);
+const QColor kBeside(255, 72, 60);  // of the part of the ring that will touch a neighbour or a gum
 
 QColor colourOf(TipWarning warning) {
     switch (warning) {
@@ -46,7 +47,7 @@ void drawLine(QPainter& painter, const Places& places, const QColor& colour, boo
             const auto& to = places[(i + 1) % places.size()];
             const bool isHidden = from.isHidden || to.isHidden;
             if (halo && isHidden) continue;
-            QColor shown = halo ? kHalo : colour;
+            QColor shown = halo ? kHalo : from.touchesBeside || to.touchesBeside ? kBeside : colour;
             if (isHidden) shown.setAlpha(110);
             if (isHidden && i % 2 == 1) continue;
             painter.setPen(QPen(shown, halo ? 3.5 : 1.6, Qt::SolidLine, Qt::RoundCap));
@@ -100,6 +101,8 @@ AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewpor
 
 void AimOverlay::setShowsNumbers(bool shows) { showsNumbers_ = shows; }
 
+bool AimOverlay::marksBeside() const { return std::ranges::any_of(mark_.ring, &Place::touchesBeside); }
+
 QPolygonF AimOverlay::ring() const {
     QPolygonF ring;
     for (const Place& place : mark_.ring) ring << place.at;
@@ -114,9 +117,9 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
         const auto pixel = project(picture.camera(), picture.size(), point);
         if (!pixel) return std::nullopt;
         const Ray ray = picture.rayThrough(*pixel);
-        const auto hit = there.touchable ? firstHit(*there.touchable, ray) : std::nullopt;
-        const bool isHidden = hit && *hit + kOnSurface < (point - ray.origin).dot(ray.direction);
-        return Place{{pixel->x() / ratio, pixel->y() / ratio}, isHidden};
+        const auto hit = there.touchable ? firstSeen(*there.touchable, ray) : std::nullopt;
+        const bool isHidden = hit && hit->distance + kOnSurface < (point - ray.origin).dot(ray.direction);
+        return Place{{pixel->x() / ratio, pixel->y() / ratio}, isHidden, false};
     };
     const Tick& newest = model.log().newest();
     const auto tip = placeOf(newest.proxy.position);
@@ -124,8 +127,11 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
     mark.tip = tip->at;
     if (model.devices().first() == nullptr) {
         const AimMark aim = aimMark(model.manipulator(), model.bur()->head.radius, newest.proxy);
-        for (const Vec3& point : aim.ring) {
-            if (const auto place = placeOf(point)) mark.ring.push_back(*place);
+        for (const AimPlace& one : aim.ring) {
+            auto place = placeOf(one.at);
+            if (!place) continue;
+            place->touchesBeside = one.touchesBeside && showsNumbers_;
+            mark.ring.push_back(*place);
         }
         if (aim.landing && (*aim.landing - aim.tip).norm() > kShortestPlumb) {
             for (int i = 0; i <= kPlumbPlaces; ++i) {
@@ -150,6 +156,7 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
         mark.lines << tr("In the pulp");
     }
     mark.lines << tr("Force %1 N").arg(measure.force, 0, 'f', 1);
+    if (std::ranges::any_of(mark.ring, &Place::touchesBeside)) mark.lines << tr("Will touch the neighbour or gum");
     return mark;
 }
 

@@ -30,6 +30,8 @@ public:
     /// The text beside the tip, line by line.
     [[nodiscard]] const QStringList& lines() const { return mark_.lines; }
     [[nodiscard]] TipWarning warning() const { return mark_.warning; }
+    /// Whether a part of the ring is marked as touching what stands beside the tooth.
+    [[nodiscard]] bool marksBeside() const;
     /// The landing ring in the picture, pixels of the widget.
     [[nodiscard]] QPolygonF ring() const;
 
@@ -40,6 +42,7 @@ private:
     struct Place {
         QPointF at;
         bool isHidden = false;
+        bool touchesBeside = false;
         bool operator==(const Place&) const = default;
     };
     struct Mark {

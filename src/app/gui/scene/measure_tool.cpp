@@ -40,8 +40,8 @@ void MeasureTool::takeTooth() {
 
 void MeasureTool::point(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
     const Ray ray = picture.rayThrough(pixel);
-    const auto distance = firstHit(surface, ray);
-    pointer_ = distance ? std::optional<Vec3>(ray.origin + *distance * ray.direction) : std::nullopt;
+    const auto seen = firstSeen(surface, ray);
+    pointer_ = seen ? std::optional<Vec3>(ray.origin + seen->distance * ray.direction) : std::nullopt;
     follow(picture);
 }
 

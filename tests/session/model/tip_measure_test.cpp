@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "session/model/tip_measure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kRadius = 0.6;  // mm
+
+/// A tooth with its top at z = 5 and its side at x = 5. A neighbour begins 0.4 mm beside it.
+class AimMarkTest : public testing::Test {
+protected:
+    void standBeside(double top) {
+        TriangleMesh mesh = test::box(kTooth.min(), kTooth.max());
+        const auto own = static_cast<std::uint32_t>(mesh.triangles.size());
+        uncut_ = std::make_shared<const SurfacePart>(mesh);
+        append(mesh, test::box(Vec3(5.4, -5, -10), Vec3(14, 5, top)));
+        auto all = std::make_shared<Surface>();
+        all->base = std::make_shared<const SurfacePart>(std::move(mesh), std::vector<SurfaceTag>{}, own);
+        hand_.setSurroundings({all, nullptr, uncut_});
+    }
+    [[nodiscard]] AimMark above(double x) const { return aimMark(hand_, kRadius, {Vec3(x, 0, 8), Quat::Identity()}); }
+    [[nodiscard]] static double shareBeside(const AimMark& mark) {
+        const auto count = std::ranges::count_if(mark.ring, [](const AimPlace& place) { return place.touchesBeside; });
+        return static_cast<double>(count) / kRingPlaces;
+    }
+
+    static inline const Box3 kTooth = Box3(Vec3(-5, -5, -10), Vec3(5, 5, 5));
+    std::shared_ptr<const SurfacePart> uncut_;
+    MouseManipulator hand_{kTooth, 1};
+};
+
+TEST_F(AimMarkTest, OverTheToothAloneTouchesNothingBeside) {
+    standBeside(5);
+    const AimMark mark = above(0);
+    ASSERT_TRUE(mark.landing);
+    EXPECT_NEAR(mark.landing->z(), 5, 1e-9);
+    EXPECT_EQ(mark.ring.size(), kRingPlaces);
+    EXPECT_FALSE(mark.touchesBeside());
+}
+
+/// Of a circle around x = 4.95 with a radius of 0.6 mm, the neighbour at 5.4 mm cuts off acos(0.45 / 0.6) / pi.
+TEST_F(AimMarkTest, MarksThePartOfTheRingThatLiesOnANeighbour) {
+    standBeside(5);
+    const AimMark mark = above(4.95);
+    EXPECT_NEAR(shareBeside(mark), std::acos(0.45 / kRadius) / std::numbers::pi, 1.5 / kRingPlaces);
+    for (const AimPlace& place : mark.ring) {
+        if (place.touchesBeside) {
+            EXPECT_GE(place.at.x(), 5.4 - 1e-9);
+        }
+    }
+}
+
+TEST_F(AimMarkTest, ANeighbourBelowTheFloorIsNotTouched) {
+    standBeside(3.5);
+    hand_.setPressMode(PressMode::Depth);
+    hand_.depthControl().setDepth(1);
+    EXPECT_FALSE(above(4.95).touchesBeside());
+    hand_.depthControl().setDepth(2);
+    EXPECT_TRUE(above(4.95).touchesBeside());
+}
+
+TEST_F(AimMarkTest, AForceCutsLessAtOnce) {
+    standBeside(4.5);
+    hand_.setPressMode(PressMode::Force);
+    EXPECT_FALSE(above(4.95).touchesBeside());
+    standBeside(4.8);
+    EXPECT_TRUE(above(4.95).touchesBeside());
+}
+
+}  // namespace
+}  // namespace tactooth
