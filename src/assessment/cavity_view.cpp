@@ -19,14 +19,15 @@ constexpr double kLift = 0.03;                             // mm above the surfa
 constexpr double kOutside = 60;                            // mm
 
 /// Places on the surface along the path and beside it.
-std::vector<Vec3> placesOn(const PreparationPlan& plan, const Surface& outer) {
+std::vector<Vec3> placesOn(const PreparationPlan& plan, const LayeredTooth& tooth, const Surface& outer) {
     std::vector<Vec3> places;
     const Vec3 u = plan.outward.unitOrthogonal();
     const Vec3 v = plan.outward.cross(u);
-    for (const PreparationPlan::Stroke& stroke : plan.strokes) {
-        constexpr int kAlong = 8;
-        for (int i = 0; i <= kAlong; ++i) {
-            const Vec3 middle = stroke.from + (stroke.to - stroke.from) * i / kAlong;
+    constexpr std::size_t kMostAlong = 12;  // places of a path
+    for (const BurPath& path : burPaths(plan, tooth)) {
+        const std::size_t step = std::max<std::size_t>(1, path.places.size() / kMostAlong);
+        for (std::size_t i = 0; i < path.places.size(); i += step) {
+            const Vec3& middle = path.places[i];
             for (const Vec3& aside : {Vec3(Vec3::Zero()), Vec3(u), Vec3(-u), Vec3(v), Vec3(-v)}) {
                 const Vec3 start = middle + kWidth * aside;
                 const Vec3 above = start + (kOutside - plan.outward.dot(start)) * plan.outward;
@@ -40,10 +41,9 @@ std::vector<Vec3> placesOn(const PreparationPlan& plan, const Surface& outer) {
 
 }  // namespace
 
-ViewDirection viewOnto(const PreparationPlan& plan, const SurfacePart& outer, double mesialX) {
-    // A surface that refers to the part and does not own it.
-    const Surface surface{.base = std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &outer)};
-    const std::vector<Vec3> places = placesOn(plan, surface);
+ViewDirection viewOnto(const PreparationPlan& plan, const LayeredTooth& tooth, double mesialX) {
+    const Surface surface{.base = tooth.ownOuter()};
+    const std::vector<Vec3> places = placesOn(plan, tooth, surface);
     const Vec3 usual = directionToEye(dentistView(mesialX));
     Vec3 toEye = plan.outward;
     for (int i = 0; i < kSteps; ++i) {

@@ -3,7 +3,6 @@
 #include "assessment/exercise.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "assessment/ideal_shape.h"
@@ -22,11 +21,11 @@
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;   // mm, as for the student's tooth
-constexpr double kClear = 20.0;   // mm: start of the bur above the tooth
-constexpr double kNear = 1e-4;    // mm: distance at which the surface is reached
-constexpr double kStep = 0.1;     // mm between two heights of a floor that follows the surface
-constexpr int kMaxSteps = 10000;  // toward the surface: only a line along the surface needs as many
+constexpr double kVoxel = 0.05;    // mm, as for the student's tooth
+constexpr double kClear = 20.0;    // mm: start of the bur above the tooth
+constexpr double kNextPath = 1.0;  // mm: to a path that begins so near, the bur goes without leaving the tooth
+constexpr double kNear = 1e-4;     // mm: distance at which the surface is reached
+constexpr int kMaxSteps = 10000;   // toward the surface: only a line along the surface needs as many
 
 /// Height of the surface over `place` along `outward`, by sphere tracing (J. C. Hart, "Sphere tracing", The Visual
 /// Computer 12, 1996); nothing where the line misses it.
@@ -41,13 +40,6 @@ std::optional<double> heightOf(const SurfacePart& outer, const Vec3& place, cons
         height -= distance;
     }
     return std::nullopt;
-}
-
-std::vector<Vec3> placesOf(const PreparationPlan::Stroke& stroke) {
-    const int steps = static_cast<int>(std::ceil((stroke.to - stroke.from).norm() / kStep));
-    std::vector<Vec3> places = {stroke.from};
-    for (int i = 1; i <= steps; ++i) places.push_back(stroke.from + (stroke.to - stroke.from) * i / steps);
-    return places;
 }
 
 /// Mean height of the surface over the places of a stroke.
@@ -69,17 +61,29 @@ std::optional<std::vector<double>> heightsAt(const std::vector<Vec3>& places, co
     return heights;
 }
 
-/// The paths of the bur's tip, one for each stroke.
-Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const SurfacePart& outer) {
+/// The paths of the bur's tip, with their heights.
+Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const LayeredTooth& tooth) {
+    const SurfacePart& outer = *tooth.ownOuter();
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;
-    for (const PreparationPlan::Stroke& stroke : plan.strokes) {
-        std::vector<Vec3> path = placesOf(stroke);
-        const auto heights = heightsAt(path, outer, plan.outward);
-        if (!heights) return unexpected(msg::kStrokePastTooth, paths.size() + 1);
-        if (paths.empty()) floor = meanOf(*heights);
+    const std::vector<BurPath> planned = burPaths(plan, tooth);
+    if (planned.empty()) return unexpected(plan.body ? msg::kNoSuchBody : msg::kNoFissureFound);
+    for (const BurPath& one : planned) {
+        std::vector<Vec3> path = one.places;
+        if (!one.depth) {
+            paths.push_back(std::move(path));
+            continue;
+        }
+        std::vector<double> heights;
+        const bool needsHeights = !plan.fissure || paths.empty();  // a box goes past the outside of the tooth
+        if (needsHeights) {
+            auto found = heightsAt(path, outer, plan.outward);
+            if (!found) return unexpected(msg::kStrokePastTooth, paths.size() + 1);
+            heights = std::move(*found);
+        }
+        if (paths.empty()) floor = meanOf(heights);
         for (std::size_t i = 0; i < path.size(); ++i) {
-            const double height = (plan.isFlat ? floor : (*heights)[i]) - plan.depth;
+            const double height = (plan.isFlat ? floor : heights[i]) - *one.depth;
             path[i] += (height - plan.outward.dot(path[i])) * plan.outward;
         }
         paths.push_back(std::move(path));
@@ -102,11 +106,14 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
 Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
                                 std::shared_ptr<const LayeredTooth> tooth) {
     const Quat grip = shortestRotation(Vec3::UnitZ(), plan.outward);
-    const auto paths = pathsOf(plan, *tooth->ownOuter());
+    const auto paths = pathsOf(plan, *tooth);
     if (!paths) return Unexpected{paths.error()};
     CutModel piece(std::move(tooth), kVoxel);
+    Pose before{kClear * plan.outward, grip};
     for (const std::vector<Vec3>& path : *paths) {
-        Pose before{path.front() + kClear * plan.outward, grip};
+        // A pear that is lifted leaves a hole wider than its groove.
+        const bool goesOn = (path.front() - before.position).norm() < kNextPath;
+        if (!goesOn) before.position = path.front() + kClear * plan.outward;
         for (const Vec3& tip : path) {
             const Pose next{tip, grip};
             piece.sweep(tool, before, next);
@@ -119,10 +126,11 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 
 }  // namespace
 
-std::optional<Vec3> floorReference(const PreparationPlan& plan, const SurfacePart& outer) {
-    if (plan.strokes.empty()) return std::nullopt;
-    const std::vector<Vec3> places = placesOf(plan.strokes.front());
-    const auto heights = heightsAt(places, outer, plan.outward);
+std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth) {
+    const std::vector<BurPath> paths = burPaths(plan, tooth);
+    if (paths.empty() || !paths.front().depth) return std::nullopt;
+    const std::vector<Vec3>& places = paths.front().places;
+    const auto heights = heightsAt(places, *tooth.ownOuter(), plan.outward);
     if (!heights) return std::nullopt;
     return places.front() + (meanOf(*heights) - plan.outward.dot(places.front())) * plan.outward;
 }

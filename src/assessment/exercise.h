@@ -7,14 +7,42 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "collision/bvh/surface.h"
+#include "geometry/util/message.h"
 #include "instruments/builtin_tooth.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
+
+/// An outline along the central fissure of a posterior tooth, wherever that runs on its surface.
+struct FissureOutline {
+    double width;      ///< mm, at least that of the bur
+    double burRadius;  ///< mm
+    /// Tooth that is left between the cavity and the outside of the crown, toward +x and -x, mm. Nothing: a box ends
+    /// the cavity there.
+    std::optional<double> leftPlusX, leftMinusX;
+};
+
+/// The box of a Class II cavity: it opens the proximal side and is deeper than the occlusal part.
+struct ProximalBox {
+    double towardX;      ///< 1 or -1: its side
+    double width;        ///< buccolingual, mm
+    double axialDepth;   ///< from the outside of the tooth at the height of the box's floor to the axial wall, mm
+    double axialHeight;  ///< of the axial wall, from the box's floor to the pulpal floor, mm
+};
+
+/// A cavity that removes a body inside the tooth, with what lies over it: decay, or the roof of the pulp chamber.
+struct BodyOutline {
+    MaterialRole role;  ///< of the body's material: Decay or Pulp
+    double burRadius;   ///< mm
+    double burLength;   ///< of its head, mm
+    /// Only what lies above this depth below the top of the body, mm, with a flat floor there; nothing: all of it.
+    std::optional<double> below;
+};
 
 /// The path of the bur through an ideal cavity: strokes of its tip, with the shaft in one direction.
 struct PreparationPlan {
@@ -24,27 +52,70 @@ struct PreparationPlan {
     bool isFlat;
     bool stopsDevice = false;  ///< a haptic device stops at the floor, too
     struct Stroke {
-        Vec3 from, to;  ///< tooth frame, mm; the height along `outward` is computed
+        Vec3 from, to;                     ///< tooth frame, mm; the height along `outward` is computed
+        std::optional<double> depth = {};  ///< nothing: that of the plan
     };
-    std::vector<Stroke> strokes;
+    std::vector<Stroke> strokes;            ///< empty: the paths follow from what comes next
+    std::optional<FissureOutline> fissure;  ///< in place of strokes; from the occlusal side with a flat floor
+    std::vector<ProximalBox> boxes;         ///< only with a fissure
+    std::optional<BodyOutline> body;        ///< in place of strokes
+};
+
+/// What an exercise trains. Lists show the exercises in this order.
+enum class ExerciseGroup { HandEye, Caries, ClassOne, ClassTwo, ClassThree, ClassFive, Endodontic, Own };
+[[nodiscard]] const MessageText& titleOf(ExerciseGroup group);
+
+enum class ExerciseLevel { Easy, Usual, Hard };
+[[nodiscard]] const MessageText& titleOf(ExerciseLevel level);
+
+/// The words of an exercise in one language; empty: the file does not have them.
+struct ExerciseWords {
+    std::string name;   ///< its title
+    std::string task;   ///< a sentence
+    std::string brief;  ///< how to go about it
 };
 
 /// A task for a student: a cavity in a tooth. Tooth frame.
 struct Exercise {
     std::string name;                                            ///< for people
     std::string task;                                            ///< a sentence
+    std::string brief;                                           ///< how to go about it; may be empty
+    ExerciseWords japanese;                                      ///< each may be empty
     std::variant<ToothRequest, ToothSource> tooth;               ///< a built-in one, or files
     std::variant<std::string, std::filesystem::path> bur;        ///< number in the catalogue, or a file (readCustomBur)
     std::variant<PreparationPlan, std::filesystem::path> ideal;  ///< or a file (loadIdealShape)
     std::filesystem::path file = {};                             ///< its description; empty: built in
+    std::string id = {};                                         ///< of a built-in one: "class-1-46"
+    ExerciseGroup group = ExerciseGroup::Own;
+    ExerciseLevel level = ExerciseLevel::Usual;
+    bool inMouth = false;                ///< a built-in tooth stands in the whole mouth, with its neighbours
+    std::vector<std::string> burs = {};  ///< numbers of further burs of the catalogue that serve as well
+    std::optional<int> minutes = {};     ///< time for the task
+    double tolerance = 0.3;              ///< mm from the ideal surface that count as right in pictures
+    std::string rubric = {};             ///< a built-in one, or a file; empty: the usual one
+
+    /// Whether the ideal cavity reaches the pulp.
+    [[nodiscard]] bool opensPulp() const;
+    /// The words in this language; in English where the file has no others.
+    [[nodiscard]] ExerciseWords words(Language language) const;
 };
 
-/// Those that are built in (data/exercises/), from easy to hard.
+/// Those that are built in (data/exercises/): by group, then by level, then by the number of the file.
 [[nodiscard]] std::span<const std::shared_ptr<const Exercise>> exercises();
+/// A built-in one by its id; null if there is none.
+[[nodiscard]] std::shared_ptr<const Exercise> builtinExercise(std::string_view id);
+
+/// One path of the bur's tip.
+struct BurPath {
+    std::vector<Vec3> places;     ///< tooth frame, mm
+    std::optional<double> depth;  ///< below the surface, mm, as PreparationPlan::depth; nothing: the places have it
+};
+/// All paths of a plan on an uncut tooth; none where it has no fissure to follow, or no such body.
+[[nodiscard]] std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth);
 
 /// The place from whose height, along PreparationPlan::outward, the depth of a flat floor counts. Nothing where the
-/// first stroke misses `outer`, the surface of the uncut tooth.
-[[nodiscard]] std::optional<Vec3> floorReference(const PreparationPlan& plan, const SurfacePart& outer);
+/// first stroke misses the uncut tooth, and where the paths have their own heights.
+[[nodiscard]] std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth);
 
 /// The uncut tooth of the exercise. Takes a second; fails with one sentence.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);

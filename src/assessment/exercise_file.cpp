@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/exercise_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "assessment/messages.h"
+#include "assessment/rubric/rubric_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
@@ -32,6 +34,21 @@ constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSites = {{{"oc
                                                                             {"buccal", LesionSite::Buccal},
                                                                             {"lingual", LesionSite::Lingual}}};
 
+constexpr double kMostLeft = 10;      // mm of tooth beside a cavity: a whole crown
+constexpr double kWidestOutline = 8;  // mm
+constexpr double kMaxBox = 6;         // mm: any measure of a proximal box
+constexpr int kMostMinutes = 600;
+constexpr double kLeastTolerance = 0.02, kMostTolerance = 2;  // mm
+
+/// Their names in files, in the order of the enumerations.
+constexpr std::array<std::string_view, 8> kGroups = {"hand-eye", "caries",  "class-1",    "class-2",
+                                                     "class-3",  "class-5", "endodontic", "own"};
+constexpr std::array<const MessageText*, 8> kGroupTitles = {
+    &msg::kGroupHandEye,    &msg::kGroupCaries,    &msg::kGroupClassOne,   &msg::kGroupClassTwo,
+    &msg::kGroupClassThree, &msg::kGroupClassFive, &msg::kGroupEndodontic, &msg::kGroupOwn};
+constexpr std::array<std::string_view, 3> kLevels = {"easy", "usual", "hard"};
+constexpr std::array<const MessageText*, 3> kLevelTitles = {&msg::kLevelEasy, &msg::kLevelUsual, &msg::kLevelHard};
+
 class ExerciseReader {
 public:
     ExerciseReader(const std::string& name, const std::filesystem::path& folder) : toml_(name), folder_(folder) {}
@@ -46,12 +63,48 @@ public:
 private:
     void readAll(const toml::table& root) {
         toml_.allow(root, msg::kAnExercise,
-                    {"name", "task", "tooth", "patient", "decay", "layers", "bur", "ideal", "cavity"});
+                    {"name", "task", "brief", "japanese", "group", "level", "minutes", "tolerance", "rubric", "tooth",
+                     "mouth", "patient", "decay", "layers", "bur", "other_burs", "ideal", "cavity"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
+        exercise_.brief = toml_.text(root, "brief", false);
+        if (const toml::table* japanese = toml_.table(root, "japanese")) {
+            toml_.allow(*japanese, msg::kJapaneseWords, {"name", "task", "brief"});
+            exercise_.japanese = {toml_.text(*japanese, "name", true), toml_.text(*japanese, "task", true),
+                                  toml_.text(*japanese, "brief", false)};
+        }
+        readFrame(root);
         readTooth(root);
         readBur(root);
         readIdeal(root);
+    }
+
+    /// What the exercise trains, for how long, and how it is judged.
+    void readFrame(const toml::table& root) {
+        exercise_.group = static_cast<ExerciseGroup>(
+            choice(root, "group", kGroups, msg::kGroupUnknown, static_cast<std::size_t>(ExerciseGroup::Own)));
+        exercise_.level = static_cast<ExerciseLevel>(
+            choice(root, "level", kLevels, msg::kExerciseLevelUnknown, static_cast<std::size_t>(ExerciseLevel::Usual)));
+        if (root.get("minutes") != nullptr) exercise_.minutes = toml_.integer(root, "minutes", 1, 1, kMostMinutes);
+        exercise_.tolerance = toml_.number(root, "tolerance", exercise_.tolerance, kLeastTolerance, kMostTolerance);
+        exercise_.rubric = toml_.text(root, "rubric", false);
+        if (exercise_.rubric.ends_with(".toml"))
+            exercise_.rubric = beside(*root.get("rubric"), exercise_.rubric).string();
+        else if (!exercise_.rubric.empty())
+            if (const auto rubric = findRubric(exercise_.rubric); !rubric)
+                toml_.fail(*root.get("rubric"), {msg::kNoSuchRubric, quotedWord(exercise_.rubric)});
+    }
+
+    /// The place of a word in the list of those that a key may have.
+    template <std::size_t N>
+    std::size_t choice(const toml::table& table, std::string_view key, const std::array<std::string_view, N>& words,
+                       const MessageText& mistake, std::size_t fallback) {
+        const std::string word = toml_.text(table, key, false);
+        if (word.empty()) return fallback;
+        const auto* const known = std::ranges::find(words, word);
+        if (known != words.end()) return static_cast<std::size_t>(known - words.begin());
+        toml_.fail(*table.get(key), mistake);
+        return fallback;
     }
 
     /// The path of a file that the text names.
@@ -66,6 +119,7 @@ private:
         const toml::node* node = root.get("tooth");
         if (node == nullptr) return toml_.fail(root, {msg::kKeyMissing, "tooth"});
         if (node->is_string()) return readCustomTooth(root, *node);
+        exercise_.inMouth = toml_.flag(root, "mouth", false);
         ToothRequest request;
         request.fdi = toml_.integer(root, "tooth", request.fdi, 0, 99);
         if (!isPermanentTooth(request.fdi)) {
@@ -74,6 +128,7 @@ private:
         request.seed = static_cast<std::uint32_t>(toml_.integer(root, "patient", 0, 0, 1'000'000));
         if (const toml::table* decay = toml_.table(root, "decay")) request.lesion = lesion(*decay, request.fdi);
         if (root.get("layers") != nullptr) toml_.fail(*root.get("layers"), msg::kBuiltinToothHasLayers);
+        if (exercise_.inMouth && request.seed != 0) toml_.fail(*root.get("mouth"), msg::kMouthIsAverage);
         mesialX_ = mesialX(request.fdi);
         exercise_.tooth = request;
     }
@@ -99,7 +154,7 @@ private:
     void readCustomTooth(const toml::table& root, const toml::node& node) {
         ToothSource source;
         source.outer = beside(node, toml_.text(root, "tooth", true));
-        for (const std::string_view key : {"patient", "decay"}) {
+        for (const std::string_view key : {"patient", "decay", "mouth"}) {
             if (root.get(key) == nullptr) continue;
             toml_.fail(*root.get(key), {msg::kKeyOfBuiltinTooth, quotedWord(key)});
         }
@@ -116,6 +171,10 @@ private:
     }
 
     void readBur(const toml::table& root) {
+        exercise_.burs = toml_.texts(root, "other_burs");
+        for (const std::string& other : exercise_.burs) {
+            if (!findBur(other)) toml_.fail(*root.get("other_burs"), {msg::kBurUnknown, quotedWord(other)});
+        }
         const std::string bur = toml_.text(root, "bur", true);
         if (bur.ends_with(".toml") || bur.ends_with(".stl") || bur.ends_with(".STL")) {
             exercise_.bur = beside(*root.get("bur"), bur);
@@ -140,7 +199,8 @@ private:
     }
 
     PreparationPlan plan(const toml::table& cavity) {
-        toml_.allow(cavity, msg::kACavity, {"side", "depth", "floor", "depth_stop", "strokes"});
+        toml_.allow(cavity, msg::kACavity,
+                    {"side", "depth", "floor", "depth_stop", "strokes", "fissure", "boxes", "removes"});
         PreparationPlan plan;
         plan.outward = side(cavity);
         if (cavity.get("depth") == nullptr) toml_.fail(cavity, {msg::kKeyMissing, "depth"});
@@ -152,10 +212,77 @@ private:
         }
         plan.stopsDevice = toml_.flag(cavity, "depth_stop", false);
         const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
+        if (const toml::table* fissure = toml_.table(cavity, "fissure")) {
+            const bool fits = plan.isFlat && plan.outward == Vec3::UnitZ() && strokes.empty();
+            if (!fits) toml_.fail(*fissure, msg::kFissureUnfit);
+            readFissure(*fissure, toml_.tables(cavity, "boxes"), plan);
+            return plan;
+        }
+        if (const toml::table* body = toml_.table(cavity, "removes")) {
+            if (!strokes.empty()) toml_.fail(*body, msg::kBodyUnfit);
+            readBody(*body, plan);
+            return plan;
+        }
+        if (cavity.get("boxes") != nullptr) toml_.fail(*cavity.get("boxes"), msg::kBoxWithoutFissure);
         if (strokes.empty()) toml_.fail(cavity, msg::kNoStrokes);
         if (strokes.size() > kMaxStrokes) toml_.fail(cavity, msg::kTooManyStrokes);
         for (const toml::table* stroke : strokes) plan.strokes.push_back(this->stroke(*stroke));
         return plan;
+    }
+
+    /// An outline along the fissure, with the boxes at its ends.
+    void readFissure(const toml::table& table, const std::vector<const toml::table*>& boxes, PreparationPlan& plan) {
+        toml_.allow(table, msg::kAFissure, {"width", "mesial", "distal"});
+        const auto* request = std::get_if<ToothRequest>(&exercise_.tooth);
+        if (request != nullptr && isAnteriorTooth(request->fdi)) toml_.fail(table, msg::kNoFissure);
+        const auto* number = std::get_if<std::string>(&exercise_.bur);
+        const std::optional<BurSpec> bur = number != nullptr ? findBur(*number) : std::nullopt;
+        if (!bur) return toml_.fail(table, msg::kOutlineNeedsBur);
+        for (const toml::table* box : boxes) plan.boxes.push_back(this->box(*box, bur->headDiameter));
+        if (plan.boxes.size() > 2 || (plan.boxes.size() == 2 && plan.boxes[0].towardX == plan.boxes[1].towardX))
+            toml_.fail(*boxes.back(), msg::kBoxTwice);
+        FissureOutline outline{
+            .width = toml_.number(table, "width", bur->headDiameter, bur->headDiameter, kWidestOutline),
+            .burRadius = bur->headDiameter / 2,
+            .leftPlusX = {},
+            .leftMinusX = {}};
+        for (const std::string_view name : {"mesial", "distal"}) {
+            const double towardX = name == "mesial" ? mesialX_ : -mesialX_;
+            const bool hasBox = std::ranges::count(plan.boxes, towardX, &ProximalBox::towardX) > 0;
+            if (hasBox == (table.get(name) != nullptr)) toml_.fail(table, {msg::kRidgeOrBox, name});
+            if (!hasBox)
+                (towardX > 0 ? outline.leftPlusX : outline.leftMinusX) = toml_.number(table, name, 0, 0, kMostLeft);
+        }
+        plan.fissure = outline;
+    }
+
+    /// A body inside the tooth that the cavity removes.
+    void readBody(const toml::table& table, PreparationPlan& plan) {
+        toml_.allow(table, msg::kABody, {"tissue", "below"});
+        constexpr std::array<std::string_view, 2> kTissues = {"caries", "pulp"};
+        const bool isPulp = choice(table, "tissue", kTissues, msg::kTissueUnknown, 0) == 1;
+        const auto* number = std::get_if<std::string>(&exercise_.bur);
+        const std::optional<BurSpec> bur = number != nullptr ? findBur(*number) : std::nullopt;
+        if (!bur) return toml_.fail(table, msg::kOutlineNeedsBur);
+        plan.body = {.role = isPulp ? MaterialRole::Pulp : MaterialRole::Decay,
+                     .burRadius = bur->headDiameter / 2,
+                     .burLength = bur->headLength,
+                     .below = {}};
+        if (isPulp && table.get("below") == nullptr) toml_.fail(table, {msg::kKeyMissing, "below"});
+        if (table.get("below") != nullptr) plan.body->below = toml_.number(table, "below", 1, kMinDepth, kMaxDepth);
+    }
+
+    ProximalBox box(const toml::table& table, double diameter) {
+        toml_.allow(table, msg::kABox, {"side", "width", "axial_depth", "axial_height"});
+        for (const std::string_view key : {"width", "axial_depth", "axial_height"}) {
+            if (table.get(key) == nullptr) toml_.fail(table, {msg::kKeyMissing, key});
+        }
+        constexpr std::array<std::string_view, 2> kSidesOfBox = {"mesial", "distal"};
+        const bool isDistal = choice(table, "side", kSidesOfBox, msg::kBoxSide, 0) == 1;
+        return {.towardX = isDistal ? -mesialX_ : mesialX_,
+                .width = toml_.number(table, "width", diameter, diameter, kMaxBox),
+                .axialDepth = toml_.number(table, "axial_depth", diameter, diameter, kMaxBox),
+                .axialHeight = toml_.number(table, "axial_height", 1, kMinDepth, kMaxBox)};
     }
 
     /// Unit vector out of the tooth.
@@ -179,12 +306,13 @@ private:
     }
 
     PreparationPlan::Stroke stroke(const toml::table& table) {
-        toml_.allow(table, msg::kAStroke, {"from", "to"});
+        toml_.allow(table, msg::kAStroke, {"from", "to", "depth"});
         if (table.get("from") == nullptr) toml_.fail(table, {msg::kKeyMissing, "from"});
-        PreparationPlan::Stroke stroke{Vec3::Zero(), Vec3::Zero()};
+        PreparationPlan::Stroke stroke{Vec3::Zero(), Vec3::Zero(), {}};
         toml_.numbers(table, "from", {stroke.from.data(), 3});
         stroke.to = stroke.from;  // a pit
         toml_.numbers(table, "to", {stroke.to.data(), 3});
+        if (table.get("depth") != nullptr) stroke.depth = toml_.number(table, "depth", 1, kMinDepth, kMaxDepth);
         const bool isNear = std::max(stroke.from.cwiseAbs().maxCoeff(), stroke.to.cwiseAbs().maxCoeff()) <= kFarthest;
         if (!isNear || (stroke.to - stroke.from).norm() > kLongestStroke) {
             toml_.fail(table, msg::kStrokeTooLong);
@@ -204,17 +332,50 @@ Expected<Exercise> parseExercise(std::string_view text, const std::string& name,
     return ExerciseReader(name, folder).read(text);
 }
 
+const MessageText& titleOf(ExerciseGroup group) { return *kGroupTitles.at(static_cast<std::size_t>(group)); }
+
+const MessageText& titleOf(ExerciseLevel level) { return *kLevelTitles.at(static_cast<std::size_t>(level)); }
+
+bool Exercise::opensPulp() const {
+    const auto* plan = std::get_if<PreparationPlan>(&ideal);
+    return plan != nullptr && plan->body && plan->body->role == MaterialRole::Pulp;
+}
+
+ExerciseWords Exercise::words(Language language) const {
+    if (language == Language::Japanese && !japanese.name.empty()) return japanese;
+    return {name, task, brief};
+}
+
 std::span<const std::shared_ptr<const Exercise>> exercises() {
     static const std::vector<std::shared_ptr<const Exercise>> all = [] {
         std::vector<std::shared_ptr<const Exercise>> list;
         for (const auto& [name, text] : builtinExerciseTexts()) {
             Expected<Exercise> exercise = parseExercise(text, name, {});
             TACTOOTH_ASSERT(exercise.has_value());  // a test reads each of them
-            if (exercise) list.push_back(std::make_shared<const Exercise>(std::move(*exercise)));
+            if (!exercise) continue;
+            exercise->id = std::filesystem::path(name).stem().native();
+            list.push_back(std::make_shared<const Exercise>(std::move(*exercise)));
         }
+        std::ranges::stable_sort(list, [](const auto& a, const auto& b) {
+            return std::pair(a->group, a->level) < std::pair(b->group, b->level);
+        });
         return list;
     }();
     return all;
+}
+
+std::shared_ptr<const Exercise> builtinExercise(std::string_view id) {
+    const auto found = std::ranges::find(exercises(), id, [](const auto& one) { return std::string_view(one->id); });
+    return found != exercises().end() ? *found : nullptr;
+}
+
+Expected<Exercise> findExercise(const std::string& nameOrFile) {
+    if (const auto builtin = builtinExercise(nameOrFile)) return *builtin;
+    const std::filesystem::path file(nameOrFile);
+    if (file.has_extension() || file.has_parent_path()) return readExercise(file);
+    std::string names;
+    for (const auto& each : exercises()) names += (names.empty() ? "" : ", ") + each->id;
+    return unexpected(msg::kExerciseUnknown, quotedWord(nameOrFile), names);
 }
 
 Expected<Exercise> readExercise(const std::filesystem::path& file) {

@@ -24,4 +24,7 @@ struct BuiltinExerciseText {
 /// The same from a file. Does not read the surfaces that the text names.
 [[nodiscard]] Expected<Exercise> readExercise(const std::filesystem::path& file);
 
+/// A built-in exercise by its id, or a file. Fails with one sentence.
+[[nodiscard]] Expected<Exercise> findExercise(const std::string& nameOrFile);
+
 }  // namespace tactooth

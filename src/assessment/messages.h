@@ -60,6 +60,66 @@ inline constexpr MessageText kStrokeTooLong{
     "stroke_too_long", "this stroke is longer or farther away than any tooth; places are in mm",
     "このストロークは歯の大きさに対して長すぎるか、遠すぎます。位置の単位は mm です"};
 
+inline constexpr MessageText kJapaneseWords{"japanese_words", "a table 'japanese'", "'japanese' の表"};
+inline constexpr MessageText kAFissure{"a_fissure", "a fissure", "裂溝"};
+inline constexpr MessageText kABox{"a_box", "a box", "隣接面窩洞"};
+inline constexpr MessageText kGroupUnknown{
+    "group_unknown", "'group' must be hand-eye, caries, class-1, class-2, class-3, class-5, endodontic or own",
+    "'group' は hand-eye、caries、class-1、class-2、class-3、class-5、endodontic、own のいずれかでなければなりません"};
+inline constexpr MessageText kExerciseLevelUnknown{"exercise_level_unknown", "'level' must be easy, usual or hard",
+                                                   "'level' は easy、usual、hard のいずれかでなければなりません"};
+inline constexpr MessageText kNoSuchRubric{
+    "no_such_rubric", "there is no built-in rubric %1; a rubric of your own is named by its file, .toml",
+    "内蔵の評価基準表に %1 はありません。自分の評価基準表は .toml のファイル名で指定します"};
+inline constexpr MessageText kMouthIsAverage{
+    "mouth_is_average", "the whole mouth has average teeth; leave out 'mouth' or 'patient'",
+    "口腔全体の歯は平均的な形です。'mouth' か 'patient' のどちらかを外してください"};
+inline constexpr MessageText kABody{"a_body", "a table 'removes'", "'removes' の表"};
+inline constexpr MessageText kTissueUnknown{"tissue_unknown", "'tissue' must be caries or pulp",
+                                            "'tissue' は caries か pulp でなければなりません"};
+inline constexpr MessageText kBodyUnfit{"body_unfit", "'removes' takes the place of the strokes",
+                                        "'removes' はストロークの代わりに指定します"};
+inline constexpr MessageText kNoSuchBody{
+    "no_such_body", "the tooth has no caries or pulp that is wider than the bur, seen from the side of the cavity.",
+    "窩洞の側から見て、バーより広いう蝕や歯髄がこの歯にはありません。"};
+inline constexpr MessageText kNoFissureFound{
+    "no_fissure_found", "the crown is too short for a cavity between these ridges; leave less of them.",
+    "この辺縁隆線を残すと、窩洞を入れる長さが歯冠にありません。残す量を減らしてください。"};
+inline constexpr MessageText kNoFissure{"no_fissure", "this tooth has no fissure to follow",
+                                        "この歯には、たどる裂溝がありません"};
+inline constexpr MessageText kFissureUnfit{
+    "fissure_unfit", "a fissure takes the place of the strokes, from the occlusal side with a flat floor",
+    "裂溝はストロークの代わりに指定します。咬合面からの平らな窩底に限ります"};
+inline constexpr MessageText kOutlineNeedsBur{"outline_needs_bur",
+                                              "an outline that is found on the tooth needs a bur of the catalogue",
+                                              "歯の形から求める外形には、カタログのバーが必要です"};
+inline constexpr MessageText kBoxWithoutFissure{
+    "box_without_fissure", "a box ends a cavity along a fissure; give [cavity.fissure]",
+    "隣接面窩洞は裂溝に沿う窩洞の端に付きます。[cavity.fissure] を書いてください"};
+inline constexpr MessageText kBoxTwice{"box_twice", "there is already a box on this side",
+                                       "この側には、すでに隣接面窩洞があります"};
+inline constexpr MessageText kBoxSide{"box_side", "'side' of a box must be mesial or distal",
+                                      "隣接面窩洞の 'side' は mesial か distal でなければなりません"};
+inline constexpr MessageText kRidgeOrBox{
+    "ridge_or_box", "each end of a fissure has either a box or '%1', the tooth that is left there, mm",
+    "裂溝の両端には、隣接面窩洞か、そこに残す歯の厚み '%1'（mm）の、どちらか一方を書いてください"};
+inline constexpr MessageText kExerciseUnknown{
+    "exercise_unknown", "there is no exercise %1; give a file that ends in .toml, or one of %2.",
+    "%1 という課題はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
+
+// Lists of exercises.
+inline constexpr MessageText kGroupHandEye{"group_hand_eye", "Hand and eye", "手と目の協調"};
+inline constexpr MessageText kGroupCaries{"group_caries", "Removal of caries", "う蝕の除去"};
+inline constexpr MessageText kGroupClassOne{"group_class_one", "Class I", "1 級窩洞"};
+inline constexpr MessageText kGroupClassTwo{"group_class_two", "Class II", "2 級窩洞"};
+inline constexpr MessageText kGroupClassThree{"group_class_three", "Class III", "3 級窩洞"};
+inline constexpr MessageText kGroupClassFive{"group_class_five", "Class V", "5 級窩洞"};
+inline constexpr MessageText kGroupEndodontic{"group_endodontic", "Endodontic access", "髄室開拡"};
+inline constexpr MessageText kGroupOwn{"group_own", "Your own", "自作の課題"};
+inline constexpr MessageText kLevelEasy{"level_easy", "easy", "易しい"};
+inline constexpr MessageText kLevelUsual{"level_usual", "usual", "普通"};
+inline constexpr MessageText kLevelHard{"level_hard", "hard", "難しい"};
+
 // What cannot be measured on a preparation.
 inline constexpr MessageText kNothingCut{"nothing_cut", "nothing was cut", "何も削られていません"};
 inline constexpr MessageText kNothingToCompare{"nothing_to_compare", "neither of the two surfaces is cut",
@@ -145,21 +205,5 @@ inline constexpr MessageText kPlaceBuccoOcclusal{"place_bucco_occlusal", "bucco-
 inline constexpr MessageText kPlaceBuccogingival{"place_buccogingival", "buccogingival", "頬側歯肉側"};
 inline constexpr MessageText kPlaceLinguoOcclusal{"place_linguo_occlusal", "linguo-occlusal", "舌側咬合面側"};
 inline constexpr MessageText kPlaceLinguogingival{"place_linguogingival", "linguogingival", "舌側歯肉側"};
-
-// Built-in exercises.
-inline constexpr MessageText kPitInMolar{"pit_in_molar", "Pit in the molar", "臼歯の小窩"};
-inline constexpr MessageText kPitTask{
-    "pit_task", "Open the central pit 1.5 mm deep, as wide as the bur: down and up again without going aside.",
-    "中心小窩をバーの幅のまま深さ 1.5 mm まで開けます。横に動かさず、まっすぐ下ろして戻します。"};
-inline constexpr MessageText kClassOne{"class_one", "Class I cavity in the molar", "臼歯の 1 級窩洞"};
-inline constexpr MessageText kClassOneTask{
-    "class_one_task",
-    "Follow the central fissure, 1.5 mm deep and 1.2 mm wide with a flat floor; leave 2 mm of both ridges.",
-    "中心溝に沿って深さ 1.5 mm、幅 1.2 mm、窩底を平らに削ります。両側の辺縁隆線は 2 mm 残します。"};
-inline constexpr MessageText kClassFive{"class_five", "Class V cavity at the neck of the canine",
-                                        "犬歯歯頸部の 5 級窩洞"};
-inline constexpr MessageText kClassFiveTask{
-    "class_five_task", "At the buccal neck, 1.1 mm deep everywhere: the floor follows the surface of the tooth.",
-    "唇側歯頸部を、どこも深さ 1.1 mm で削ります。窩底は歯面に沿わせます。"};
 
 }  // namespace tactooth::msg

@@ -30,6 +30,8 @@ private slots:
     void initTestCase();
     void whatTakesLongToLoadHasABarAndCanBeCancelled();
     void anExerciseCountsWhatIsCutOfItAndBeside();
+    void theListIsGroupedAndShowsTheLevels();
+    void anExerciseInTheMouthHasASoundToothWithNeighbours();
     void anExerciseOfOnesOwnIsOpenedFromTheMenu();
     void anExerciseThatCannotBeUsedIsRefusedAndTheToothStays();
     void anotherLanguageKeepsTargetExerciseAndLook();
@@ -89,7 +91,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
              window_->findChild<QComboBox*>("burs")->currentText());
     QTRY_VERIFY_WITH_TIMEOUT(cleared->isEnabled(), kPatience);
     QCOMPARE(cleared->value(), 0);
-    QCOMPARE(fact("Time"), "0:00");
+    QCOMPARE(fact("Time"), "0:00 of 3:00");
 
     window_->model().manipulator().setPressDepth(2);
     key(Qt::Key_C);
@@ -112,11 +114,43 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTest::mouseClick(window_->findChild<QToolButton*>("startAgain"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(fact("Over-preparation"), "0.00 mm\u00b3", kPatience);
-    QTRY_COMPARE_WITH_TIMEOUT(fact("Time"), "0:00", kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(fact("Time"), "0:00 of 3:00", kPatience);
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_Up);
     QTRY_VERIFY_WITH_TIMEOUT(!cleared->isEnabled(), kPatience);
     QVERIFY(!ghost->isEnabled());
+    loadMolar();
+}
+
+void WindowExerciseTest::theListIsGroupedAndShowsTheLevels() {
+    const auto* choice = window_->findChild<QComboBox*>("exercise");
+    QCOMPARE(choice->itemText(0), "Free practice");
+    QStringList headings, titles;
+    for (int i = 1; i < choice->count(); ++i) {
+        const bool isHeading = (choice->model()->flags(choice->model()->index(i, 0)) & Qt::ItemIsEnabled) == 0;
+        (isHeading ? headings : titles) << choice->itemText(i);
+    }
+    QCOMPARE(titles.size(), static_cast<qsizetype>(exercises().size()));
+    QCOMPARE(titles.front(), "Pit in the molar (easy)");
+    QCOMPARE(headings.front(), "Hand and eye");
+    QVERIFY(headings.contains("Class II"));
+    headings.removeDuplicates();
+    QCOMPARE(headings.size(), 8 - 1);  // all groups but one's own
+}
+
+void WindowExerciseTest::anExerciseInTheMouthHasASoundToothWithNeighbours() {
+    window_->exercise().start(builtinExercise("class-2-36-do"));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("36 DO"), kLoadPatience);
+    QCOMPARE(window_->model().tooth()->mouthTooth, 36);
+    QVERIFY(!window_->model().tooth()->around.empty());
+    const LayeredTooth& tooth = window_->model().tooth()->piece->tooth();
+    bool has37 = false;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        has37 = has37 || layer.name.starts_with("37");
+        QVERIFY(!tooth.materials().hasRole(layer.material, MaterialRole::Decay));
+    }
+    QVERIFY(has37);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().targetState().target.metrics != nullptr, kLoadPatience);
     loadMolar();
 }
 
@@ -134,7 +168,7 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QMetaObject::invokeMethod(dialog, "accept");
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), kLoadPatience);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), kLoadPatience);
-    QCOMPARE(choice->count(), before + 1);
+    QCOMPARE(choice->count(), before + 2);  // with the heading of one's own
     QCOMPARE(choice->currentText(), "Distal pit");
     QCOMPARE(window_->findChild<QLabel*>("task")->text(), "Deep down.");
     QTRY_VERIFY_WITH_TIMEOUT(QString::fromStdString(window_->model().bur()->name).contains("245"), kPatience);
@@ -146,7 +180,7 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
                     "[cavity]\ndepth = 1.6\n[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
     window_->exercise().open(QString::fromStdString(file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("deeper"), kLoadPatience);
-    QCOMPARE(choice->count(), before + 1);
+    QCOMPARE(choice->count(), before + 2);
     QCOMPARE(choice->currentText(), "Distal pit, deeper");
     loadMolar();
     QTRY_COMPARE_WITH_TIMEOUT(choice->currentIndex(), 0, kPatience);
@@ -211,7 +245,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     choose(1);
     QTRY_COMPARE_WITH_TIMEOUT(title(), "&File", kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(find("ghost")->isChecked(), kPatience);
-    QCOMPARE(holder.window().findChild<QComboBox*>("exercise")->currentIndex(), 1);
+    QVERIFY(holder.window().findChild<QComboBox*>("exercise")->currentText().startsWith("Pit in the molar"));
     const auto report = folder_ / "kept.csv";
     holder.window().exercise().exportReport(QString::fromStdString(report.string()));
     QVERIFY(test::readText(report).find("task,\"Pit in the molar\"") != std::string::npos);

@@ -30,6 +30,10 @@ std::string exerciseWith(std::string_view line = {}, std::string_view change = {
     return text;
 }
 
+const std::string kStroke = "[[cavity.strokes]]\nfrom = [0.5, 0, 0]\n";
+const std::string kFissure = "[cavity.fissure]\nwidth = 1\n";
+const std::string kBox = "[[cavity.boxes]]\nside = \"mesial\"\nwidth = 3\naxial_depth = 1.3\naxial_height = 1.1\n";
+
 Expected<Exercise> parsed(const std::string& text) { return parseExercise(text, "pit.toml", "/somewhere"); }
 
 TEST(ExerciseFile, DescribesABuiltInToothABurAndWhatItCuts) {
@@ -80,6 +84,46 @@ TEST(ExerciseFile, KnowsWhereMesialIs) {
     EXPECT_EQ(side("tooth = 46", "[0, 3, 0]"), Vec3::UnitY());
 }
 
+TEST(ExerciseFile, SaysWhatListsAndMarksNeed) {
+    const auto exercise = parsed(exerciseWith(
+        "tooth = 36",
+        "brief = \"Lightly.\"\njapanese = {name = \"穴\", task = \"削る。\"}\ngroup = \"class-1\"\nlevel = \"hard\"\n"
+        "minutes = 7\ntolerance = 0.2\nrubric = \"class-1\"\ntooth = 36\nmouth = true\nother_burs = [\"245\"]"));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    EXPECT_EQ(exercise->words(Language::English).brief, "Lightly.");
+    EXPECT_EQ(exercise->words(Language::Japanese).name, "穴");
+    EXPECT_EQ(exercise->group, ExerciseGroup::ClassOne);
+    EXPECT_EQ(exercise->level, ExerciseLevel::Hard);
+    EXPECT_EQ(exercise->minutes, 7);
+    EXPECT_EQ(exercise->tolerance, 0.2);
+    EXPECT_EQ(exercise->rubric, "class-1");
+    EXPECT_TRUE(exercise->inMouth);
+    EXPECT_THAT(exercise->burs, ::testing::ElementsAre("245"));
+    EXPECT_EQ(parsed(exerciseWith())->words(Language::Japanese).name, "Pit");  // it has no other words
+    EXPECT_EQ(parsed(exerciseWith())->group, ExerciseGroup::Own);
+}
+
+TEST(ExerciseFile, EndsAFissureWithARidgeOrABox) {
+    const auto exercise = parsed(exerciseWith(kStroke, kFissure + "distal = 2\n" + kBox));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    const auto& plan = std::get<PreparationPlan>(exercise->ideal);
+    EXPECT_EQ(plan.fissure->width, 1);
+    EXPECT_EQ(plan.fissure->burRadius, 0.4);
+    EXPECT_EQ(plan.fissure->leftMinusX, 2);  // mesial is at +x on 36
+    EXPECT_FALSE(plan.fissure->leftPlusX);
+    ASSERT_EQ(plan.boxes.size(), 1U);
+    EXPECT_EQ(plan.boxes[0].towardX, 1);
+    EXPECT_EQ(plan.boxes[0].axialHeight, 1.1);
+}
+
+TEST(ExerciseFile, ASoundToothHasNoDecayToRemove) {
+    const auto exercise = parsed(exerciseWith(kStroke, "[cavity.removes]\ntissue = \"caries\"\n"));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    const auto ideal = idealShape(*exercise, *exerciseTooth(*exercise));
+    ASSERT_FALSE(ideal);
+    EXPECT_THAT(ideal.error().message(), HasSubstr("the tooth has no caries or pulp that is wider than the bur"));
+}
+
 TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
     const std::vector<std::array<std::string, 3>> mistakes = {
         {"name = \"Pit\"\n", "", "the key 'name' is missing"},
@@ -105,6 +149,24 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {"from = [0.5, 0, 0]", "to = [0.5, 0, 0]", "the key 'from' is missing"},
         {"from = [0.5, 0, 0]", "from = [0.5, 0]", "line 8: 'from' must be a list of 3 numbers"},
         {"from = [0.5, 0, 0]", "from = [0.5, 0, 0]\nto = [0, 90, 0]", "longer or farther away than any tooth"},
+        {"tooth = 36", "group = \"class-9\"\ntooth = 36", "'group' must be"},
+        {"tooth = 36", "level = \"simple\"\ntooth = 36", "'level' must be"},
+        {"tooth = 36", "minutes = 0\ntooth = 36", "'minutes' must be"},
+        {"tooth = 36", "tolerance = 9\ntooth = 36", "'tolerance' must be"},
+        {"tooth = 36", "rubric = \"nine\"\ntooth = 36", "there is no built-in rubric 'nine'"},
+        {"tooth = 36", "japanese = {name = \"a\"}\ntooth = 36", "the key 'task' is missing"},
+        {"tooth = 36", "tooth = 36\nmouth = true\npatient = 3", "the whole mouth has average teeth"},
+        {"tooth = 36", "tooth = \"a.stl\"\nmouth = true", "'mouth' belongs to a built-in tooth"},
+        {"tooth = 36", "other_burs = [\"999\"]\ntooth = 36", "there is no bur '999'"},
+        {"from = [0.5, 0, 0]", "from = [0.5, 0, 0]\ndepth = 99", "line 9: 'depth' must be"},
+        {kStroke, kFissure + "mesial = 2\n", "each end of a fissure has either a box or 'distal'"},
+        {kStroke, kFissure + "mesial = 2\ndistal = 2\n" + kBox, "each end of a fissure has either a box or 'mesial'"},
+        {kStroke, kFissure + "distal = 2\n" + kBox + kBox, "there is already a box on this side"},
+        {kStroke, kFissure + "mesial = 2\ndistal = 2\n" + kStroke, "a fissure takes the place of the strokes"},
+        {kStroke, kBox, "a box ends a cavity along a fissure"},
+        {kStroke, "[cavity.removes]\ntissue = \"bone\"\n", "'tissue' must be caries or pulp"},
+        {kStroke, "[cavity.removes]\ntissue = \"pulp\"\n", "the key 'below' is missing"},
+        {kStroke, "[cavity.removes]\ntissue = \"caries\"\n" + kStroke, "'removes' takes the place of the strokes"},
         {"name = \"Pit\"", "name = ", "line 1: this is not TOML"}};
     for (const auto& [line, change, words] : mistakes) {
         const auto exercise = parsed(exerciseWith(line, change));

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "assessment/cavity_metrics.h"
+#include "assessment/exercise_scene.h"
+#include "assessment/rubric/rubric_file.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
 #include "instruments/bur_catalogue.h"
@@ -13,46 +18,144 @@
 namespace tactooth {
 namespace {
 
-class EachExercise : public ::testing::TestWithParam<std::shared_ptr<const Exercise>> {
-protected:
-    std::shared_ptr<const LayeredTooth> tooth_ = *exerciseTooth(*GetParam());
-};
+using test::ExerciseScene;
 
-TEST_P(EachExercise, HasAClosedIdealShapeThatABeginnerCouldCut) {
-    const auto ideal = idealShape(*GetParam(), tooth_);
-    ASSERT_TRUE(ideal) << ideal.error().message();
-    const MeshReport report = reportOn(*ideal);
-    ASSERT_TRUE(report.watertight());
-    const auto target = std::make_shared<const SurfacePart>(*ideal);
-    CavityMetrics metrics(target, *tooth_->outer());
-    Surface whole;
-    whole.base = tooth_->outer();
-    const double volume = metrics.of(whole, 0).planned;
-    EXPECT_GT(volume, 0.5);
-    EXPECT_LT(volume, 30);
-    EXPECT_NEAR(volume, *reportOn(tooth_->outer()->mesh()).volume() - *report.volume(), 0.03 * volume);
+const SurfacePart* layerOf(const LayeredTooth& tooth, MaterialId material) {
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        if (layer.material == material) return layer.part.get();
+    }
+    return nullptr;
 }
 
-TEST_P(EachExercise, LeavesThePulpCovered) {
-    const auto ideal = idealShape(*GetParam(), tooth_);
-    ASSERT_TRUE(ideal);
-    const SurfacePart target(*ideal);
-    constexpr double kMinDentin = 0.5;  // mm
-    for (const LayeredTooth::Layer& layer : tooth_->layers()) {
-        if (layer.material != test::kPulp) continue;
-        for (const Vec3f& vertex : layer.part->mesh().vertices) {
-            ASSERT_LT(signedDistance(target, vertex.cast<double>()), -kMinDentin);
+/// The largest distance of a layer beyond `target`, mm: positive where the target has lost some of the layer.
+double mostOutside(const SurfacePart& layer, const SurfacePart& target) {
+    double most = -1e9;
+    for (const Vec3f& vertex : layer.mesh().vertices)
+        most = std::max(most, signedDistance(target, vertex.cast<double>()));
+    return most;
+}
+
+class EachExercise : public ::testing::TestWithParam<std::shared_ptr<const Exercise>> {
+protected:
+    const Exercise& exercise_ = *GetParam();
+};
+
+/// All about the shape in one test, so that a run of one shard makes it once.
+TEST_P(EachExercise, HasAClosedIdealShapeThatLeavesThePulpCoveredAndRemovesTheDecay) {
+    const ExerciseScene& scene = ExerciseScene::of(exercise_);
+    ASSERT_TRUE(scene.ideal) << scene.ideal.error().message();
+    const MeshReport report = reportOn(*scene.ideal);
+    ASSERT_TRUE(report.watertight());
+    const auto target = std::make_shared<const SurfacePart>(*scene.ideal);
+    CavityMetrics metrics(target, *scene.tooth->ownOuter());
+    Surface whole;
+    whole.base = scene.tooth->ownOuter();
+    const double volume = metrics.of(whole, 0).planned;
+    EXPECT_GT(volume, 0.5);
+    EXPECT_LT(volume, exercise_.opensPulp() ? 100 : 60);
+    EXPECT_NEAR(volume, *reportOn(whole.base->mesh()).volume() - *report.volume(), 0.03 * volume);
+
+    constexpr double kMinDentin = 0.4;  // mm
+    const SurfacePart* pulp = layerOf(*scene.tooth, test::kPulp);
+    ASSERT_NE(pulp, nullptr);
+    if (exercise_.opensPulp()) {
+        EXPECT_GT(mostOutside(*pulp, *target), 0.5);
+    } else {
+        EXPECT_LT(mostOutside(*pulp, *target), -kMinDentin);
+    }
+    const SurfacePart* decay = layerOf(*scene.tooth, test::kCaries);
+    EXPECT_EQ(decay != nullptr, exercise_.group == ExerciseGroup::Caries);
+    if (decay == nullptr) return;
+    for (const Vec3f& vertex : decay->mesh().vertices) {
+        ASSERT_GT(signedDistance(*target, vertex.cast<double>()), -0.1) << "decay is left";
+    }
+}
+
+TEST_P(EachExercise, SaysInBothLanguagesWhatIsToBeDoneAndHow) {
+    for (const Language language : {Language::English, Language::Japanese}) {
+        const ExerciseWords words = exercise_.words(language);
+        EXPECT_FALSE(words.name.empty());
+        EXPECT_FALSE(words.task.empty());
+        EXPECT_FALSE(words.brief.empty());
+    }
+    EXPECT_NE(exercise_.words(Language::English).task, exercise_.words(Language::Japanese).task);
+    EXPECT_NE(exercise_.group, ExerciseGroup::Own);
+    EXPECT_TRUE(exercise_.minutes);
+    EXPECT_TRUE(findRubric(exercise_.rubric.empty() ? std::string(kUsualRubric) : exercise_.rubric));
+    EXPECT_TRUE(findBur(std::get<std::string>(exercise_.bur)));
+}
+
+std::string idOf(const ::testing::TestParamInfo<std::shared_ptr<const Exercise>>& one) {
+    std::string name = one.param->id;
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Exercises, EachExercise, ::testing::ValuesIn(exercises().begin(), exercises().end()), idOf);
+
+TEST(Exercises, HaveDifferentNamesAndAreOrderedByGroupThenByLevel) {
+    std::set<std::string> names, ids;
+    for (const auto& one : exercises()) {
+        names.insert(one->name);
+        ids.insert(one->id);
+        EXPECT_EQ(builtinExercise(one->id), one);
+    }
+    EXPECT_EQ(names.size(), exercises().size());
+    EXPECT_EQ(ids.size(), exercises().size());
+    EXPECT_TRUE(
+        std::ranges::is_sorted(exercises(), {}, [](const auto& one) { return std::pair(one->group, one->level); }));
+    EXPECT_EQ(builtinExercise("class-9"), nullptr);
+}
+
+/// The same exercise on the tooth of another patient.
+Exercise ofPatient(const char* id, std::uint32_t seed) {
+    Exercise exercise = *builtinExercise(id);
+    std::get<ToothRequest>(exercise.tooth).seed = seed;
+    return exercise;
+}
+
+TEST(FissureOutline, FollowsTheFissureOfAnyPatient) {
+    for (const char* id : {"class-1-36", "class-1-14", "class-1-16"}) {
+        for (const std::uint32_t seed : {0U, 1U}) {
+            const Exercise exercise = ofPatient(id, seed);
+            const auto tooth = *exerciseTooth(exercise);
+            const auto& plan = std::get<PreparationPlan>(exercise.ideal);
+            const std::vector<BurPath> paths = burPaths(plan, *tooth);
+            ASSERT_FALSE(paths.empty());
+            const SurfacePart& outer = *tooth->ownOuter();
+            // A ball of 1.2 mm radius that rolls into the valley is lower than one on the slopes beside it.
+            const auto restsAt = [&](const Vec3& place) {
+                constexpr double kRadius = 1.2;
+                double low = 0, high = 20;
+                while (high - low > 0.01) {
+                    const double middle = (low + high) / 2;
+                    const bool isFree = signedDistance(outer, Vec3(place.x(), place.y(), middle)) > kRadius;
+                    (isFree ? high : low) = middle;
+                }
+                return high;
+            };
+            double sum = 0;
+            int count = 0;
+            for (std::size_t i = 0; i < paths.front().places.size(); i += 4) {
+                const Vec3& place = paths.front().places[i];
+                sum += std::min(restsAt(place + Vec3(0, 1.2, 0)), restsAt(place - Vec3(0, 1.2, 0))) - restsAt(place);
+                ++count;
+            }
+            EXPECT_GT(sum / count, 0.2) << id << " of patient " << seed;
         }
     }
 }
 
-TEST_P(EachExercise, TakesABurOfTheCatalogueAndASoundTooth) {
-    EXPECT_TRUE(findBur(std::get<std::string>(GetParam()->bur)));
-    for (const LayeredTooth::Layer& layer : tooth_->layers()) EXPECT_NE(layer.material, test::kCaries);
+TEST(FissureOutline, LeavesTheMarginalRidgesThatAreAskedFor) {
+    const Exercise exercise = ofPatient("class-1-36", 3);
+    const auto tooth = *exerciseTooth(exercise);
+    const auto& plan = std::get<PreparationPlan>(exercise.ideal);
+    const std::vector<Vec3> path = burPaths(plan, *tooth).front().places;
+    const Box3 box = tooth->ownBox();
+    const auto [first, last] = std::ranges::minmax(path, {}, [](const Vec3& place) { return place.x(); });
+    EXPECT_NEAR(first.x() - plan.fissure->burRadius - box.min().x(), 2.1, 0.05);
+    EXPECT_NEAR(box.max().x() - last.x() - plan.fissure->burRadius, 2.1, 0.05);
 }
-
-INSTANTIATE_TEST_SUITE_P(Exercises, EachExercise, ::testing::ValuesIn(exercises().begin(), exercises().end()),
-                         [](const auto& one) { return "Number" + std::to_string(one.index + 1); });
 
 }  // namespace
 }  // namespace tactooth

@@ -41,6 +41,16 @@ TEST_F(ExerciseCommand, ChecksTheExampleThatComesWithTheProgram) {
     EXPECT_THAT(run.out, HasSubstr("mm at least"));
 }
 
+TEST_F(ExerciseCommand, ChecksABuiltInOne) {
+    const ProgramRun run = runTactooth({"exercise", "class-5-34"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Class V, hard"));
+    EXPECT_THAT(run.out, HasSubstr("34, Lower left first premolar"));
+    const ProgramRun unknown = runTactooth({"exercise", "nine"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("there is no exercise 'nine'"));
+}
+
 TEST_F(ExerciseCommand, RefusesWhatCannotBePractisedWithASentence) {
     const ProgramRun nothing = runTactooth({"exercise", lowered(-1)});
     EXPECT_EQ(nothing.exitCode, 2);

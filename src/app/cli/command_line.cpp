@@ -227,11 +227,14 @@ void addCut(CLI::App& program, CommandAction& chosen) {
 
 void addExercise(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ExerciseOptions>();
-    CLI::App* command =
-        addCommand(program, chosen, "exercise",
-                   "Reads and checks your own exercise, a TOML file (docs/exercises.md), and shows what it asks for.",
-                   options, runExercise);
-    command->add_option("FILE", options->file, "TOML file of the exercise; the window opens it by --exercise FILE")
+    CLI::App* command = addCommand(
+        program, chosen, "exercise",
+        "Reads and checks an exercise, built in or a TOML file (docs/exercises.md), and shows what it asks for.",
+        options, runExercise);
+    command
+        ->add_option(
+            "EXERCISE", options->exercise,
+            "TOML file of the exercise, which the window opens by --exercise FILE; or a built-in one, as class-1-46")
         ->required()
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write: the ideal shape")->type_name("FILE");

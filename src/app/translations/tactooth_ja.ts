@@ -1748,6 +1748,10 @@ It is off in an examination.</source>
         <translation>自由練習</translation>
     </message>
     <message>
+        <source>%1 of %2:00</source>
+        <translation>%1 / %2:00</translation>
+    </message>
+    <message>
         <source>Start again</source>
         <translation>やり直す</translation>
     </message>

@@ -34,7 +34,7 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::fun
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
     const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
     constexpr double kShareOfMeshes = 0.9;  // then the surfaces are made ready to be touched
-    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, Lesion{}, request, cache, [&](double share) {
+    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, mouth.lesion, request, cache, [&](double share) {
         if (progress) progress(kShareOfMeshes * share);
     });
     if (!made) return Unexpected{made.error()};

@@ -57,8 +57,9 @@ inline constexpr std::array<BuiltinToothEntry, 3> kBuiltinTeeth = {{
 
 /// A tooth in a whole mouth of average teeth, open as for work.
 struct MouthChoice {
-    int fdi = 46;        ///< number of the tooth that is worked on
-    bool cached = true;  ///< teeth and gums may come from the user's cache
+    int fdi = 46;                             ///< number of the tooth that is worked on
+    bool cached = true;                       ///< teeth and gums may come from the user's cache
+    std::optional<Lesion> lesion = Lesion{};  ///< none: the tooth is sound
 };
 
 // These take up to a few seconds: run them in a Task. They fail with one sentence for the user.

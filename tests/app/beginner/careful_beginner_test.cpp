@@ -54,7 +54,7 @@ const PreparationPlan& planOf(const Exercise& exercise) { return std::get<Prepar
 
 Viewport viewOf(const Scene& scene) {
     OrbitCamera camera;
-    const ViewDirection direction = viewOnto(planOf(scene.exercise), *scene.tooth->ownOuter(), 1);
+    const ViewDirection direction = viewOnto(planOf(scene.exercise), *scene.tooth, 1);
     camera.setView(OrbitCamera::Direction{direction.azimuth, direction.elevation});
     camera.fit(crownBox(scene.tooth->ownBox(), 2), kPicture.aspect());
     return {camera.camera(), kPicture};
@@ -103,7 +103,7 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
     hand.setPressMode(mode);
     hand.depthControl().setDepth(plan.depth);
     hand.depthControl().setFloor(plan.isFlat ? CavityFloor::Flat : CavityFloor::FollowsSurface);
-    if (plan.isFlat) hand.depthControl().setReference(floorReference(plan, *uncut));
+    if (plan.isFlat) hand.depthControl().setReference(floorReference(plan, *scene.tooth));
     MouseDevice mouse(hand.pose());
 
     const Viewport view = viewOf(scene);
@@ -174,10 +174,10 @@ int seeds() {
 /// What the hand has to reach in each exercise.
 constexpr double kMostOver = 0.30, kLeastCleared = 0.90, kLeastDice = 0.85, kMostSeconds = 180;
 
-class CarefulBeginner : public testing::TestWithParam<int> {};
+class CarefulBeginner : public testing::TestWithParam<const char*> {};
 
 TEST_P(CarefulBeginner, CutsTheCavityToItsDepth) {
-    const Exercise& exercise = *exercises()[static_cast<std::size_t>(GetParam())];
+    const Exercise& exercise = *builtinExercise(GetParam());
     const Scene scene(exercise);
     for (int seed = 1; seed <= seeds(); ++seed) {
         const Outcome outcome = cutBy(scene, static_cast<unsigned>(seed), PressMode::Depth);
@@ -194,7 +194,7 @@ TEST_P(CarefulBeginner, CutsTheCavityToItsDepth) {
 
 /// For comparison: the same hand with a steady force, in the first minute of the Class V cavity.
 TEST(CarefulBeginnerByForce, CutsFarTooDeep) {
-    const Exercise& exercise = *exercises()[2];
+    const Exercise& exercise = *builtinExercise("class-5-13");
     const Scene scene(exercise);
     const Outcome outcome = cutBy(scene, 1, PressMode::Force, 60);
     std::printf("%s by force: over %.2f mm, Dice %.2f, %.0f s\n", exercise.name.c_str(),
@@ -202,7 +202,7 @@ TEST(CarefulBeginnerByForce, CutsFarTooDeep) {
     EXPECT_GT(outcome.cavity.maxOverPreparation, 0.3);
 }
 
-INSTANTIATE_TEST_SUITE_P(InEveryExercise, CarefulBeginner, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(InEveryExercise, CarefulBeginner, testing::Values("pit-46", "class-1-46", "class-5-13"));
 
 }  // namespace
 }  // namespace tactooth

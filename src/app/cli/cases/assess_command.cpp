@@ -10,6 +10,7 @@
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "assessment/exercise_file.h"
 #include "assessment/preparation/removal_moment.h"
 #include "assessment/report/assessment_report.h"
 #include "assessment/rubric/rubric_file.h"
@@ -22,7 +23,14 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTolerance = 0.3;  // mm: of the pictures, as teachers allow (docs/assessment.md)
+/// The rubric that the options name, else that of the exercise, else the usual one.
+Expected<Rubric> rubricOf(const AssessOptions& options) {
+    if (!options.rubric.empty()) return findRubric(options.rubric);
+    if (options.exercise.empty()) return findRubric(std::string(kUsualRubric));
+    const Expected<Exercise> exercise = findExercise(options.exercise);
+    if (!exercise) return Unexpected{exercise.error()};
+    return findRubric(exercise->rubric.empty() ? std::string(kUsualRubric) : exercise->rubric);
+}
 
 /// Opens the files before the work starts, so that an obstacle is reported at once.
 Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
@@ -55,7 +63,7 @@ Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& ru
     report.fit = input->fit;
     if (input->track != nullptr) report.seconds = input->track->seconds();
     report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
-    Expected<std::vector<ReportPicture>> pictures = assessPictures(input->preparation, kTolerance);
+    Expected<std::vector<ReportPicture>> pictures = assessPictures(input->preparation, input->tolerance);
     if (pictures) {
         report.pictures = std::move(*pictures);
     } else {
@@ -95,7 +103,7 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
 int runAssess(const AssessOptions& options) {
     FileTransaction files;
     if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
-    const Expected<Rubric> rubric = findRubric(options.rubric.empty() ? std::string(kUsualRubric) : options.rubric);
+    const Expected<Rubric> rubric = rubricOf(options);
     if (!rubric) return reportError(rubric.error());
     const Expected<AssessmentReport> report = assess(options, *rubric);
     if (!report) return reportError(report.error());

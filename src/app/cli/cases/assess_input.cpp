@@ -77,20 +77,6 @@ Expected<GivenTooth> loadWork(const std::filesystem::path& file, const MessageTe
     return GivenTooth{.name = displayFileName(file), .surface = std::move(*surface)};
 }
 
-Expected<Exercise> findExercise(const std::string& nameOrFile) {
-    const auto stemOf = [](const BuiltinExerciseText& each) {
-        return std::filesystem::path(each.name).stem().native();
-    };
-    std::string names;
-    for (const BuiltinExerciseText& each : builtinExerciseTexts()) {
-        if (stemOf(each) == nameOrFile) return parseExercise(each.text, each.name, {});
-        names += (names.empty() ? "" : ", ") + stemOf(each);
-    }
-    const std::filesystem::path file(nameOrFile);
-    if (file.has_extension() || file.has_parent_path()) return readExercise(file);
-    return unexpected(msg::kExerciseUnknown, quotedWord(nameOrFile), names);
-}
-
 /// The uncut tooth, whatever the options say about it; null if they say nothing.
 Expected<std::shared_ptr<const LayeredTooth>> uncutTooth(const AssessOptions& options, const GivenTooth& student,
                                                          const std::optional<Exercise>& exercise,
@@ -190,6 +176,7 @@ Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
         if (!ideal) return Unexpected{ideal.error()};
         input.expert = exercise->name;
         input.task = exercise->task;
+        input.tolerance = exercise->tolerance;
     } else {
         Expected<GivenTooth> expert = loadWork(options.expert, msg::kExpertsTooth, input.importNotes);
         if (!expert) return Unexpected{expert.error()};

@@ -17,9 +17,10 @@ namespace tactooth {
 /// What is assessed, in one frame.
 struct AssessInput {
     Preparation preparation;
-    std::string student, expert;                     ///< for people
-    std::string task = {};                           ///< of the exercise
-    std::optional<ScanFit> fit = {};                 ///< of a student's surface from a file
+    std::string student, expert;      ///< for people
+    std::string task = {};            ///< of the exercise
+    double tolerance = 0.3;           ///< mm: of the exercise, else as teachers allow (docs/assessment.md)
+    std::optional<ScanFit> fit = {};  ///< of a student's surface from a file
     std::shared_ptr<const SessionTrack> track = {};  ///< of a student's recording; null: there is none
     std::vector<ImportNote> importNotes = {};
 };

@@ -91,14 +91,17 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
     CLI::Option* expert =
         command->add_option("--expert", options->expert, "The same of an expert: what is ideal")->type_name("FILE");
     command
-        ->add_option("--exercise", options->exercise,
-                     "Exercise that says what is ideal: a TOML file, or 1-pit, 2-class-1 or 3-class-5")
+        ->add_option(
+            "--exercise", options->exercise,
+            "Exercise that says what is ideal: a TOML file, or a built-in one, as class-1-46 (docs/exercises.md)")
         ->excludes(expert)
         ->type_name("EXERCISE");
     command
-        ->add_option("--rubric", options->rubric,
-                     "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default), "
-                     "near-ideal-strict, class-1, class-3 or class-5")
+        ->add_option(
+            "--rubric", options->rubric,
+            "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default, unless the exercise "
+            "has another), "
+            "near-ideal-strict, class-1, class-3, class-5 or endodontic-access")
         ->type_name("RUBRIC");
     command
         ->add_option("--original", options->original,

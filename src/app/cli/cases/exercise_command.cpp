@@ -9,9 +9,11 @@
 #include "app/common/exit_code.h"
 #include "assessment/cavity_metrics.h"
 #include "assessment/exercise_file.h"
+#include "assessment/rubric/rubric_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/custom_bur.h"
 
@@ -34,9 +36,9 @@ Expected<std::string> burOf(const Exercise& exercise) {
 
 Expected<void> describe(const ExerciseOptions& options) {
     FileTransaction files;
-    files.reads(options.file);
+    if (builtinExercise(options.exercise) == nullptr) files.reads(options.exercise);
     if (auto opened = files.open(options.out); !opened) return opened;
-    const Expected<Exercise> exercise = readExercise(options.file);
+    const Expected<Exercise> exercise = findExercise(options.exercise);
     if (!exercise) return Unexpected{exercise.error()};
     const Expected<std::string> bur = burOf(*exercise);
     if (!bur) return Unexpected{bur.error()};
@@ -52,13 +54,18 @@ Expected<void> describe(const ExerciseOptions& options) {
     const CavityWalls walls = cavityWalls(surface->mesh(), *outer);
     CavityMetrics metrics(surface, *outer, walls);
     if (metrics.empty()) {
-        return unexpected(msg::kIdealLeavesNothing, displayName(options.file));
+        return unexpected(msg::kIdealLeavesNothing, quotedWord(options.exercise));
     }
     if (auto named = files.commit(); !named) return named;
     Surface whole;
     whole.base = outer;
     print("{}\n{}\n", exercise->name, exercise->task);
+    if (!exercise->brief.empty()) print("{}\n", exercise->brief);
+    print("  group           {}, {}\n", titleOf(exercise->group).english, titleOf(exercise->level).english);
     print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
+    for (const std::string& other : exercise->burs) print("  or              {}\n", findBur(other)->name);
+    if (exercise->minutes) print("  time            {} min\n", *exercise->minutes);
+    print("  rubric          {}\n", exercise->rubric.empty() ? kUsualRubric : exercise->rubric);
     print("  ideal cavity    {:.2f} mm3\n", metrics.of(whole, 0).planned);
     if (const auto left = leastToPulp(walls, **tooth)) {
         if (*left > 0) print("  to the pulp     {:.2f} mm at least\n", *left);

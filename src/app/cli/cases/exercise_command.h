@@ -3,11 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace tactooth {
 
 struct ExerciseOptions {
-    std::filesystem::path file;
+    std::string exercise;       ///< id of a built-in one, or a file
     std::filesystem::path out;  ///< STL of the ideal shape; empty: none
 };
 

@@ -13,9 +13,6 @@ inline constexpr MessageText kNothingToCompareWith{
     "nothing_to_compare_with",
     "there is nothing to compare with; give --expert with a tooth that an expert has prepared, or --exercise.",
     "比べる相手がありません。熟練者が形成した歯を --expert で、または課題を --exercise で指定してください。"};
-inline constexpr MessageText kExerciseUnknown{
-    "exercise_unknown", "there is no exercise %1; give a file that ends in .toml, or one of %2.",
-    "%1 という課題はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
 inline constexpr MessageText kNoUncutTooth{
     "no_uncut_tooth",
     "%1 does not say what the tooth was like before; give the uncut tooth by --original, or an exercise.",

@@ -105,7 +105,7 @@ Subject workSubject(const std::string& name, const DrillingScene& work, const Re
 
 /// The molar of an exercise, with its target.
 Expected<DrillingScene> workOnMolar(ImageSize size, int frames) {
-    const Exercise& exercise = *exercises()[1];
+    const Exercise& exercise = *builtinExercise("class-1-46");
     const auto tooth = exerciseTooth(exercise);
     if (!tooth) return Unexpected{tooth.error()};
     const Expected<TriangleMesh> target = idealShape(exercise, *tooth);

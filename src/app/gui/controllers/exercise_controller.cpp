@@ -46,7 +46,7 @@ void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) 
     panels_.exercise->show(exercise);
     if (exercise == nullptr) return clearTarget();
     teeth_.load([exercise] { return makeSessionTooth(exercise); },
-                tr("Preparing the exercise: %1…").arg(translated(exercise->name)));
+                tr("Preparing the exercise: %1…").arg(QString::fromStdString(exercise->words(windowLanguage()).name)));
 }
 
 void ExerciseController::open(const QString& file) {
@@ -76,7 +76,9 @@ void ExerciseController::beginExercise() {
 
 void ExerciseController::restore(TargetState state) {
     if (state.target.metrics != nullptr) {
-        if (active_ != nullptr) state.target.name = translated(active_->name);  // in the language of this window
+        if (active_ != nullptr)
+            state.target.name =
+                QString::fromStdString(active_->words(windowLanguage()).name);  // in the language of this window
         setTarget(std::move(state.target));
         targetFile_ = state.file;
     } else if (active_ != nullptr) {
@@ -92,7 +94,7 @@ void ExerciseController::showActive() { panels_.exercise->show(active_); }
 void ExerciseController::showCavity() {
     const auto* plan = std::get_if<PreparationPlan>(&active_->ideal);
     if (plan == nullptr) return;
-    const ViewDirection view = viewOnto(*plan, *model_.tooth()->piece->tooth().ownOuter(), model_.mesialX());
+    const ViewDirection view = viewOnto(*plan, model_.tooth()->piece->tooth(), model_.mesialX());
     panels_.view->setView(OrbitCamera::Direction{view.azimuth, view.elevation});
 }
 
@@ -105,12 +107,12 @@ void ExerciseController::prepareHand() {
     panels_.force->setDepth(plan->depth);
     panels_.force->setFlatFloor(plan->isFlat);
     if (plan->stopsDevice) panels_.force->setDepthStop(true);
-    hand.depthControl().setReference(plan->isFlat ? floorReference(*plan, *model_.tooth()->piece->tooth().ownOuter())
+    hand.depthControl().setReference(plan->isFlat ? floorReference(*plan, model_.tooth()->piece->tooth())
                                                   : std::nullopt);
 }
 
 void ExerciseController::loadIdealShape() {
-    pendingTarget_.start([exercise = active_, name = translated(active_->name),
+    pendingTarget_.start([exercise = active_, name = QString::fromStdString(active_->words(windowLanguage()).name),
                           tooth = model_.tooth()->piece->volume().tooth(),
                           box = model_.tooth()->box()]() -> Expected<Target> {
         Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
@@ -167,7 +169,7 @@ void ExerciseController::collectTarget() {
                 tr("Blue: still to cut. White: as the target. Orange: cut too deep. Strongest at 0.5 mm."));
         return;
     }
-    messages_.setHint(translated(active_->task));
+    messages_.setHint(QString::fromStdString(active_->words(windowLanguage()).task));
 }
 
 void ExerciseController::poll() {

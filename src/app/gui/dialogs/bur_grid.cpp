@@ -102,7 +102,7 @@ private:
     BurGrid& grid_;
 };
 
-BurGrid::BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favourites, std::string exercise,
+BurGrid::BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favourites, std::set<std::string> exercise,
                  BurPictures& pictures)
     : burs_(burs), favourites_(std::move(favourites)), exercise_(std::move(exercise)), pictures_(pictures) {
     setObjectName("burGrid");
@@ -131,7 +131,7 @@ void BurGrid::add(const BurGroup& group) {
     for (const BurItem& bur : group.burs) {
         auto* item = new QListWidgetItem(bur.spec ? QString::fromStdString(bur.spec->number) : bur.title, this);
         item->setData(kPlaceRole, bur.place);
-        item->setData(kExerciseRole, bur.spec && bur.spec->number == exercise_);
+        item->setData(kExerciseRole, bur.spec && exercise_.contains(bur.spec->number));
         item->setSizeHint(cell);
         describe(*item);
     }

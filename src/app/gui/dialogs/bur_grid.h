@@ -19,8 +19,8 @@ class BurGrid final : public QListWidget {
     Q_OBJECT
 
 public:
-    /// `exercise`: number of the bur of the exercise, or empty. `pictures` outlive the grid.
-    BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favourites, std::string exercise,
+    /// `exercise`: numbers of the burs of the exercise. `pictures` outlive the grid.
+    BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favourites, std::set<std::string> exercise,
             BurPictures& pictures);
 
     /// Shows those that match a search (see matches), or only the favourites among them.
@@ -59,7 +59,7 @@ private:
 
     std::vector<BurItem> burs_;
     std::set<std::string> favourites_;
-    std::string exercise_;
+    std::set<std::string> exercise_;
     BurPictures& pictures_;
     QTimer drawing_;
 };

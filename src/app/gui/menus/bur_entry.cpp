@@ -22,17 +22,22 @@ BurEntry::BurEntry(QWidget& window, DrillBar& drill, const ExerciseController& e
     connect(&drill_, &DrillBar::gridWanted, this, &BurEntry::open);
 }
 
-/// Its number in the catalogue; empty: there is no exercise, or it brings a bur of its own.
-std::string BurEntry::burOfExercise() const {
+/// Numbers in the catalogue; empty: there is no exercise, or it brings a bur of its own.
+std::set<std::string> BurEntry::bursOfExercise() const {
     const auto& exercise = exercise_.active();
     const auto* number = exercise != nullptr ? std::get_if<std::string>(&exercise->bur) : nullptr;
-    const auto bur = number != nullptr ? findBur(*number) : std::nullopt;
-    return bur ? bur->number : std::string();
+    if (number == nullptr) return {};
+    std::set<std::string> burs;
+    if (const auto bur = findBur(*number)) burs.insert(bur->number);
+    for (const std::string& other : exercise->burs) {
+        if (const auto bur = findBur(other)) burs.insert(bur->number);
+    }
+    return burs;
 }
 
 void BurEntry::open() {
     if (!drill_.isEnabled()) return;  // a recording is shown
-    auto* grid = new BurGrid(drill_.burs(), favourites_, burOfExercise(), pictures_);
+    auto* grid = new BurGrid(drill_.burs(), favourites_, bursOfExercise(), pictures_);
     grid->select(drill_.currentBur());
     connect(grid, &BurGrid::favouritesChanged, this,
             [this](const std::set<std::string>& favourites) { favourites_ = favourites; });

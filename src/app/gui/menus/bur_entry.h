@@ -31,7 +31,7 @@ public:
 
 private:
     void open();
-    [[nodiscard]] std::string burOfExercise() const;
+    [[nodiscard]] std::set<std::string> bursOfExercise() const;
 
     QWidget& window_;
     DrillBar& drill_;

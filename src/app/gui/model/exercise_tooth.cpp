@@ -13,9 +13,12 @@ namespace tactooth {
 Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {
     const auto* request = std::get_if<ToothRequest>(&exercise->tooth);
     const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0);
-    Expected<SessionTooth> tooth = request != nullptr
-                                       ? makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "")
-                                       : loadSessionTooth(std::get<ToothSource>(exercise->tooth));
+    const auto make = [&]() -> Expected<SessionTooth> {
+        if (request == nullptr) return loadSessionTooth(std::get<ToothSource>(exercise->tooth));
+        if (exercise->inMouth) return makeSessionTooth(MouthChoice{.fdi = request->fdi, .lesion = request->lesion});
+        return makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "");
+    };
+    Expected<SessionTooth> tooth = make();
     if (!tooth) return tooth;
     const auto* file = std::get_if<std::filesystem::path>(&exercise->bur);
     Expected<SessionBur> bur =

@@ -4,6 +4,7 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,6 +17,20 @@ namespace tactooth {
 namespace {
 
 constexpr int kPercent = 100;
+constexpr int kMostRows = 30;  // of the list without scrolling
+
+/// The title with its level.
+QString titleInList(const Exercise& exercise) {
+    const QString title = QString::fromStdString(exercise.words(windowLanguage()).name);
+    if (exercise.group == ExerciseGroup::Own) return title;
+    return QString("%1 (%2)").arg(title, translated(titleOf(exercise.level)));
+}
+
+/// Task, brief and burs.
+QString textOf(const Exercise& exercise) {
+    const ExerciseWords words = exercise.words(windowLanguage());
+    return QString::fromStdString(words.brief.empty() ? words.task : words.task + ' ' + words.brief);
+}
 
 QToolButton* button(const QString& text, const QString& tip, const char* name) {
     auto* result = new QToolButton;
@@ -46,14 +61,12 @@ QWidget* ExercisePanel::makeChoice() {
     exercises_->setObjectName("exercise");
     exercises_->setAccessibleName(tr("Exercise"));
     exercises_->setToolTip(tr("What to practise: brings the tooth, the bur and the ghost of the ideal cavity"));
-    exercises_->addItem(tr("Free practice"));
+    exercises_->setMaxVisibleItems(kMostRows);
+    exercises_->addItem(tr("Free practice"), 0);
     known_.emplace_back();
-    for (const auto& exercise : exercises()) {
-        exercises_->addItem(translated(exercise->name));
-        known_.push_back(exercise);
-    }
+    for (const auto& exercise : exercises()) addToList(exercise);
     connect(exercises_, &QComboBox::activated, this,
-            [this](int index) { emit chosen(known_[static_cast<std::size_t>(index)]); });
+            [this](int index) { emit chosen(known_[static_cast<std::size_t>(exercises_->itemData(index).toInt())]); });
     task_->setWordWrap(true);
     task_->setObjectName("task");
     again_ = button(tr("Start again"), tr("The whole tooth again, and the time from its first contact"), "startAgain");
@@ -75,6 +88,22 @@ QWidget* ExercisePanel::makeChoice() {
     column->addLayout(buttons);
     return choice;
 }
+
+void ExercisePanel::addToList(const std::shared_ptr<const Exercise>& exercise) {
+    const bool isNewGroup = known_.back() == nullptr || known_.back()->group != exercise->group;
+    if (isNewGroup) {
+        exercises_->addItem(translated(titleOf(exercise->group)));
+        auto* heading = qobject_cast<QStandardItemModel*>(exercises_->model())->item(exercises_->count() - 1);
+        heading->setFlags(Qt::NoItemFlags);
+        QFont bold = exercises_->font();
+        bold.setBold(true);
+        heading->setFont(bold);
+    }
+    exercises_->addItem(titleInList(*exercise), static_cast<int>(known_.size()));
+    known_.push_back(exercise);
+}
+
+int ExercisePanel::rowOf(std::size_t known) const { return exercises_->findData(static_cast<int>(known)); }
 
 QWidget* ExercisePanel::makeNumbers() {
     auto* numbers = new QWidget;
@@ -179,21 +208,24 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
     };
     auto place = std::find_if(known_.begin(), known_.end(), isSame);
     if (place == known_.end()) {
-        place = known_.insert(place, exercise);
-        exercises_->addItem(QString());
+        addToList(exercise);
+        place = known_.end() - 1;
     }
-    const auto index = static_cast<int>(place - known_.begin());
-    if (exercise != nullptr) exercises_->setItemText(index, translated(exercise->name));
+    const int row = rowOf(static_cast<std::size_t>(place - known_.begin()));
+    if (exercise != nullptr) exercises_->setItemText(row, titleInList(*exercise));
     *place = exercise;
-    exercises_->setCurrentIndex(index);
-    task_->setText(exercise != nullptr ? translated(exercise->task)
+    active_ = exercise;
+    exercises_->setCurrentIndex(row);
+    task_->setText(exercise != nullptr ? textOf(*exercise)
                                        : tr("Choose an exercise, or a target of your own under Look inside."));
 }
 
 void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
                          const std::optional<CavityProgress>& cavity) {
     const int whole = static_cast<int>(seconds);
-    time_->setText(QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')));
+    const QString worked = QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+    const bool hasLimit = active_ != nullptr && active_->minutes;
+    time_->setText(hasLimit ? tr("%1 of %2:00").arg(worked).arg(*active_->minutes) : worked);
     setMaterials(materials);
     for (const MaterialId id : materials.ids()) {
         const double volume = removed[static_cast<std::size_t>(id)];

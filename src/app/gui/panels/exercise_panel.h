@@ -34,7 +34,7 @@ public:
     /// `seconds`: since the first contact; `materials`: of the tooth; `cavity`: none without a target.
     void show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
               const std::optional<CavityProgress>& cavity);
-    /// Those of the list; the first is null: free practice.
+    /// Those of the list, and of files; the first is null: free practice.
     [[nodiscard]] const std::vector<std::shared_ptr<const Exercise>>& known() const { return known_; }
     /// Whether there are numbers besides the time, and their report.
     void setShowsNumbers(bool shows);
@@ -55,7 +55,13 @@ private:
     QLabel* addFact(QGridLayout& grid, int row, const QString& title, const QString& tip);
     [[nodiscard]] QString number(double value, int digits) const;
 
-    std::vector<std::shared_ptr<const Exercise>> known_;  // in the order of the list; the first: free practice
+    /// Adds one to the list, below the heading of its group.
+    void addToList(const std::shared_ptr<const Exercise>& exercise);
+    [[nodiscard]] int rowOf(std::size_t known) const;
+
+    std::vector<std::shared_ptr<const Exercise>>
+        known_;  // the data of a row is its place here; the first: free practice
+    std::shared_ptr<const Exercise> active_;
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;

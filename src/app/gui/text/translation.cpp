@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <array>
 
-#include "assessment/messages.h"
+#include "assessment/exercise.h"
 #include "instruments/messages.h"
 
 namespace tactooth {
 namespace {
 
 /// What bears its English name in files and in the settings.
-constexpr std::array<const MessageText*, 12> kNames = {
-    &msg::kLowerFirstMolar, &msg::kUpperCentralIncisor, &msg::kUpperCanine, &msg::kPitInMolar,    &msg::kPitTask,
-    &msg::kClassOne,        &msg::kClassOneTask,        &msg::kClassFive,   &msg::kClassFiveTask, &msg::kAirTurbine,
-    &msg::kElectricSpindle, &msg::kLowSpeedSpindle,
+constexpr std::array<const MessageText*, 6> kNames = {
+    &msg::kLowerFirstMolar, &msg::kUpperCentralIncisor, &msg::kUpperCanine,
+    &msg::kAirTurbine,      &msg::kElectricSpindle,     &msg::kLowSpeedSpindle,
 };
 
 QString asText(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
@@ -33,7 +32,9 @@ QString translated(const Message& message) { return QString::fromStdString(messa
 
 QString translated(std::string_view name) {
     const auto* const known = std::ranges::find(kNames, name, &MessageText::english);
-    return known == kNames.end() ? asText(name) : asText((*known)->in(windowLanguage()));
+    if (known != kNames.end()) return asText((*known)->in(windowLanguage()));
+    const auto exercise = std::ranges::find_if(exercises(), [&](const auto& one) { return one->name == name; });
+    return exercise != exercises().end() ? asText((*exercise)->words(windowLanguage()).name) : asText(name);
 }
 
 QString inWindowLanguage(std::string_view english, std::string_view japanese) {

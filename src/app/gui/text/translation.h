@@ -16,8 +16,8 @@ namespace tactooth {
 /// A message in the language of the window.
 [[nodiscard]] QString translated(const Message& message);
 
-/// The name of a built-in tooth, exercise or spindle, or the task of an exercise, in the language of the window; any
-/// other text, as a file's name, stays as it is.
+/// The name of a built-in tooth, exercise or spindle in the language of the window; any other text, as a file's name,
+/// stays as it is.
 [[nodiscard]] QString translated(std::string_view name);
 
 /// The text of a table that has both languages, in that of the window. UTF-8.

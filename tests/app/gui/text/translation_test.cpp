@@ -90,7 +90,9 @@ TEST_F(JapaneseTranslation, HasWordsForEachErrorOfAPen) {
 TEST_F(JapaneseTranslation, HasWordsForEachExerciseSpindleAndMaterial) {
     for (const auto& exercise : exercises()) {
         EXPECT_FALSE(isLatin(translated(exercise->name))) << exercise->name;
-        EXPECT_FALSE(isLatin(translated(exercise->task))) << exercise->task;
+        const ExerciseWords words = exercise->words(windowLanguage());
+        EXPECT_FALSE(isLatin(QString::fromStdString(words.task))) << exercise->task;
+        EXPECT_FALSE(isLatin(QString::fromStdString(words.brief))) << exercise->brief;
     }
     for (const SpindlePreset& spindle : spindlePresets()) EXPECT_FALSE(isLatin(translated(spindle.name)));
     for (const MaterialDefinition& material : builtinMaterials().definitions()) {

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "assessment/exercise.h"
+
+namespace tactooth::test {
+
+/// An exercise with its tooth and its ideal shape; both are made once for each built-in exercise.
+struct ExerciseScene {
+    std::shared_ptr<const LayeredTooth> tooth;
+    Expected<TriangleMesh> ideal = TriangleMesh{};
+
+    [[nodiscard]] static const ExerciseScene& of(const Exercise& exercise);
+};
+
+}  // namespace tactooth::test
