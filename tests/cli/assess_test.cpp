@@ -55,7 +55,7 @@ TEST_F(AssessCommand, PassesGoodWorkAndFailsBadWork) {
     EXPECT_EQ(report()["pass"], false);
 }
 
-TEST_F(AssessCommand, LeavesAReportInThreeForms) {
+TEST_F(AssessCommand, LeavesAReportInFourForms) {
     const ProgramRun run = assess(cavity("deep.stl", 0.3));
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, AllOf(HasSubstr("of 100, passed"), HasSubstr("Deepest over-preparation")));
@@ -75,6 +75,12 @@ TEST_F(AssessCommand, LeavesAReportInThreeForms) {
     EXPECT_THAT(html, HasSubstr("not measurable: the files have no pulp"));
     EXPECT_THAT(html, Not(HasSubstr("http")));
     EXPECT_LT(html.size(), 2'000'000U);
+    const std::string pdf = readText(file("out") + "/report.pdf");
+    EXPECT_THAT(pdf, StartsWith("%PDF-"));
+    EXPECT_LT(pdf.size(), 2'000'000U);
+    std::size_t pages = 0;
+    for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
+    EXPECT_EQ(pages, 2U);
 }
 
 TEST_F(AssessCommand, WritesTheReportToTheOutputToo) {

@@ -39,6 +39,8 @@ struct AssessmentReport {
 [[nodiscard]] std::string placeText(const AssessmentReport& report, const Vec3& place);
 /// "2:14"
 [[nodiscard]] std::string momentText(double seconds);
+/// "distobuccal, 2:14", whichever of both there is.
+[[nodiscard]] std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured);
 /// "0.42 mm"; a share of 0 to 1 in %.
 [[nodiscard]] std::string valueText(const PreparationMetric& metric, double value);
 

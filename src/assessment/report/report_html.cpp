@@ -60,14 +60,6 @@ std::string_view levelClass(Level level) {
     return kNames[static_cast<std::size_t>(level)];
 }
 
-/// "distobuccal, 2:14", whichever of both there is.
-std::string whereAndWhen(const AssessmentReport& report, const Measured& measured) {
-    std::string text;
-    if (measured.place) text = placeText(report, *measured.place);
-    if (measured.moment) text += (text.empty() ? "" : ", ") + momentText(*measured.moment);
-    return text;
-}
-
 std::string head(const AssessmentReport& report) {
     const Mark& mark = report.mark;
     std::string text = "<div class=\"head\"><div><h1>Assessment of a preparation</h1>\n";
@@ -107,7 +99,7 @@ std::string criterionRow(const AssessmentReport& report, const CriterionScore& e
     text += criterion.weight > 0 ? fmt::format("<td class=\"n\">{:g}</td>", criterion.weight)
                                  : std::string("<td class=\"n\">limit</td>");
     text += each.lost > 0 ? fmt::format("<td class=\"n\">−{:.1f}</td>", each.lost) : "<td></td>";
-    return text + "<td>" + whereAndWhen(report, each.measured) + "</td></tr>\n";
+    return text + "<td>" + placeAndMomentText(report, each.measured) + "</td></tr>\n";
 }
 
 std::string madeOf(const AssessmentReport& report) {
@@ -153,8 +145,8 @@ std::string allMetrics(const AssessmentReport& report) {
         text += "<tr><td>" + plain(metric->title) + "</td>";
         text += measured.value ? "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>"
                                : "<td class=\"none\">" + plain(measured.reason->english) + "</td>";
-        text += "<td>" + whereAndWhen(report, measured) + "</td><td class=\"small\">" + plain(metric->definition) +
-                "</td></tr>\n";
+        text += "<td>" + placeAndMomentText(report, measured) + "</td><td class=\"small\">" +
+                plain(metric->definition) + "</td></tr>\n";
     }
     return text + "</tbody></table>\n";
 }

@@ -53,6 +53,13 @@ std::string momentText(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
+std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured) {
+    std::string text;
+    if (measured.place) text = placeText(report, *measured.place);
+    if (measured.moment) text += (text.empty() ? "" : ", ") + momentText(*measured.moment);
+    return text;
+}
+
 std::string valueText(const PreparationMetric& metric, double value) {
     if (isShare(metric)) return fmt::format("{:.1f} %", tidy(100 * value, 1));
     if (metric.unit == "1") return fmt::format("{:.0f}", tidy(value, 0));

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/cases/assess_input.h"
+#include "app/cli/cases/assess_pdf.h"
 #include "app/cli/cases/assess_pictures.h"
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/messages.h"
@@ -39,7 +40,7 @@ Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
         if (std::filesystem::path(input).has_extension()) files.reads(input);
     }
     if (auto made = files.makeFolder(options.out); !made) return made;
-    for (const char* name : {"report.html", "report.json", "report.csv"}) {
+    for (const char* name : {"report.html", "report.pdf", "report.json", "report.csv"}) {
         if (auto opened = files.open(options.out / name); !opened) return opened;
     }
     return {};
@@ -75,6 +76,7 @@ Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& ru
 Expected<void> writeReport(const AssessOptions& options, const AssessmentReport& report) {
     if (auto done = writeFile(options.out / "report.json", reportJson(report)); !done) return done;
     if (auto done = writeFile(options.out / "report.csv", reportCsv(report)); !done) return done;
+    if (auto done = writeFile(options.out / "report.pdf", reportPdf(report)); !done) return done;
     return writeFile(options.out / "report.html", reportHtml(report));
 }
 
@@ -95,7 +97,7 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
     }
     for (const Criterion* each : mark.limitedBy) print("  The mark is limited by: {}\n", displayText(each->title));
     if (!report.noPictures.empty()) print(stderr, "{}\n", displayText(report.noPictures));
-    print("  report: {}\n", displayName(options.out / "report.html"));
+    print("  report: {} and report.pdf\n", displayName(options.out / "report.html"));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
                      "The uncut tooth (default: that of the exercise, or of the student's file)")
         ->type_name("FILE");
     command->add_flag("--align", options->align, "Lays scans on the uncut tooth first, by what is not prepared");
-    command->add_option("--out", options->out, "Folder for report.html, report.json and report.csv")
+    command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
         ->required()
         ->type_name("DIR");
     command->add_flag("--json", options->json, "Also writes report.json to the standard output");

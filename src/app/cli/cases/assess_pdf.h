@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "assessment/report/assessment_report.h"
+
+namespace tactooth {
+
+/// The report for paper, as the bytes of a PDF file: two pages A4, or more for a rubric of very many criteria. No table
+/// row and no picture is cut by the end of a page. Needs no display.
+[[nodiscard]] std::string reportPdf(const AssessmentReport& report);
+
+}  // namespace tactooth

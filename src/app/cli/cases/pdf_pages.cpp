@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/pdf_pages.h"
+
+#include <algorithm>
+
+namespace tactooth {
+namespace {
+
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kCellGap = 2;     // mm between two columns
+constexpr double kRowGap = 0.9;    // mm above and below the text of a row
+constexpr double kBarHeight = 2;   // mm
+constexpr double kFooterAt = 264;  // mm
+const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
+
+}  // namespace
+
+PdfPages::PdfPages(QPdfWriter& writer, const QString& footer)
+    : writer_(writer), painter_(&writer), footer_(footer), perMm_(writer.resolution() / kMillimetresPerInch) {
+    finishPage();
+}
+
+QRectF PdfPages::dots(const QRectF& box) const {
+    return {box.x() * perMm_, box.y() * perMm_, box.width() * perMm_, box.height() * perMm_};
+}
+
+void PdfPages::use(const Font& font) {
+    QFont shown(QStringLiteral("Noto Sans"));
+    shown.setStyleHint(QFont::SansSerif);
+    shown.setPointSizeF(font.points);
+    shown.setBold(font.isBold);
+    painter_.setFont(shown);
+    painter_.setPen(font.colour);
+}
+
+double PdfPages::heightOf(const QString& text, const Font& font, double width) {
+    use(font);
+    return painter_.boundingRect(dots({0, 0, width, kHeight}), Qt::TextWordWrap, text).height() / perMm_;
+}
+
+/// The footer of the page that has just begun.
+void PdfPages::finishPage() {
+    const Font font{7.5, false, kFaint};
+    text({0, kFooterAt, kWidth - 20, 5}, footer_, font, Qt::AlignLeft | Qt::AlignTop);
+    text({kWidth - 20, kFooterAt, 20, 5}, QString::number(page_), font, Qt::AlignRight | Qt::AlignTop);
+}
+
+void PdfPages::beginPage() {
+    writer_.newPage();
+    ++page_;
+    y_ = 0;
+    finishPage();
+}
+
+void PdfPages::makeRoom(double height) {
+    if (y_ > 0 && y_ + height > kHeight) beginPage();
+}
+
+void PdfPages::text(const QRectF& box, const QString& text, const Font& font, Qt::Alignment align) {
+    use(font);
+    painter_.drawText(dots(box), static_cast<int>(align) | Qt::TextWordWrap, text);
+}
+
+void PdfPages::frame(const QRectF& box, const QColor& colour) {
+    painter_.setPen(QPen(colour, 0.5 * perMm_));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRoundedRect(dots(box), 2 * perMm_, 2 * perMm_);
+}
+
+void PdfPages::paragraph(const QString& text, const Font& font, double width) {
+    const double height = heightOf(text, font, width);
+    makeRoom(height);
+    this->text({0, y_, width, height + 1}, text, font, Qt::AlignLeft | Qt::AlignTop);
+    y_ += height;
+}
+
+void PdfPages::heading(const QString& text, double following) {
+    constexpr double kAbove = 4, kHeadingHeight = 6;
+    const Font font{11.5, true, kInk};
+    makeRoom(kAbove + kHeadingHeight + following);
+    if (y_ > 0) y_ += kAbove;
+    this->text({0, y_, kWidth, kHeadingHeight}, text, font, Qt::AlignLeft | Qt::AlignTop);
+    y_ += kHeadingHeight;
+    painter_.fillRect(dots({0, y_, kWidth, 0.3}), kLine);
+    y_ += 1;
+}
+
+void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
+    double height = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double width = columns[i].width - kCellGap;
+        double cell = heightOf(row.cells.value(static_cast<int>(i)), row.font, width);
+        if (static_cast<int>(i) == row.barColumn) cell += kBarHeight + 0.5;
+        height = std::max(height, cell);
+    }
+    makeRoom(height + 2 * kRowGap);
+    double x = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double width = columns[i].width - kCellGap;
+        text({x, y_ + kRowGap, width, height + 1}, row.cells.value(static_cast<int>(i)), row.font,
+             columns[i].align | Qt::AlignTop);
+        if (static_cast<int>(i) == row.barColumn) {
+            const QRectF bar(x, y_ + kRowGap + height - kBarHeight, width, kBarHeight);
+            painter_.fillRect(dots(bar), kEmptyBar);
+            painter_.fillRect(dots({bar.x(), bar.y(), std::max(0.02, row.share) * width, bar.height()}), row.barColour);
+        }
+        x += columns[i].width;
+    }
+    y_ += height + 2 * kRowGap;
+    painter_.fillRect(dots({0, y_, kWidth, 0.15}), kLine);
+}
+
+void PdfPages::pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width) {
+    constexpr double kGap = 3, kTitle = 5;
+    const int perRow = std::max(1, static_cast<int>((kWidth + kGap) / (width + kGap)));
+    for (std::size_t first = 0; first < pictures.size(); first += static_cast<std::size_t>(perRow)) {
+        const std::size_t end = std::min(pictures.size(), first + static_cast<std::size_t>(perRow));
+        double height = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            const QImage& picture = pictures[i].second;
+            height = std::max(height, width * picture.height() / std::max(1, picture.width()));
+        }
+        makeRoom(height + kTitle);
+        for (std::size_t i = first; i < end; ++i) {
+            const QImage& picture = pictures[i].second;
+            const double x = static_cast<double>(i - first) * (width + kGap);
+            const double own = width * picture.height() / std::max(1, picture.width());
+            painter_.drawImage(dots({x, y_, width, own}), picture);
+            text({x, y_ + own + 0.5, width, kTitle}, pictures[i].first, {8, false, kFaint},
+                 Qt::AlignLeft | Qt::AlignTop);
+        }
+        y_ += height + kTitle;
+    }
+}
+
+}  // namespace tactooth

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace tactooth {
+
+/// Pages A4 that fill from the top. All lengths in mm, from the upper left corner of the printable area.
+class PdfPages {
+public:
+    static constexpr double kWidth = 182, kHeight = 262;  ///< of the printable area, above the footer
+    static constexpr QColor kInk{29, 39, 48}, kFaint{85, 99, 111};
+
+    struct Font {
+        double points = 9;
+        bool isBold = false;
+        QColor colour = kInk;
+    };
+    struct Column {
+        double width = 0;
+        Qt::Alignment align = Qt::AlignLeft;
+    };
+    /// A line of a table; a bar as long as `share` of its column may stand in one of them.
+    struct Row {
+        QStringList cells;
+        Font font;
+        int barColumn = -1;
+        double share = 0;  ///< 0 to 1
+        QColor barColour = {};
+    };
+
+    /// `footer`: stands on each page, with its number. The writer outlives the pages.
+    PdfPages(QPdfWriter& writer, const QString& footer);
+    PdfPages(const PdfPages&) = delete;
+    PdfPages& operator=(const PdfPages&) = delete;
+    ~PdfPages() = default;
+
+    [[nodiscard]] double y() const { return y_; }
+    void skip(double height) { y_ += height; }
+    void beginPage();
+    /// A heading over what takes `following` mm, on the same page as that.
+    void heading(const QString& text, double following);
+    /// A text of several lines, `width` mm wide at most.
+    void paragraph(const QString& text, const Font& font, double width = kWidth);
+    /// A text in a box, without moving on.
+    void text(const QRectF& box, const QString& text, const Font& font, Qt::Alignment align);
+    void frame(const QRectF& box, const QColor& colour);
+    void row(const std::vector<Column>& columns, const Row& row);
+    /// Pictures side by side, each with its title below.
+    void pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width);
+
+private:
+    [[nodiscard]] QRectF dots(const QRectF& box) const;
+    [[nodiscard]] double heightOf(const QString& text, const Font& font, double width);
+    void use(const Font& font);
+    void finishPage();
+    void makeRoom(double height);
+
+    QPdfWriter& writer_;
+    QPainter painter_;
+    QString footer_;
+    double perMm_;
+    double y_ = 0;
+    int page_ = 1;
+};
+
+}  // namespace tactooth
