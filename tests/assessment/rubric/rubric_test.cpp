@@ -145,13 +145,19 @@ TEST(BuiltinRubrics, FailWhoRemovesEverything) {
     });
 }
 
-TEST(BuiltinRubrics, FailWhoOpensThePulp) {
-    const auto results = resultsFor(blockWithBox(-2, 2, -1.5, 1.5, 1.9));
+/// An access opens the pulp; all other preparations keep away from it.
+TEST(BuiltinRubrics, FailWhoOpensThePulpOrFailsToFindIt) {
+    const auto opened = resultsFor(blockWithBox(-2, 2, -1.5, 1.5, 1.9));
+    const auto closed = resultsFor(blockWithBox(-2, 2, -1.5, 1.5, 3));
+    int accesses = 0;
     forEachRubric([&](const Rubric& rubric) {
-        const Mark mark = markOf(rubric, results);
+        const bool isAccess = rubric.name == "Endodontic access";
+        accesses += isAccess ? 1 : 0;
+        const Mark mark = markOf(rubric, isAccess ? closed : opened);
         EXPECT_FALSE(mark.passes);
         EXPECT_LE(*mark.value, 40);
     });
+    EXPECT_EQ(accesses, 1);
 }
 
 TEST(BuiltinRubrics, NeverPreferWhoRemovesLess) {
