@@ -144,7 +144,8 @@ std::vector<BurPath> throughBody(const PreparationPlan& plan, const LayeredTooth
     if (body == nullptr) return {};
     const BodyColumns columns(plan, *body);
     double top = kNowhere, bottom = -kNowhere;
-    for (const Vec3f& vertex : tooth.ownOuter()->mesh().vertices) {
+    const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
+    for (const Vec3f& vertex : outer->mesh().vertices) {
         top = std::max(top, plan.outward.dot(vertex.cast<double>()));
     }
     for (int j = 0; j < columns.rows(); ++j) {

@@ -63,7 +63,7 @@ std::optional<std::vector<double>> heightsAt(const std::vector<Vec3>& places, co
 
 /// The paths of the bur's tip, with their heights.
 Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const LayeredTooth& tooth) {
-    const SurfacePart& outer = *tooth.ownOuter();
+    const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;
     const std::vector<BurPath> planned = burPaths(plan, tooth);
@@ -77,7 +77,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
         std::vector<double> heights;
         const bool needsHeights = !plan.fissure || paths.empty();  // a box goes past the outside of the tooth
         if (needsHeights) {
-            auto found = heightsAt(path, outer, plan.outward);
+            auto found = heightsAt(path, *outer, plan.outward);
             if (!found) return unexpected(msg::kStrokePastTooth, paths.size() + 1);
             heights = std::move(*found);
         }

@@ -122,14 +122,14 @@ TEST(FissureOutline, FollowsTheFissureOfAnyPatient) {
             const auto& plan = std::get<PreparationPlan>(exercise.ideal);
             const std::vector<BurPath> paths = burPaths(plan, *tooth);
             ASSERT_FALSE(paths.empty());
-            const SurfacePart& outer = *tooth->ownOuter();
+            const std::shared_ptr<const SurfacePart> outer = tooth->ownOuter();
             // A ball of 1.2 mm radius that rolls into the valley is lower than one on the slopes beside it.
             const auto restsAt = [&](const Vec3& place) {
                 constexpr double kRadius = 1.2;
                 double low = 0, high = 20;
                 while (high - low > 0.01) {
                     const double middle = (low + high) / 2;
-                    const bool isFree = signedDistance(outer, Vec3(place.x(), place.y(), middle)) > kRadius;
+                    const bool isFree = signedDistance(*outer, Vec3(place.x(), place.y(), middle)) > kRadius;
                     (isFree ? high : low) = middle;
                 }
                 return high;
