@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "assessment/preparation/scan_alignment.h"
@@ -44,7 +45,22 @@ struct AssessmentReport {
 /// "0.42 mm"; a share of 0 to 1 in %.
 [[nodiscard]] std::string valueText(const PreparationMetric& metric, double value);
 
-// The three forms; docs/assessment.md describes them. In English.
+/// A line over the report: "Task", "Follow the central fissure".
+struct ReportFact {
+    std::string_view title;
+    std::string value;
+};
+/// The first two are the work and what it is compared with.
+[[nodiscard]] std::vector<ReportFact> reportFacts(const AssessmentReport& report);
+/// A sentence.
+[[nodiscard]] std::string weightedMeanText(const Mark& mark);
+/// "passed, pass mark 65"
+[[nodiscard]] std::string resultText(const AssessmentReport& report);
+[[nodiscard]] std::string footerText(const AssessmentReport& report);
+/// "#2f7d4f"
+[[nodiscard]] std::string_view levelColour(Level level);
+
+// Three of the four forms; docs/assessment.md describes them. In English.
 [[nodiscard]] std::string reportJson(const AssessmentReport& report);
 [[nodiscard]] std::string reportCsv(const AssessmentReport& report);
 /// One page without other files or scripts.

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 #include "assessment/report/assessment_report.h"
 #include "geometry/util/display_text.h"
@@ -48,41 +47,31 @@ td.n, th.n { text-align: right; white-space: nowrap; font-variant-numeric: tabul
 .mark b { display: block; font-size: 26pt; line-height: 1.1 }
 .passed { color: #17603a } .failed { color: #9c2b1a }
 .bar { background: #e3e8ec; height: 2.4mm; width: 22mm; margin-top: 1mm } .bar i { display: block; height: 100% }
-.ideal { background: #2f7d4f } .acceptable { background: #7a9a2d } .correct { background: #cf8a16 }
-.fail { background: #b23a24 }
 .pictures { display: flex; flex-wrap: wrap; gap: 3mm } figure { margin: 0; width: 58mm; page-break-inside: avoid }
 figure img { width: 100%; display: block } figcaption { font-size: 8.5pt; color: #55636f }
 .small { font-size: 8.5pt; color: #55636f }
 )css";
 
-std::string_view levelClass(Level level) {
-    constexpr std::array<std::string_view, 4> kNames = {"ideal", "acceptable", "correct", "fail"};
-    return kNames[static_cast<std::size_t>(level)];
-}
-
 std::string head(const AssessmentReport& report) {
     const Mark& mark = report.mark;
     std::string text = "<div class=\"head\"><div><h1>Assessment of a preparation</h1>\n";
-    text += "<p>Work: <b>" + plain(report.student) + "</b><br>Compared with: <b>" + plain(report.expert) + "</b>";
-    if (!report.task.empty()) text += "<br>Task: " + plain(report.task);
-    text += "<br>Rubric: " + plain(report.rubric->name);
-    if (report.seconds) text += "<br>Length of the session: " + momentText(*report.seconds) + " min";
-    if (report.fit) {
-        text += fmt::format("<br>Fit of the surface on the uncut tooth: {:.3f} mm RMS over {:.0f} % of it",
-                            report.fit->residual, 100 * report.fit->usedShare);
+    text += "<p>";
+    const std::vector<ReportFact> facts = reportFacts(report);
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+        const std::string value = i < 2 ? "<b>" + plain(facts[i].value) + "</b>" : plain(facts[i].value);
+        text += (i > 0 ? "<br>" : "") + std::string(facts[i].title) + ": " + value;
     }
     text += "</p></div>\n";
-    text += fmt::format("<div class=\"mark {0}\"><b>{1}</b>of 100<br>{0}, pass mark {2:.0f}</div></div>\n",
-                        mark.passes ? "passed" : "failed", mark.value ? fmt::format("{:.1f}", *mark.value) : "–",
-                        report.rubric->passMark);
+    text += fmt::format("<div class=\"mark {}\"><b>{}</b>of 100<br>{}</div></div>\n", mark.passes ? "passed" : "failed",
+                        mark.value ? fmt::format("{:.1f}", *mark.value) : "–", resultText(report));
     return text;
 }
 
 std::string scoreCell(const CriterionScore& each) {
     if (!each.score) return "<td class=\"n none\">–</td><td></td>";
     return fmt::format(
-        "<td class=\"n\">{:.0f}</td><td>{}<div class=\"bar\"><i class=\"{}\" style=\"width:{:.0f}%\"></i></div></td>",
-        *each.score, levelText(*each.level).english, levelClass(*each.level), std::max(2.0, *each.score));
+        "<td class=\"n\">{:.0f}</td><td>{}<div class=\"bar\"><i style=\"width:{:.0f}%;background:{}\"></i></div></td>",
+        *each.score, levelText(*each.level).english, std::max(2.0, *each.score), levelColour(*each.level));
 }
 
 std::string criterionRow(const AssessmentReport& report, const CriterionScore& each) {
@@ -110,16 +99,7 @@ std::string madeOf(const AssessmentReport& report) {
         "<th>Where, when</th></tr></thead><tbody>\n";
     for (const CriterionScore& each : mark.criteria) text += criterionRow(report, each);
     text += "</tbody></table>\n";
-    if (mark.weighted) {
-        text += fmt::format("<p>Weighted mean of the scores: {:.1f}", *mark.weighted);
-        if (mark.judgedShare < 1) {
-            text +=
-                fmt::format(" (of {:.0f} % of the weights; the rest could not be measured)", 100 * mark.judgedShare);
-        }
-        text += ".</p>\n";
-    } else {
-        text += "<p>No criterion with a weight could be measured, so there is no mark.</p>\n";
-    }
+    text += "<p>" + weightedMeanText(mark) + "</p>\n";
     for (const Criterion* each : mark.limitedBy) {
         text += "<p><b>The mark is limited by: " + plain(each->title) + "</b></p>\n";
     }
@@ -157,8 +137,7 @@ std::string reportHtml(const AssessmentReport& report) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment: ";
     text += plain(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
     text += head(report) + madeOf(report) + pictures(report) + allMetrics(report);
-    text += "<p class=\"small\">Measures and limits support a teacher's judgement; they do not replace it. Made by " +
-            plain(report.program) + ".</p>\n</body></html>\n";
+    text += "<p class=\"small\">" + plain(footerText(report)) + "</p>\n</body></html>\n";
     return text;
 }
 

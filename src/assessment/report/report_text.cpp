@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -58,6 +59,41 @@ std::string placeAndMomentText(const AssessmentReport& report, const Measured& m
     if (measured.place) text = placeText(report, *measured.place);
     if (measured.moment) text += (text.empty() ? "" : ", ") + momentText(*measured.moment);
     return text;
+}
+
+std::vector<ReportFact> reportFacts(const AssessmentReport& report) {
+    std::vector<ReportFact> facts = {{"Work", report.student}, {"Compared with", report.expert}};
+    if (!report.task.empty()) facts.push_back({"Task", report.task});
+    facts.push_back({"Rubric", report.rubric->name});
+    if (report.seconds) facts.push_back({"Length of the session", momentText(*report.seconds) + " min"});
+    if (report.fit) {
+        facts.push_back(
+            {"Fit of the surface on the uncut tooth",
+             fmt::format("{:.3f} mm RMS over {:.0f} % of it", report.fit->residual, 100 * report.fit->usedShare)});
+    }
+    return facts;
+}
+
+std::string weightedMeanText(const Mark& mark) {
+    if (!mark.weighted) return "No criterion with a weight could be measured, so there is no mark.";
+    std::string text = fmt::format("Weighted mean of the scores: {:.1f}", *mark.weighted);
+    if (mark.judgedShare < 1) {
+        text += fmt::format(" (of {:.0f} % of the weights; the rest could not be measured)", 100 * mark.judgedShare);
+    }
+    return text + ".";
+}
+
+std::string resultText(const AssessmentReport& report) {
+    return fmt::format("{}, pass mark {:.0f}", report.mark.passes ? "passed" : "failed", report.rubric->passMark);
+}
+
+std::string footerText(const AssessmentReport& report) {
+    return "Measures and limits support a teacher's judgement; they do not replace it. Made by " + report.program + ".";
+}
+
+std::string_view levelColour(Level level) {
+    constexpr std::array<std::string_view, 4> kColours = {"#2f7d4f", "#7a9a2d", "#cf8a16", "#b23a24"};
+    return kColours[static_cast<std::size_t>(level)];
 }
 
 std::string valueText(const PreparationMetric& metric, double value) {

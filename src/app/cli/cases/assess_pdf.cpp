@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_pdf.h"
 
-#include <fmt/core.h>
-
 #include <QBuffer>
 #include <QByteArray>
 
@@ -20,30 +18,10 @@ const QColor kPassed(23, 96, 58), kFailed(156, 43, 26);
 
 QString shown(std::string_view text) { return QString::fromStdString(displayText(std::string(text))); }
 
-QColor colourOf(Level level) {
-    switch (level) {
-        case Level::Ideal:
-            return {47, 125, 79};
-        case Level::Acceptable:
-            return {122, 154, 45};
-        case Level::Correct:
-            return {207, 138, 22};
-        case Level::Fail:
-            break;
-    }
-    return {178, 58, 36};
-}
-
 QString factsOf(const AssessmentReport& report) {
-    QString text = "Work: " + shown(report.student) + "\nCompared with: " + shown(report.expert);
-    if (!report.task.empty()) text += "\nTask: " + shown(report.task);
-    text += "\nRubric: " + shown(report.rubric->name);
-    if (report.seconds) text += "\nLength of the session: " + shown(momentText(*report.seconds)) + " min";
-    if (report.fit) {
-        text += shown(fmt::format("\nFit of the surface on the uncut tooth: {:.3f} mm RMS over {:.0f} % of it",
-                                  report.fit->residual, 100 * report.fit->usedShare));
-    }
-    return text;
+    QStringList lines;
+    for (const ReportFact& fact : reportFacts(report)) lines << shown(fact.title) + ": " + shown(fact.value);
+    return lines.join('\n');
 }
 
 void drawHead(PdfPages& pages, const AssessmentReport& report) {
@@ -54,11 +32,8 @@ void drawHead(PdfPages& pages, const AssessmentReport& report) {
     pages.frame(box, colour);
     const QString number = mark.value ? QString::number(*mark.value, 'f', 1) : QStringLiteral("–");
     pages.text(box.adjusted(0, 1, 0, 0), number, {26, true, colour}, Qt::AlignHCenter | Qt::AlignTop);
-    pages.text(box.adjusted(0, 14, 0, 0),
-               QString("of 100\n%1, pass mark %2")
-                   .arg(QLatin1String(mark.passes ? "passed" : "failed"))
-                   .arg(report.rubric->passMark, 0, 'f', 0),
-               {9, false, colour}, Qt::AlignHCenter | Qt::AlignTop);
+    pages.text(box.adjusted(0, 14, 0, 0), "of 100\n" + shown(resultText(report)), {9, false, colour},
+               Qt::AlignHCenter | Qt::AlignTop);
     pages.paragraph("Assessment of a preparation", {17, true}, box.x() - 5);
     pages.skip(1);
     pages.paragraph(factsOf(report), {9.5}, box.x() - 5);
@@ -91,23 +66,13 @@ void drawCriteria(PdfPages& pages, const AssessmentReport& report) {
         if (each.score && each.level) {
             row.barColumn = kLevelColumn;
             row.share = *each.score / 100;
-            row.barColour = colourOf(*each.level);
+            row.barColour = QColor(shown(levelColour(*each.level)));
         }
         pages.row(columns, row);
     }
     pages.skip(1.5);
-    const Mark& mark = report.mark;
-    if (mark.weighted) {
-        QString text = QString("Weighted mean of the scores: %1").arg(*mark.weighted, 0, 'f', 1);
-        if (mark.judgedShare < 1) {
-            text += QString(" (of %1 % of the weights; the rest could not be measured)")
-                        .arg(100 * mark.judgedShare, 0, 'f', 0);
-        }
-        pages.paragraph(text + ".", {9});
-    } else {
-        pages.paragraph("No criterion with a weight could be measured, so there is no mark.", {9});
-    }
-    for (const Criterion* each : mark.limitedBy) {
+    pages.paragraph(shown(weightedMeanText(report.mark)), {9});
+    for (const Criterion* each : report.mark.limitedBy) {
         pages.paragraph("The mark is limited by: " + shown(each->title), {9, true});
     }
 }
@@ -153,8 +118,7 @@ std::string reportPdf(const AssessmentReport& report) {
         writer.setPageMargins(QMarginsF(kMargin, kMargin, kMargin, kMargin), QPageLayout::Millimeter);
         writer.setTitle("Assessment: " + shown(report.student));
         writer.setCreator(shown(report.program));
-        PdfPages pages(writer, "Measures and limits support a teacher's judgement; they do not replace it. Made by " +
-                                   shown(report.program) + ".");
+        PdfPages pages(writer, shown(footerText(report)));
         drawHead(pages, report);
         drawCriteria(pages, report);
         drawPictures(pages, report);

@@ -18,7 +18,7 @@ const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
 
 PdfPages::PdfPages(QPdfWriter& writer, const QString& footer)
     : writer_(writer), painter_(&writer), footer_(footer), perMm_(writer.resolution() / kMillimetresPerInch) {
-    finishPage();
+    drawFooter();
 }
 
 QRectF PdfPages::dots(const QRectF& box) const {
@@ -39,8 +39,7 @@ double PdfPages::heightOf(const QString& text, const Font& font, double width) {
     return painter_.boundingRect(dots({0, 0, width, kHeight}), Qt::TextWordWrap, text).height() / perMm_;
 }
 
-/// The footer of the page that has just begun.
-void PdfPages::finishPage() {
+void PdfPages::drawFooter() {
     const Font font{7.5, false, kFaint};
     text({0, kFooterAt, kWidth - 20, 5}, footer_, font, Qt::AlignLeft | Qt::AlignTop);
     text({kWidth - 20, kFooterAt, 20, 5}, QString::number(page_), font, Qt::AlignRight | Qt::AlignTop);
@@ -50,7 +49,7 @@ void PdfPages::beginPage() {
     writer_.newPage();
     ++page_;
     y_ = 0;
-    finishPage();
+    drawFooter();
 }
 
 void PdfPages::makeRoom(double height) {

@@ -60,7 +60,7 @@ private:
     [[nodiscard]] QRectF dots(const QRectF& box) const;
     [[nodiscard]] double heightOf(const QString& text, const Font& font, double width);
     void use(const Font& font);
-    void finishPage();
+    void drawFooter();
     void makeRoom(double height);
 
     QPdfWriter& writer_;
