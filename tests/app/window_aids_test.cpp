@@ -228,8 +228,6 @@ void WindowAidsTest::overAMarginalRidgeTheRingMarksTheNeighbour() {
         QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatience);
     };
     aimBeside(0.3);
-    waitForSteps(20);
-    window_->grab().save("/tmp/gh/aim-beside.png");
     QTRY_VERIFY_WITH_TIMEOUT(view().aim().marksBeside(), kPatience);
     QVERIFY(view().aim().lines().contains("Will touch the neighbour or gum"));
     aimBeside(3);
