@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -25,13 +26,12 @@ constexpr double kNowhere = -1e9;  // mm: the height of a column beside the body
 /// A body as columns along the direction of the shaft: for each column, how deep the tip goes.
 class BodyColumns {
 public:
-    BodyColumns(const PreparationPlan& plan, const SurfacePart& body)
+    BodyColumns(const PreparationPlan& plan, const std::shared_ptr<const SurfacePart>& body)
         : outward_(plan.outward), u_(plan.outward.unitOrthogonal()), v_(plan.outward.cross(u_)) {
-        // Refers to the part and does not own it.
-        const Surface surface{.base = std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &body)};
+        const Surface surface{.base = body};
         double top = kNowhere;
         Eigen::AlignedBox2d box;
-        for (const Vec3f& vertex : body.mesh().vertices) {
+        for (const Vec3f& vertex : body->mesh().vertices) {
             const Vec3 place = vertex.cast<double>();
             box.extend(Eigen::Vector2d(u_.dot(place), v_.dot(place)));
             top = std::max(top, outward_.dot(place));
@@ -128,24 +128,23 @@ private:
     std::vector<double> tips_;
 };
 
-const SurfacePart* bodyOf(const LayeredTooth& tooth, MaterialRole role) {
+std::shared_ptr<const SurfacePart> bodyOf(const LayeredTooth& tooth, MaterialRole role) {
     const Box3 own = tooth.ownBox();
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
         const bool isOwn = own.contains(layer.part->tree().box().center());  // not of a tooth beside
-        if (isOwn && tooth.materials().hasRole(layer.material, role)) return layer.part.get();
+        if (isOwn && tooth.materials().hasRole(layer.material, role)) return layer.part;
     }
     return nullptr;
 }
 
 }  // namespace
 
-std::vector<BurPath> throughBody(const PreparationPlan& plan, const LayeredTooth& tooth) {
-    const SurfacePart* body = bodyOf(tooth, plan.body->role);
+std::vector<BurPath> throughBody(const PreparationPlan& plan, const LayeredTooth& tooth, const SurfacePart& outer) {
+    const std::shared_ptr<const SurfacePart> body = bodyOf(tooth, plan.body->role);
     if (body == nullptr) return {};
-    const BodyColumns columns(plan, *body);
+    const BodyColumns columns(plan, body);
     double top = kNowhere, bottom = -kNowhere;
-    const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
-    for (const Vec3f& vertex : outer->mesh().vertices) {
+    for (const Vec3f& vertex : outer.mesh().vertices) {
         top = std::max(top, plan.outward.dot(vertex.cast<double>()));
     }
     for (int j = 0; j < columns.rows(); ++j) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "assessment/body_paths.h"
 #include "assessment/exercise.h"
@@ -33,11 +35,8 @@ std::vector<Vec3> placesOf(const Vec3& from, const Vec3& to) {
 /// A crown seen from above.
 class Crown {
 public:
-    explicit Crown(const SurfacePart& outer)
-        // Refers to the part and does not own it.
-        : surface_{.base = std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &outer)},
-          vertices_(outer.mesh().vertices) {
-        for (const Vec3f& vertex : vertices_) {
+    explicit Crown(std::shared_ptr<const SurfacePart> outer) : surface_{.base = std::move(outer)} {
+        for (const Vec3f& vertex : vertices()) {
             if (vertex.z() > 0) box_.extend(vertex.cast<double>());
         }
     }
@@ -55,7 +54,7 @@ public:
         Vec3 sum = Vec3::Zero();
         int count = 0;
         const double farthest = outside(towardX);
-        for (const Vec3f& vertex : vertices_) {
+        for (const Vec3f& vertex : vertices()) {
             if (vertex.z() <= 0 || towardX * vertex.x() < farthest - kContact) continue;
             sum += vertex.cast<double>();
             ++count;
@@ -73,8 +72,9 @@ public:
     }
 
 private:
+    [[nodiscard]] const std::vector<Vec3f>& vertices() const { return surface_.base->mesh().vertices; }
+
     Surface surface_;
-    const std::vector<Vec3f>& vertices_;
     Box3 box_;
 };
 
@@ -152,8 +152,8 @@ void addBox(std::vector<BurPath>& paths, const PreparationPlan& plan, const Prox
     }
 }
 
-std::vector<BurPath> alongFissure(const PreparationPlan& plan, const SurfacePart& outer) {
-    const Crown crown(outer);
+std::vector<BurPath> alongFissure(const PreparationPlan& plan, std::shared_ptr<const SurfacePart> outer) {
+    const Crown crown(std::move(outer));
     const FissureOutline& outline = *plan.fissure;
     const auto endToward = [&](double towardX, const std::optional<double>& left) {
         if (left) return crown.outside(towardX) - *left - outline.burRadius;
@@ -188,9 +188,10 @@ std::vector<BurPath> alongFissure(const PreparationPlan& plan, const SurfacePart
 
 }  // namespace
 
-std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth) {
-    if (plan.fissure) return alongFissure(plan, *tooth.ownOuter());
-    if (plan.body) return throughBody(plan, tooth);
+std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth,
+                              const std::shared_ptr<const SurfacePart>& outer) {
+    if (plan.fissure) return alongFissure(plan, outer);
+    if (plan.body) return throughBody(plan, tooth, *outer);
     std::vector<BurPath> paths;
     for (const PreparationPlan::Stroke& stroke : plan.strokes)
         paths.push_back({placesOf(stroke.from, stroke.to), stroke.depth.value_or(plan.depth)});

@@ -8,8 +8,8 @@
 namespace tactooth {
 
 /// The direction to look from at a planned cavity: the dentist's own one, or as far from it toward the axis of the
-/// cavity as is needed to see its whole outline past the cusps, and to look into it. `outer`: surface of the uncut
-/// tooth; `mesialX`: direction of mesial along x.
+/// cavity as is needed to see its whole outline past the cusps, and to look into it. `tooth`: uncut;
+/// `mesialX`: direction of mesial along x.
 [[nodiscard]] ViewDirection viewOnto(const PreparationPlan& plan, const LayeredTooth& tooth, double mesialX);
 
 }  // namespace tactooth

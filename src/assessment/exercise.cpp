@@ -66,7 +66,7 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
     const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;
-    const std::vector<BurPath> planned = burPaths(plan, tooth);
+    const std::vector<BurPath> planned = burPaths(plan, tooth, outer);
     if (planned.empty()) return unexpected(plan.body ? msg::kNoSuchBody : msg::kNoFissureFound);
     for (const BurPath& one : planned) {
         std::vector<Vec3> path = one.places;
@@ -127,10 +127,11 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 }  // namespace
 
 std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth) {
-    const std::vector<BurPath> paths = burPaths(plan, tooth);
+    const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
+    const std::vector<BurPath> paths = burPaths(plan, tooth, outer);
     if (paths.empty() || !paths.front().depth) return std::nullopt;
     const std::vector<Vec3>& places = paths.front().places;
-    const auto heights = heightsAt(places, *tooth.ownOuter(), plan.outward);
+    const auto heights = heightsAt(places, *outer, plan.outward);
     if (!heights) return std::nullopt;
     return places.front() + (meanOf(*heights) - plan.outward.dot(places.front())) * plan.outward;
 }

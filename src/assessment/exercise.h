@@ -88,11 +88,11 @@ struct Exercise {
     std::string id = {};                                         ///< of a built-in one: "class-1-46"
     ExerciseGroup group = ExerciseGroup::Own;
     ExerciseLevel level = ExerciseLevel::Usual;
-    bool inMouth = false;                ///< a built-in tooth stands in the whole mouth, with its neighbours
-    std::vector<std::string> burs = {};  ///< numbers of further burs of the catalogue that serve as well
-    std::optional<int> minutes = {};     ///< time for the task
-    double tolerance = 0.3;              ///< mm from the ideal surface that count as right in pictures
-    std::string rubric = {};             ///< a built-in one, or a file; empty: the usual one
+    bool inMouth = false;                     ///< a built-in tooth stands in the whole mouth, with its neighbours
+    std::vector<std::string> otherBurs = {};  ///< numbers of burs of the catalogue that serve as well
+    std::optional<int> minutes = {};          ///< time for the task
+    double tolerance = 0.3;                   ///< mm from the ideal surface that count as right in pictures
+    std::string rubric = {};                  ///< a built-in one, or a file; empty: the usual one
 
     /// Whether the ideal cavity reaches the pulp.
     [[nodiscard]] bool opensPulp() const;
@@ -110,8 +110,10 @@ struct BurPath {
     std::vector<Vec3> places;     ///< tooth frame, mm
     std::optional<double> depth;  ///< below the surface, mm, as PreparationPlan::depth; nothing: the places have it
 };
-/// All paths of a plan on an uncut tooth; none where it has no fissure to follow, or no such body.
-[[nodiscard]] std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth);
+/// All paths of a plan on an uncut tooth; none where it has no fissure to follow, or no such body. `outer`:
+/// LayeredTooth::ownOuter, which takes some time in a mouth.
+[[nodiscard]] std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth,
+                                            const std::shared_ptr<const SurfacePart>& outer);
 
 /// The place from whose height, along PreparationPlan::outward, the depth of a flat floor counts. Nothing where the
 /// first stroke misses the uncut tooth, and where the paths have their own heights.

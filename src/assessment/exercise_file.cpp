@@ -43,11 +43,7 @@ constexpr double kLeastTolerance = 0.02, kMostTolerance = 2;  // mm
 /// Their names in files, in the order of the enumerations.
 constexpr std::array<std::string_view, 8> kGroups = {"hand-eye", "caries",  "class-1",    "class-2",
                                                      "class-3",  "class-5", "endodontic", "own"};
-constexpr std::array<const MessageText*, 8> kGroupTitles = {
-    &msg::kGroupHandEye,    &msg::kGroupCaries,    &msg::kGroupClassOne,   &msg::kGroupClassTwo,
-    &msg::kGroupClassThree, &msg::kGroupClassFive, &msg::kGroupEndodontic, &msg::kGroupOwn};
 constexpr std::array<std::string_view, 3> kLevels = {"easy", "usual", "hard"};
-constexpr std::array<const MessageText*, 3> kLevelTitles = {&msg::kLevelEasy, &msg::kLevelUsual, &msg::kLevelHard};
 
 class ExerciseReader {
 public:
@@ -171,8 +167,8 @@ private:
     }
 
     void readBur(const toml::table& root) {
-        exercise_.burs = toml_.texts(root, "other_burs");
-        for (const std::string& other : exercise_.burs) {
+        exercise_.otherBurs = toml_.texts(root, "other_burs");
+        for (const std::string& other : exercise_.otherBurs) {
             if (!findBur(other)) toml_.fail(*root.get("other_burs"), {msg::kBurUnknown, quotedWord(other)});
         }
         const std::string bur = toml_.text(root, "bur", true);
@@ -230,13 +226,17 @@ private:
         return plan;
     }
 
+    [[nodiscard]] std::optional<BurSpec> catalogueBur() const {
+        const auto* number = std::get_if<std::string>(&exercise_.bur);
+        return number != nullptr ? findBur(*number) : std::nullopt;
+    }
+
     /// An outline along the fissure, with the boxes at its ends.
     void readFissure(const toml::table& table, const std::vector<const toml::table*>& boxes, PreparationPlan& plan) {
         toml_.allow(table, msg::kAFissure, {"width", "mesial", "distal"});
         const auto* request = std::get_if<ToothRequest>(&exercise_.tooth);
         if (request != nullptr && isAnteriorTooth(request->fdi)) toml_.fail(table, msg::kNoFissure);
-        const auto* number = std::get_if<std::string>(&exercise_.bur);
-        const std::optional<BurSpec> bur = number != nullptr ? findBur(*number) : std::nullopt;
+        const std::optional<BurSpec> bur = catalogueBur();
         if (!bur) return toml_.fail(table, msg::kOutlineNeedsBur);
         for (const toml::table* box : boxes) plan.boxes.push_back(this->box(*box, bur->headDiameter));
         if (plan.boxes.size() > 2 || (plan.boxes.size() == 2 && plan.boxes[0].towardX == plan.boxes[1].towardX))
@@ -261,8 +261,7 @@ private:
         toml_.allow(table, msg::kABody, {"tissue", "below"});
         constexpr std::array<std::string_view, 2> kTissues = {"caries", "pulp"};
         const bool isPulp = choice(table, "tissue", kTissues, msg::kTissueUnknown, 0) == 1;
-        const auto* number = std::get_if<std::string>(&exercise_.bur);
-        const std::optional<BurSpec> bur = number != nullptr ? findBur(*number) : std::nullopt;
+        const std::optional<BurSpec> bur = catalogueBur();
         if (!bur) return toml_.fail(table, msg::kOutlineNeedsBur);
         plan.body = {.role = isPulp ? MaterialRole::Pulp : MaterialRole::Decay,
                      .burRadius = bur->headDiameter / 2,
@@ -330,52 +329,6 @@ private:
 
 Expected<Exercise> parseExercise(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
     return ExerciseReader(name, folder).read(text);
-}
-
-const MessageText& titleOf(ExerciseGroup group) { return *kGroupTitles.at(static_cast<std::size_t>(group)); }
-
-const MessageText& titleOf(ExerciseLevel level) { return *kLevelTitles.at(static_cast<std::size_t>(level)); }
-
-bool Exercise::opensPulp() const {
-    const auto* plan = std::get_if<PreparationPlan>(&ideal);
-    return plan != nullptr && plan->body && plan->body->role == MaterialRole::Pulp;
-}
-
-ExerciseWords Exercise::words(Language language) const {
-    if (language == Language::Japanese && !japanese.name.empty()) return japanese;
-    return {name, task, brief};
-}
-
-std::span<const std::shared_ptr<const Exercise>> exercises() {
-    static const std::vector<std::shared_ptr<const Exercise>> all = [] {
-        std::vector<std::shared_ptr<const Exercise>> list;
-        for (const auto& [name, text] : builtinExerciseTexts()) {
-            Expected<Exercise> exercise = parseExercise(text, name, {});
-            TACTOOTH_ASSERT(exercise.has_value());  // a test reads each of them
-            if (!exercise) continue;
-            exercise->id = std::filesystem::path(name).stem().native();
-            list.push_back(std::make_shared<const Exercise>(std::move(*exercise)));
-        }
-        std::ranges::stable_sort(list, [](const auto& a, const auto& b) {
-            return std::pair(a->group, a->level) < std::pair(b->group, b->level);
-        });
-        return list;
-    }();
-    return all;
-}
-
-std::shared_ptr<const Exercise> builtinExercise(std::string_view id) {
-    const auto found = std::ranges::find(exercises(), id, [](const auto& one) { return std::string_view(one->id); });
-    return found != exercises().end() ? *found : nullptr;
-}
-
-Expected<Exercise> findExercise(const std::string& nameOrFile) {
-    if (const auto builtin = builtinExercise(nameOrFile)) return *builtin;
-    const std::filesystem::path file(nameOrFile);
-    if (file.has_extension() || file.has_parent_path()) return readExercise(file);
-    std::string names;
-    for (const auto& each : exercises()) names += (names.empty() ? "" : ", ") + each->id;
-    return unexpected(msg::kExerciseUnknown, quotedWord(nameOrFile), names);
 }
 
 Expected<Exercise> readExercise(const std::filesystem::path& file) {

@@ -98,7 +98,7 @@ TEST(ExerciseFile, SaysWhatListsAndMarksNeed) {
     EXPECT_EQ(exercise->tolerance, 0.2);
     EXPECT_EQ(exercise->rubric, "class-1");
     EXPECT_TRUE(exercise->inMouth);
-    EXPECT_THAT(exercise->burs, ::testing::ElementsAre("245"));
+    EXPECT_THAT(exercise->otherBurs, ::testing::ElementsAre("245"));
     EXPECT_EQ(parsed(exerciseWith())->words(Language::Japanese).name, "Pit");  // it has no other words
     EXPECT_EQ(parsed(exerciseWith())->group, ExerciseGroup::Own);
 }

@@ -63,7 +63,7 @@ Expected<void> describe(const ExerciseOptions& options) {
     if (!exercise->brief.empty()) print("{}\n", exercise->brief);
     print("  group           {}, {}\n", titleOf(exercise->group).english, titleOf(exercise->level).english);
     print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
-    for (const std::string& other : exercise->burs) print("  or              {}\n", findBur(other)->name);
+    for (const std::string& other : exercise->otherBurs) print("  or              {}\n", findBur(other)->name);
     if (exercise->minutes) print("  time            {} min\n", *exercise->minutes);
     print("  rubric          {}\n", exercise->rubric.empty() ? kUsualRubric : exercise->rubric);
     print("  ideal cavity    {:.2f} mm3\n", metrics.of(whole, 0).planned);

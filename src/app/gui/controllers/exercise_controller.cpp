@@ -46,7 +46,7 @@ void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) 
     panels_.exercise->show(exercise);
     if (exercise == nullptr) return clearTarget();
     teeth_.load([exercise] { return makeSessionTooth(exercise); },
-                tr("Preparing the exercise: %1…").arg(QString::fromStdString(exercise->words(windowLanguage()).name)));
+                tr("Preparing the exercise: %1…").arg(exerciseTitle(*exercise)));
 }
 
 void ExerciseController::open(const QString& file) {
@@ -76,9 +76,7 @@ void ExerciseController::beginExercise() {
 
 void ExerciseController::restore(TargetState state) {
     if (state.target.metrics != nullptr) {
-        if (active_ != nullptr)
-            state.target.name =
-                QString::fromStdString(active_->words(windowLanguage()).name);  // in the language of this window
+        if (active_ != nullptr) state.target.name = exerciseTitle(*active_);  // in the language of this window
         setTarget(std::move(state.target));
         targetFile_ = state.file;
     } else if (active_ != nullptr) {
@@ -112,7 +110,7 @@ void ExerciseController::prepareHand() {
 }
 
 void ExerciseController::loadIdealShape() {
-    pendingTarget_.start([exercise = active_, name = QString::fromStdString(active_->words(windowLanguage()).name),
+    pendingTarget_.start([exercise = active_, name = exerciseTitle(*active_),
                           tooth = model_.tooth()->piece->volume().tooth(),
                           box = model_.tooth()->box()]() -> Expected<Target> {
         Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);

@@ -22,15 +22,15 @@ BurEntry::BurEntry(QWidget& window, DrillBar& drill, const ExerciseController& e
     connect(&drill_, &DrillBar::gridWanted, this, &BurEntry::open);
 }
 
-/// Numbers in the catalogue; empty: there is no exercise, or it brings a bur of its own.
+/// Numbers in the catalogue; empty: there is no exercise, or it has only a bur of its own.
 std::set<std::string> BurEntry::bursOfExercise() const {
     const auto& exercise = exercise_.active();
-    const auto* number = exercise != nullptr ? std::get_if<std::string>(&exercise->bur) : nullptr;
-    if (number == nullptr) return {};
+    if (exercise == nullptr) return {};
+    std::vector<std::string> numbers = exercise->otherBurs;
+    if (const auto* number = std::get_if<std::string>(&exercise->bur)) numbers.push_back(*number);
     std::set<std::string> burs;
-    if (const auto bur = findBur(*number)) burs.insert(bur->number);
-    for (const std::string& other : exercise->burs) {
-        if (const auto bur = findBur(other)) burs.insert(bur->number);
+    for (const std::string& number : numbers) {
+        if (const auto bur = findBur(number)) burs.insert(bur->number);
     }
     return burs;
 }

@@ -48,7 +48,7 @@ void ToothChartEntry::open() {
     if (model_.tooth()) marks.loaded = fdiOf(*model_.tooth());
     for (const auto& exercise : exercise_.known()) {
         const int fdi = exercise != nullptr ? fdiOf(*exercise) : 0;
-        if (fdi != 0) marks.exercises[fdi] << QString::fromStdString(exercise->words(windowLanguage()).name);
+        if (fdi != 0) marks.exercises[fdi] << exerciseTitle(*exercise);
     }
     auto* chart = new ToothChartDialog(marks, notation_, &window_);
     connect(chart, &ToothChartDialog::chosen, this, [this](int fdi) { teeth_.loadMouth({.fdi = fdi}); });

@@ -21,12 +21,12 @@ constexpr int kMostRows = 30;  // of the list without scrolling
 
 /// The title with its level.
 QString titleInList(const Exercise& exercise) {
-    const QString title = QString::fromStdString(exercise.words(windowLanguage()).name);
+    const QString title = exerciseTitle(exercise);
     if (exercise.group == ExerciseGroup::Own) return title;
     return QString("%1 (%2)").arg(title, translated(titleOf(exercise.level)));
 }
 
-/// Task, brief and burs.
+/// Task and brief.
 QString textOf(const Exercise& exercise) {
     const ExerciseWords words = exercise.words(windowLanguage());
     return QString::fromStdString(words.brief.empty() ? words.task : words.task + ' ' + words.brief);

@@ -59,8 +59,8 @@ private:
     void addToList(const std::shared_ptr<const Exercise>& exercise);
     [[nodiscard]] int rowOf(std::size_t known) const;
 
-    std::vector<std::shared_ptr<const Exercise>>
-        known_;  // the data of a row is its place here; the first: free practice
+    // The data of a row is the place of its exercise here. The first: free practice.
+    std::vector<std::shared_ptr<const Exercise>> known_;
     std::shared_ptr<const Exercise> active_;
     QComboBox* exercises_;
     QLabel* task_;

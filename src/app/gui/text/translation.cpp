@@ -34,8 +34,10 @@ QString translated(std::string_view name) {
     const auto* const known = std::ranges::find(kNames, name, &MessageText::english);
     if (known != kNames.end()) return asText((*known)->in(windowLanguage()));
     const auto exercise = std::ranges::find_if(exercises(), [&](const auto& one) { return one->name == name; });
-    return exercise != exercises().end() ? asText((*exercise)->words(windowLanguage()).name) : asText(name);
+    return exercise != exercises().end() ? exerciseTitle(**exercise) : asText(name);
 }
+
+QString exerciseTitle(const Exercise& exercise) { return asText(exercise.words(windowLanguage()).name); }
 
 QString inWindowLanguage(std::string_view english, std::string_view japanese) {
     return asText(windowLanguage() == Language::Japanese ? japanese : english);

@@ -10,6 +10,8 @@
 
 namespace tactooth {
 
+struct Exercise;
+
 /// The language of the window: that of the translator which is installed.
 [[nodiscard]] Language windowLanguage();
 
@@ -19,6 +21,9 @@ namespace tactooth {
 /// The name of a built-in tooth, exercise or spindle in the language of the window; any other text, as a file's name,
 /// stays as it is.
 [[nodiscard]] QString translated(std::string_view name);
+
+/// The title of an exercise in the language of the window.
+[[nodiscard]] QString exerciseTitle(const Exercise& exercise);
 
 /// The text of a table that has both languages, in that of the window. UTF-8.
 [[nodiscard]] QString inWindowLanguage(std::string_view english, std::string_view japanese);
