@@ -40,8 +40,8 @@ private:
 
 LiveRunner::LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
                        HapticDevice& device, TickListener onTick, double rateHz,
-                       std::optional<DeviceRegistration> registration, HapticDevice* second, double motionScaling,
-                       std::shared_ptr<EventLanes> lanes)
+                       std::optional<DeviceRegistration> registration, HapticDevice* second,
+                       const std::optional<SessionControls>& controls, std::shared_ptr<EventLanes> lanes)
     : model_(std::move(piece)),
       instrument_(std::move(instrument)),
       rateHz_(rateHz),
@@ -53,7 +53,7 @@ LiveRunner::LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, c
       servo_(instrument_, model_->contactSurface(), settings),
       devices_(device, second, registration),
       force_{settings.force},
-      controls_(SessionControls{.force = settings.force, .motionScaling = motionScaling}),
+      controls_(controls.value_or(SessionControls{.force = settings.force})),
       carving_(model_, instrument_.cutting, settings.materials),
       listing_(servo_.tool(), servo_.surface()) {
     std::function<void(double)> waitForTick;

@@ -52,12 +52,12 @@ public:
     /// `device` is open and outlives the runner. `onTick` runs on the servo thread after every tick and must not
     /// block. The model may already be cut. `registration` maps the frame of the device to the tooth frame; without it
     /// both are the same. `second`: a device for the other hand, which holds the mirror at first; open, and outlives
-    /// the runner. `motionScaling` holds until other controls are set.
-    /// `lanes`: where the threads report their events, for a recorder; null: nowhere.
+    /// the runner. `controls` hold from the first tick until others are set; without them the tool only touches, with
+    /// the force of the settings. `lanes`: where the threads report their events, for a recorder; null: nowhere.
     LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, const HapticSettings& settings,
                HapticDevice& device, TickListener onTick, double rateHz = 1000,
                std::optional<DeviceRegistration> registration = {}, HapticDevice* second = nullptr,
-               double motionScaling = 1, std::shared_ptr<EventLanes> lanes = {});
+               const std::optional<SessionControls>& controls = {}, std::shared_ptr<EventLanes> lanes = {});
     ~LiveRunner();
     LiveRunner(const LiveRunner&) = delete;
     LiveRunner& operator=(const LiveRunner&) = delete;

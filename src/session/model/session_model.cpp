@@ -217,8 +217,7 @@ void SessionModel::startRunner() {
             instruments_.muteIdle(heard);
             sound_.publish(heard);
         },
-        hand_.rate, registration(), devices_.second(), motionScaling(), keeper_->begin({bur_->instrument, haptics_}));
-    runner_->setControls(currentControls());  // before its first tick, or soon after
+        hand_.rate, registration(), devices_.second(), currentControls(), keeper_->begin({bur_->instrument, haptics_}));
     reportedOverload_ = false;
     Tick start;
     start.cutting = controls.cutting;

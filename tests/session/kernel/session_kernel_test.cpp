@@ -78,13 +78,12 @@ LiveSession runLive(const Script& script, const std::shared_ptr<CutModel>& model
     ScriptedDevice device(script.hand);
     {
         session.ticks.reserve(static_cast<std::size_t>(2 * script.rateHz * script.seconds) + 1000);
-        LiveRunner runner(
-            model, test::flatBur(), script.settings, device, [&](const Tick& tick) { session.ticks.push_back(tick); },
-            script.rateHz, {}, nullptr, 1, lanes);
         SessionControls controls;
         controls.cutting = script.cutting;
         controls.force = script.settings.force;
-        runner.setControls(controls);
+        LiveRunner runner(
+            model, test::flatBur(), script.settings, device, [&](const Tick& tick) { session.ticks.push_back(tick); },
+            script.rateHz, {}, nullptr, controls, lanes);
         const auto start = std::chrono::steady_clock::now();
         std::size_t edits = 0;
         for (double time = 0; time < script.seconds;) {

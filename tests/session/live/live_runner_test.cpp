@@ -150,6 +150,20 @@ TEST(LiveRunner, InTouchModeNothingIsCut) {
     EXPECT_EQ(total(piece->removed()), 0);
 }
 
+TEST(LiveRunner, ItsFirstTickHasTheControlsItBeganWith) {
+    for (int i = 0; i < 50; ++i) {
+        SpyDevice device(stroking());
+        std::vector<Tick> ticks;
+        LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 4000, {}, nullptr,
+                          cutting());
+        ASSERT_TRUE(soon([&] {
+            runner.feed().fetchTicks(ticks);
+            return !ticks.empty();
+        }));
+        EXPECT_TRUE(ticks.front().cutting);
+    }
+}
+
 TEST(LiveRunner, ForceSwitchedOffLeavesTheDeviceLimp) {
     SpyDevice device(dipping());
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
@@ -254,8 +268,10 @@ TEST(LiveRunner, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
     SpyDevice device({moment(0, at(103, 50, -30), 0)});
     std::vector<Tick> ticks;
     const DeviceRegistration registration{at(1, 2, 5), Quat::Identity(), Vec3(100, 50, -30)};
+    SessionControls fine;
+    fine.motionScaling = 3;
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {}, 1000, registration,
-                      nullptr, 3);
+                      nullptr, fine);
     EXPECT_TRUE(soon([&] {
         runner.feed().fetchTicks(ticks);
         return ticks.size() > 10;

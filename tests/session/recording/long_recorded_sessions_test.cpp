@@ -108,7 +108,7 @@ private:
         {
             LiveRunner runner(
                 model, bur, settings, device, [&](const Tick& tick) { ticks.push_back(numbersOf(tick)); },
-                kRates[random_() % kRates.size()], {}, hasSecond ? &second : nullptr, 1, lanes);
+                kRates[random_() % kRates.size()], {}, hasSecond ? &second : nullptr, {}, lanes);
             SessionControls controls;
             controls.force = settings.force;
             const auto start = std::chrono::steady_clock::now();

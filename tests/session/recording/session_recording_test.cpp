@@ -74,12 +74,12 @@ Recorded record(const fs::path& file, double secondsEach) {
         ScriptedDevice device(strokes(secondsEach, 40 + static_cast<unsigned>(bur)));
         const auto lanes = (*recorder)->begin({instrument, settings});
         {
-            LiveRunner runner(
-                model, instrument, settings, device,
-                [&](const Tick& tick) { result.forces.push_back(tick.wrench.force.z()); }, 1000, {}, nullptr, 1, lanes);
             SessionControls controls;
             controls.cutting = true;
-            runner.setControls(controls);
+            LiveRunner runner(
+                model, instrument, settings, device,
+                [&](const Tick& tick) { result.forces.push_back(tick.wrench.force.z()); }, 1000, {}, nullptr, controls,
+                lanes);
             std::this_thread::sleep_for(std::chrono::duration<double>(secondsEach));
             if (bur == 0) runner.request(Edit::Undo);
         }

@@ -188,7 +188,8 @@ int runRealtime(const RealtimeOptions& options) {
     SessionRecorder* const recorder = recording.recorder();
     auto runner = std::make_unique<LiveRunner>(
         piece, instrument, HapticSettings(), hand, onTick, options.rateHz, std::optional<DeviceRegistration>(), nullptr,
-        1, recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
+        std::nullopt,
+        recorder != nullptr ? recorder->begin({instrument, HapticSettings()}) : std::shared_ptr<EventLanes>());
     std::vector<Tick> ticks;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(options.seconds);
     SessionControls controls;

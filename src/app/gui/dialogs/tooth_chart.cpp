@@ -70,6 +70,7 @@ ToothButton& ToothChart::button(int fdi) const {
 void ToothChart::goTo(int fdi) {
     for (ToothButton* each : buttons_) each->setFocusPolicy(each->fdi() == fdi ? Qt::StrongFocus : Qt::ClickFocus);
     button(fdi).setFocus(Qt::OtherFocusReason);
+    emit described(description(fdi));  // a window behind another reports no focus
 }
 
 void ToothChart::nameButtons() {
