@@ -147,6 +147,22 @@ inline constexpr MessageText kNoRidge{"no_ridge", "the tooth has no outside towa
 inline constexpr MessageText kNoPulpKnown{"no_pulp_known", "the files have no pulp", "ファイルに歯髄がありません"};
 inline constexpr MessageText kNoNeighbourKnown{"no_neighbour_known", "the files have no tooth beside",
                                                "ファイルに隣在歯がありません"};
+inline constexpr MessageText kNoTissueKnown{"no_tissue_known", "the files do not say what is enamel and dentin",
+                                            "ファイルにエナメル質と象牙質の区別がありません"};
+inline constexpr MessageText kNoDecayKnown{"no_decay_known", "the tooth has no decay", "この歯にう蝕はありません"};
+inline constexpr MessageText kNoMarginLine{"no_margin_line", "the preparation has no closed margin",
+                                           "窩縁または辺縁が閉じた線になっていません"};
+
+// What the hand has done.
+inline constexpr MessageText kNoSession{"no_session", "the work is not a recorded session",
+                                        "記録されたセッションではありません"};
+inline constexpr MessageText kNeverTouched{"never_touched", "nothing was touched", "何にも触れていません"};
+inline constexpr MessageText kNoStroke{"no_stroke", "the turning bur touched nothing for longer than 0.05 s",
+                                       "回転中のバーが 0.05 秒を超えて触れたことがありません"};
+inline constexpr MessageText kNoLongStroke{"no_long_stroke", "no stroke took longer than 0.3 s",
+                                           "0.3 秒を超えるストロークがありません"};
+inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
+                                           "回転中のバーは何にも触れていません"};
 
 // Rubrics.
 inline constexpr MessageText kARubric{"a_rubric", "a rubric", "評価基準表"};

@@ -11,11 +11,12 @@ namespace tactooth {
 
 /// A prepared tooth, and what it is compared with. All in the frame of the uncut tooth, mm.
 struct Preparation {
-    std::shared_ptr<const SurfacePart> original;  ///< the uncut tooth, closed, without the bodies around it
-    std::shared_ptr<const SurfacePart> prepared;  ///< as the student left it, closed
-    std::shared_ptr<const SurfacePart> ideal;     ///< with the ideal preparation, closed
-    Vec3 axis = Vec3::UnitZ();                    ///< unit: out of the preparation, toward the operator
-    double mesialX = 1;                           ///< direction of mesial along x: 1 or -1
+    std::shared_ptr<const SurfacePart> original;     ///< the uncut tooth, closed, without the bodies around it
+    std::shared_ptr<const SurfacePart> prepared;     ///< as the student left it, closed
+    std::shared_ptr<const SurfacePart> ideal;        ///< with the ideal preparation, closed
+    Vec3 axis = Vec3::UnitZ();                       ///< unit: out of the preparation, toward the operator
+    double mesialX = 1;                              ///< direction of mesial along x: 1 or -1
+    std::shared_ptr<const LayeredTooth> tooth = {};  ///< the uncut tooth with its layers; null: not known
     std::vector<std::shared_ptr<const SurfacePart>> pulps = {};  ///< closed; empty: the files have none
     std::shared_ptr<const SurfacePart> neighbours = {};          ///< uncut; null: the files have none
     TriangleMesh cutNeighbours = {};                             ///< the pieces of surface that cutting them has made

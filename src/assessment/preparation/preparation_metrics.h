@@ -9,17 +9,21 @@
 #include "assessment/metric_table.h"
 #include "assessment/preparation/cavity_extent.h"
 #include "assessment/preparation/cavity_form.h"
+#include "assessment/preparation/margin_line.h"
 #include "assessment/preparation/prepared_volumes.h"
 #include "assessment/preparation/surface_deviation.h"
 #include "assessment/preparation/tissue_damage.h"
+#include "assessment/preparation/tissue_volumes.h"
 #include "assessment/preparation/undercut.h"
+#include "assessment/process/hand_work.h"
 
 namespace tactooth {
 
 /// All that is measured on a finished preparation.
 struct PreparationMeasures {
-    /// Takes some seconds for a large tooth. The same on any number of threads.
-    explicit PreparationMeasures(const Preparation& preparation);
+    /// Takes some seconds for a large tooth. The same on any number of threads. `track`: the finished session in which
+    /// it was made; null: not known.
+    explicit PreparationMeasures(const Preparation& preparation, const SessionTrack* track = nullptr);
 
     CutSurfaces surfaces;
     PreparedVolumes volumes;
@@ -28,6 +32,17 @@ struct PreparationMeasures {
     CavityExtent extent;
     Undercut undercut;
     TissueDamage damage;
+    Measured unsupportedEnamel;
+    MarginLine margin;
+    TissueVolumes tissues;
+    std::optional<HandWork> hand;  ///< nothing without a session
+};
+
+/// How a value is written for people.
+enum class ValueForm {
+    Measure,  ///< with the decimals of its unit
+    Share,    ///< 0..1, written in %
+    Count,    ///< without decimals
 };
 
 /// One metric of a finished preparation: a row of the table from which the command `assess`, its report, the criteria
@@ -35,10 +50,11 @@ struct PreparationMeasures {
 struct PreparationMetric {
     std::string_view id;     ///< in rubrics and JSON; stable
     std::string_view title;  ///< in reports
-    std::string_view unit;   ///< "mm", "mm^2", "mm^3", "deg", or "1" for a number without one
+    std::string_view unit;   ///< "mm", "mm^2", "mm^3", "deg", "s", "N", "Hz" and so on; "1": a number without one
     Better better;
     Measured (*measure)(const PreparationMeasures& measures);
     std::string_view definition;  ///< for the documentation, with the source if it has one
+    ValueForm form = ValueForm::Measure;
 };
 
 /// In the order of the report.

@@ -3,7 +3,8 @@
 #include "assessment/preparation/prepared_volumes.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -11,18 +12,20 @@
 namespace tactooth {
 namespace {
 
-enum Body : std::uint8_t { kOriginal, kPrepared, kIdeal };
+/// The three surfaces, then the layers of the tooth in their nesting order.
+enum Body : std::uint8_t { kOriginal, kPrepared, kIdeal, kFirstLayer };
 
 struct Crossing {
     std::uint32_t column;
-    Body body;
+    std::uint8_t body;
     double height;  // along the axis, mm
 };
 
-/// A piece of a line on which the three surfaces stay on the same side.
+/// A piece of a line on which all surfaces stay on the same side.
 struct Segment {
     double length;  // mm
-    bool removed, toRemove;
+    bool inTooth, removed, toRemove;
+    MaterialRole tissue;
 };
 
 /// Clears `flag` in each run of segments that is shorter than kCavityDepth.
@@ -38,26 +41,77 @@ void dropShortRuns(std::vector<Segment>& segments, bool Segment::*flag) {
     }
 }
 
-/// Adds the lengths along one line; nothing where rounding has left a surface open.
-void addLine(std::span<const Crossing> line, std::vector<Segment>& segments, PreparedVolumes& sum) {
-    std::array<bool, 3> inside = {};
-    segments.clear();
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        inside[line[i].body] = !inside[line[i].body];
-        if (i + 1 == line.size()) break;
-        const bool removed = inside[kOriginal] && !inside[kPrepared];
-        const bool toRemove = inside[kOriginal] && !inside[kIdeal];
-        segments.push_back({line[i + 1].height - line[i].height, removed, toRemove});
+/// Adds the lengths along lines.
+class LineSums {
+public:
+    explicit LineSums(const Preparation& preparation) {
+        if (preparation.tooth == nullptr) return;
+        for (const LayeredTooth::Layer& layer : preparation.tooth->layers()) {
+            tissues_.push_back(preparation.tooth->materials()[layer.material].role);
+        }
     }
-    if (inside[kOriginal] || inside[kPrepared] || inside[kIdeal]) return;
-    dropShortRuns(segments, &Segment::removed);
-    dropShortRuns(segments, &Segment::toRemove);
-    for (const Segment& segment : segments) {
-        if (segment.removed && segment.toRemove) sum.common += segment.length;
-        if (segment.removed && !segment.toRemove) sum.over += segment.length;
-        if (!segment.removed && segment.toRemove) sum.under += segment.length;
+
+    /// Nothing where rounding has left a surface open.
+    void add(std::span<const Crossing> line) {
+        inside_.assign(kFirstLayer + tissues_.size(), 0);
+        segments_.clear();
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            inside_[line[i].body] ^= 1U;
+            if (i + 1 == line.size()) break;
+            const bool inTooth = inside_[kOriginal] != 0;
+            segments_.push_back({.length = line[i + 1].height - line[i].height,
+                                 .inTooth = inTooth,
+                                 .removed = inTooth && inside_[kPrepared] == 0,
+                                 .toRemove = inTooth && inside_[kIdeal] == 0,
+                                 .tissue = inTooth ? tissueAt(line, i) : MaterialRole::None});
+        }
+        if (std::ranges::any_of(inside_, [](std::uint8_t each) { return each != 0; })) return;
+        dropShortRuns(segments_, &Segment::removed);
+        dropShortRuns(segments_, &Segment::toRemove);
+        for (const Segment& segment : segments_) add(segment);
     }
-}
+
+    [[nodiscard]] PreparedVolumes times(double area) const {
+        PreparedVolumes volumes = sum_;
+        for (double* each : {&volumes.common, &volumes.over, &volumes.under}) *each *= area;
+        for (auto& each : volumes.tissues) each = {each.removed * area, each.over * area, each.kept * area};
+        return volumes;
+    }
+
+private:
+    void add(const Segment& segment) {
+        if (segment.removed && segment.toRemove) sum_.common += segment.length;
+        if (segment.removed && !segment.toRemove) sum_.over += segment.length;
+        if (!segment.removed && segment.toRemove) sum_.under += segment.length;
+        if (!segment.inTooth) return;
+        PreparedVolumes::Tissue& tissue = sum_.tissues[static_cast<std::size_t>(segment.tissue)];
+        (segment.removed ? tissue.removed : tissue.kept) += segment.length;
+        if (segment.removed && !segment.toRemove) tissue.over += segment.length;
+    }
+
+    /// What the tooth is made of behind crossing `at`. In a gap between layers it is the one that is nearest along the
+    /// line.
+    [[nodiscard]] MaterialRole tissueAt(std::span<const Crossing> line, std::size_t at) const {
+        for (std::size_t layer = tissues_.size(); layer-- > 0;) {
+            if (inside_[kFirstLayer + layer] != 0) return tissues_[layer];
+        }
+        const double middle = (line[at].height + line[at + 1].height) / 2;
+        double nearest = std::numeric_limits<double>::infinity();
+        MaterialRole tissue = MaterialRole::None;
+        for (const Crossing& each : line) {
+            const double distance = std::abs(each.height - middle);
+            if (each.body < kFirstLayer || distance >= nearest) continue;
+            nearest = distance;
+            tissue = tissues_[each.body - kFirstLayer];
+        }
+        return tissue;
+    }
+
+    std::vector<MaterialRole> tissues_;  // of the layers
+    std::vector<std::uint8_t> inside_;
+    std::vector<Segment> segments_;
+    PreparedVolumes sum_;  // mm
+};
 
 }  // namespace
 
@@ -70,27 +124,30 @@ double PreparedVolumes::clearedShare() const { return common + under > 0 ? commo
 
 PreparedVolumes preparedVolumes(const Preparation& preparation, const ColumnGrid& columns) {
     std::vector<Crossing> crossings;
-    const auto add = [&](const SurfacePart& surface, Body body) {
+    const auto add = [&](const SurfacePart& surface, std::size_t body) {
         columns.forEachCrossing(surface.mesh(), [&](std::size_t column, double height) {
-            if (columns.isCovered(column)) crossings.push_back({static_cast<std::uint32_t>(column), body, height});
+            if (!columns.isCovered(column)) return;
+            crossings.push_back({static_cast<std::uint32_t>(column), static_cast<std::uint8_t>(body), height});
         });
     };
     add(*preparation.original, kOriginal);
     add(*preparation.prepared, kPrepared);
     add(*preparation.ideal, kIdeal);
+    if (preparation.tooth != nullptr) {
+        const auto& layers = preparation.tooth->layers();
+        for (std::size_t i = 0; i < layers.size(); ++i) add(*layers[i].part, kFirstLayer + i);
+    }
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
         return std::tie(a.column, a.height, a.body) < std::tie(b.column, b.height, b.body);
     });
-    PreparedVolumes sum;
-    std::vector<Segment> segments;
+    LineSums sums(preparation);
     for (std::size_t i = 0; i < crossings.size();) {
         std::size_t end = i;
         while (end < crossings.size() && crossings[end].column == crossings[i].column) ++end;
-        addLine(std::span(crossings).subspan(i, end - i), segments, sum);
+        sums.add(std::span(crossings).subspan(i, end - i));
         i = end;
     }
-    for (double* volume : {&sum.common, &sum.over, &sum.under}) *volume *= columns.area();
-    return sum;
+    return sums.times(columns.area());
 }
 
 }  // namespace tactooth

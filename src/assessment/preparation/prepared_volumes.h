@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "assessment/preparation/column_grid.h"
 #include "assessment/preparation/preparation.h"
 
@@ -12,6 +14,13 @@ struct PreparedVolumes {
     double common = 0;  ///< removed, and to be removed
     double over = 0;    ///< removed, but not to be removed
     double under = 0;   ///< to be removed, but not removed
+    /// The parts of one tissue; 0 where the tooth has no layers.
+    struct Tissue {
+        double removed = 0;
+        double over = 0;  ///< of it what was not to be removed
+        double kept = 0;  ///< what is left of the tissue along the lines
+    };
+    std::array<Tissue, kMaterialRoleCount> tissues = {};  ///< by MaterialRole
 
     /// 0..1: 2 common / (removed + to be removed).
     [[nodiscard]] double dice() const;

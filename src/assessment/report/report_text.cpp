@@ -9,6 +9,7 @@
 
 #include "assessment/preparation/place_name.h"
 #include "assessment/report/assessment_report.h"
+#include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -40,8 +41,6 @@ double tidy(double value, int decimals) {
     const double scale = std::pow(10.0, decimals);
     return std::round(value * scale) / scale + 0.0;
 }
-
-bool isShare(const PreparationMetric& metric) { return metric.unit == "1" && metric.better == Better::Higher; }
 
 }  // namespace
 
@@ -97,12 +96,19 @@ std::string_view levelColour(Level level) {
 }
 
 std::string valueText(const PreparationMetric& metric, double value) {
-    if (isShare(metric)) return fmt::format("{:.1f} %", tidy(100 * value, 1));
-    if (metric.unit == "1") return fmt::format("{:.0f}", tidy(value, 0));
-    if (metric.unit == "deg") return fmt::format("{:.1f}°", tidy(value, 1));
-    if (metric.unit == "mm^2") return fmt::format("{:.2f} mm²", tidy(value, 2));
-    if (metric.unit == "mm^3") return fmt::format("{:.2f} mm³", tidy(value, 2));
-    return fmt::format("{:.2f} mm", tidy(value, 2));
+    if (metric.form == ValueForm::Share) return fmt::format("{:.1f} %", tidy(100 * value, 1));
+    if (metric.form == ValueForm::Count) return fmt::format("{:.0f}", tidy(value, 0));
+    struct Unit {
+        std::string_view unit, text;
+        int decimals;
+    };
+    constexpr std::array kUnits = {Unit{"1", "", 2},           Unit{"mm", " mm", 2},   Unit{"mm^2", " mm²", 2},
+                                   Unit{"mm^3", " mm³", 2},    Unit{"deg", "°", 1},    Unit{"s", " s", 1},
+                                   Unit{"N", " N", 2},         Unit{"N*s", " N·s", 1}, Unit{"Hz", " Hz", 1},
+                                   Unit{"mm^3/s", " mm³/s", 3}};
+    const auto* const unit = std::ranges::find(kUnits, metric.unit, &Unit::unit);
+    TACTOOTH_ASSERT(unit != kUnits.end());
+    return fmt::format("{:.{}f}{}", tidy(value, unit->decimals), unit->decimals, unit->text);
 }
 
 std::string reportCsv(const AssessmentReport& report) {

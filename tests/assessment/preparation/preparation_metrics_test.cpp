@@ -45,7 +45,10 @@ TEST(PreparationMetrics, HaveUniqueIdsUnitsAndDefinitions) {
     for (const PreparationMetric& each : preparationMetrics()) {
         SCOPED_TRACE(each.id);
         EXPECT_TRUE(ids.insert(each.id).second);
-        EXPECT_THAT((std::array<std::string_view, 5>{"mm", "mm^2", "mm^3", "deg", "1"}), testing::Contains(each.unit));
+        EXPECT_THAT(
+            (std::array<std::string_view, 10>{"mm", "mm^2", "mm^3", "deg", "1", "s", "N", "N*s", "Hz", "mm^3/s"}),
+            testing::Contains(each.unit));
+        EXPECT_TRUE(each.form == ValueForm::Measure || each.unit == "1");
         EXPECT_TRUE(each.definition.ends_with('.'));
         EXPECT_FALSE(each.title.empty());
     }

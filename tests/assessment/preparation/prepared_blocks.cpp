@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "support/shapes.h"
 
 namespace tactooth::test {
@@ -41,6 +45,37 @@ TriangleMesh preparedBlock(double top, const Rectangle& opening, const Rectangle
 TriangleMesh blockWithBox(double left, double right, double back, double front, double floor) {
     return blockWithCavityTo(Rectangle::level(left, right, back, front, 5),
                              Rectangle::level(left, right, back, front, floor));
+}
+
+TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor) {
+    constexpr std::uint32_t kSides = 96;  // with the corners of the block among them
+    TriangleMesh mesh;
+    const auto ring = [&](double z, const auto& radiusAt) {
+        for (std::uint32_t i = 0; i < kSides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kSides, r = radiusAt(angle);
+            mesh.vertices.push_back(Vec3(r * std::cos(angle), r * std::sin(angle), z).cast<float>());
+        }
+    };
+    const auto block = [](double angle) { return 5 / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))); };
+    const auto cavity = [&](double angle) { return radius + amplitude * std::cos(waves * angle); };
+    ring(-5, block);
+    ring(5, block);
+    ring(5, cavity);
+    ring(floor, cavity);
+    const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.emplace_back(0, 0, -5);
+    mesh.vertices.emplace_back(0, 0, static_cast<float>(floor));
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+        const std::uint32_t next = (i + 1) % kSides;
+        mesh.triangles.push_back({bottom, next, i});
+        for (std::uint32_t row = 0; row < 3; ++row) {
+            const std::uint32_t low = row * kSides, high = low + kSides;
+            mesh.triangles.insert(mesh.triangles.end(),
+                                  {{low + i, low + next, high + next}, {low + i, high + next, high + i}});
+        }
+        mesh.triangles.push_back({bottom + 1, 3 * kSides + i, 3 * kSides + next});
+    }
+    return mesh;
 }
 
 Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal) {

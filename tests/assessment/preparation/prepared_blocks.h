@@ -30,6 +30,10 @@ struct Rectangle {
 /// An upright box of this opening as cavity, down to z = `floor`.
 [[nodiscard]] TriangleMesh blockWithBox(double left, double right, double back, double front, double floor);
 
+/// A cavity down to z = `floor` with upright walls, whose outline is a circle around the z axis with `waves` waves of
+/// `amplitude`, mm.
+[[nodiscard]] TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor);
+
 /// A student's work on the whole block against an ideal one.
 [[nodiscard]] Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal);
 

@@ -50,7 +50,7 @@ Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& ru
     const Expected<AssessInput> input = loadAssessInput(options);
     if (!input) return Unexpected{input.error()};
     printImportNotes(input->importNotes);
-    const PreparationMeasures measures(input->preparation);
+    const PreparationMeasures measures(input->preparation, input->track.get());
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, input->expert);
     std::vector<MetricResult> results = measureAll(measures);
     if (input->track != nullptr) addMoments(results, measures, input->track);

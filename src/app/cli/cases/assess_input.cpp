@@ -128,9 +128,10 @@ void addNeighbours(Preparation& preparation, const GivenTooth& work, const Pose&
     for (const auto& patch : work.cut->patches) append(preparation.cutNeighbours, adjacent(*patch));
 }
 
-void addPulps(Preparation& preparation, const LayeredTooth& tooth) {
-    for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        if (tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) preparation.pulps.push_back(layer.part);
+void addPulps(Preparation& preparation) {
+    for (const LayeredTooth::Layer& layer : preparation.tooth->layers()) {
+        if (preparation.tooth->materials().hasRole(layer.material, MaterialRole::Pulp))
+            preparation.pulps.push_back(layer.part);
     }
 }
 
@@ -187,9 +188,10 @@ Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
     }
     preparation.ideal = std::make_shared<const SurfacePart>(std::move(*ideal));
     preparation.prepared = std::make_shared<const SurfacePart>(std::move(student->surface));
-    addPulps(preparation, **uncut);
-    if (preparation.pulps.empty() && student->uncut != nullptr && !options.align)
-        addPulps(preparation, *student->uncut);
+    preparation.tooth = *uncut;
+    const bool isLayered = !(*uncut)->layers().empty();
+    if (!isLayered && student->uncut != nullptr && !options.align) preparation.tooth = student->uncut;
+    addPulps(preparation);
     addNeighbours(preparation, *student, studentInTooth);
     const auto* plan = exercise ? std::get_if<PreparationPlan>(&exercise->ideal) : nullptr;
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "assessment/preparation/measured.h"
+#include "session/track/session_track.h"
+
+namespace tactooth {
+
+/// How the hand has worked during a session. The time of a tick lasts until the next one, 0.05 s at most.
+struct HandWork {
+    double seconds = 0;   ///< length of the session
+    double drilling = 0;  ///< s: the bur turns and touches
+    double idle = 0;      ///< s: the bur turns and touches nothing
+    double dead = 0;      ///< s: the bur neither turns nor touches, in pauses of more than 1 s
+    double path = 0;      ///< of the bur's tip, mm
+    double strokes = 0;   ///< contacts of the turning bur of more than 50 ms; gaps of less than 50 ms do not count
+    double impulse = 0;   ///< force times time, N*s
+    Measured strokeTime;  ///< median, s
+    // Medians over the strokes of more than 0.3 s: see movement.h.
+    Measured arcLength, jerk, frequency95;
+    // Over the time of contact.
+    Measured forceMean, forceP95, forcePeak;  ///< N
+    Measured forceOver2;                      ///< share of the time with more than 2 N, 0..1
+    Measured forceSpread;  ///< within strokes, N: root mean square of their standard deviations, weighted by time
+};
+
+/// Collects the ticks of a session in their order.
+class HandWorkMeter {
+public:
+    void add(const TrackTick& tick);
+    /// What follows is another movement: another bur, for instance.
+    void interrupt();
+    /// No tick follows.
+    [[nodiscard]] HandWork finish();
+
+private:
+    struct Moment {
+        double time;      // s
+        double duration;  // s
+        Vec3 place;       // of the tip, mm
+        double force;     // N
+        bool touches, turns;
+    };
+    struct Stroke {
+        std::size_t first, last;  // of movement_, included
+    };
+
+    void endMovement();
+    [[nodiscard]] std::vector<Stroke> strokes() const;
+    void addStroke(const Stroke& stroke, const std::vector<double>& speed);
+    void addForces(HandWork& work);
+
+    HandWork work_;
+    std::vector<Moment> movement_;  // without an interruption
+    double firstTime_ = -1, lastTime_ = 0, pause_ = 0;
+    struct Held {
+        double force, duration;
+    };
+    std::vector<Held> held_;  // of all contacts
+    std::vector<double> strokeTimes_, arcLengths_, jerks_, frequencies_;
+    double strokeTime_ = 0, strokeVariance_ = 0;  // s; N^2*s
+};
+
+[[nodiscard]] HandWork handWork(const SessionTrack& track);
+
+}  // namespace tactooth

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/process/hand_work.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace tactooth {
+namespace {
+
+/// What a tick of a session may be.
+struct Hand {
+    Vec3 place = Vec3::Zero();
+    double force = 0;
+    bool touches = false, turns = false, placed = true;
+};
+
+TrackTick tickOf(double time, const Hand& hand) {
+    TrackTick tick;
+    tick.time = time;
+    for (std::size_t i = 0; i < 3; ++i) tick.position[i] = hand.place[static_cast<Eigen::Index>(i)];
+    tick.force = {0, hand.force * 0.6, hand.force * 0.8};
+    tick.contacts = hand.touches ? 1 : 0;
+    tick.speedRpm = hand.turns ? 200'000 : 0;
+    tick.placed = hand.placed;
+    return tick;
+}
+
+HandWork workOf(double seconds, const std::function<Hand(double)>& hand, double rate = 1000) {
+    HandWorkMeter meter;
+    const auto ticks = static_cast<int>(std::lround(seconds * rate));
+    for (int i = 0; i <= ticks; ++i) meter.add(tickOf(i / rate, hand(i / rate)));
+    return meter.finish();
+}
+
+TEST(HandWork, OfNothingIsNotMeasurable) {
+    const HandWork none = HandWorkMeter().finish();
+    EXPECT_EQ(none.seconds, 0);
+    EXPECT_EQ(none.path, 0);
+    for (const Measured& each : {none.strokeTime, none.arcLength, none.jerk, none.frequency95, none.forceMean,
+                                 none.forceP95, none.forcePeak, none.forceOver2, none.forceSpread}) {
+        EXPECT_FALSE(each.value);
+        EXPECT_NE(each.reason, nullptr);
+    }
+}
+
+TEST(HandWork, DividesTheTimeByTurningAndTouching) {
+    // 1 s drilling, 2 s spinning, 3 s pause, 0.5 s pause between two touches without turning
+    const HandWork work = workOf(7, [](double t) {
+        if (t < 1) return Hand{.touches = true, .turns = true};
+        if (t < 3) return Hand{.turns = true};
+        if (t < 6) return Hand{};
+        if (t < 6.25 || t >= 6.75) return Hand{.touches = true};
+        return Hand{};
+    });
+    EXPECT_NEAR(work.seconds, 7, 1e-9);
+    EXPECT_NEAR(work.drilling, 1, 0.002);
+    EXPECT_NEAR(work.idle, 2, 0.002);
+    EXPECT_NEAR(work.dead, 3, 0.002);
+}
+
+TEST(HandWork, ThePathOfACircleIsItsLengthAtEachRate) {
+    for (const double rate : {500.0, 1000.0, 4000.0}) {
+        const HandWork work = workOf(
+            4,
+            [](double t) {
+                const double angle = 2 * std::numbers::pi * t / 4;
+                return Hand{.place = 3 * Vec3(std::cos(angle), std::sin(angle), 0)};
+            },
+            rate);
+        EXPECT_NEAR(work.path, 2 * std::numbers::pi * 3, 0.02) << rate;
+    }
+}
+
+TEST(HandWork, NoiseOfASensorMakesNoPath) {
+    const HandWork work = workOf(4, [](double t) {
+        const double noise = 0.005 * std::sin(2 * std::numbers::pi * 333 * t);
+        return Hand{.place = Vec3(2 * t, noise, 0)};
+    });
+    EXPECT_NEAR(work.path, 8, 0.02);
+}
+
+TEST(HandWork, AnotherBurOrALostHandMakesNoPath) {
+    HandWorkMeter meter;
+    for (int i = 0; i < 1000; ++i) meter.add(tickOf(i / 1000.0, {}));
+    meter.interrupt();
+    for (int i = 1000; i < 2000; ++i) meter.add(tickOf(i / 1000.0, {.place = Vec3(50, 0, 0)}));
+    for (int i = 2000; i < 2010; ++i) meter.add(tickOf(i / 1000.0, {.placed = false}));
+    for (int i = 2010; i < 3000; ++i) meter.add(tickOf(i / 1000.0, {.place = Vec3(0, 70, 0)}));
+    EXPECT_NEAR(meter.finish().path, 0, 1e-6);
+}
+
+TEST(HandWork, CountsContactsWithoutShortOnesAndShortGaps) {
+    // Contacts of 0.4, 0.03 (too short), 0.2 + 0.02 gap + 0.2 (one), and 0.4 s with the bur at rest (none).
+    const HandWork work = workOf(4, [](double t) {
+        const auto within = [t](double begin, double end) { return t >= begin && t < end; };
+        const bool turns = t < 3;
+        return Hand{.touches = within(0.5, 0.9) || within(1.2, 1.23) || within(1.5, 1.7) || within(1.72, 1.92) ||
+                               within(3.2, 3.6),
+                    .turns = turns};
+    });
+    EXPECT_EQ(work.strokes, 2);
+    EXPECT_NEAR(*work.strokeTime.value, (0.4 + 0.42) / 2, 0.003);
+}
+
+TEST(HandWork, ForcesAreThoseOfTheContacts) {
+    // 0.5 N for 2 s, 3 N for 0.5 s; 9 N in the air do not count
+    const HandWork work = workOf(5, [](double t) {
+        if (t < 2) return Hand{.force = 0.5, .touches = true, .turns = true};
+        if (t < 3) return Hand{.force = 9};
+        if (t < 3.5) return Hand{.force = 3, .touches = true, .turns = true};
+        return Hand{};
+    });
+    EXPECT_NEAR(*work.forceMean.value, (2 * 0.5 + 0.5 * 3) / 2.5, 0.01);
+    EXPECT_NEAR(*work.forcePeak.value, 3, 1e-9);
+    EXPECT_NEAR(*work.forceP95.value, 3, 1e-9);  // a fifth of the time
+    EXPECT_NEAR(*work.forceOver2.value, 0.2, 0.002);
+    EXPECT_NEAR(work.impulse, 2.5, 0.01);
+    EXPECT_NEAR(*work.forceSpread.value, 0, 1e-6);  // steady within each stroke
+}
+
+TEST(HandWork, AnUnsteadyForceHasItsStandardDeviation) {
+    const HandWork work = workOf(2, [](double t) {
+        return Hand{.force = 1 + 0.3 * std::sin(2 * std::numbers::pi * 5 * t), .touches = true, .turns = true};
+    });
+    EXPECT_NEAR(*work.forceSpread.value, 0.3 / std::numbers::sqrt2, 0.002);
+    EXPECT_NEAR(*work.forceP95.value, 1 + 0.3 * std::sin(std::numbers::pi * 0.45), 0.005);
+}
+
+TEST(HandWork, ATremblingStrokeIsLessSmooth) {
+    const auto stroke = [](double tremor) {
+        return workOf(2, [tremor](double t) {
+            const double along = 2 * (1 - std::cos(std::numbers::pi * t / 2));
+            const double aside = tremor * std::sin(2 * std::numbers::pi * 6 * t);
+            return Hand{.place = Vec3(along, aside, 0), .touches = true, .turns = true};
+        });
+    };
+    const HandWork steady = stroke(0), trembling = stroke(0.1);
+    EXPECT_EQ(steady.strokes, 1);
+    EXPECT_LT(*trembling.arcLength.value, *steady.arcLength.value - 0.1);
+    EXPECT_LT(*trembling.jerk.value, *steady.jerk.value - 1);
+    EXPECT_GT(*trembling.frequency95.value, *steady.frequency95.value + 2);
+    EXPECT_GT(trembling.path, steady.path + 1);
+}
+
+}  // namespace
+}  // namespace tactooth
