@@ -156,7 +156,8 @@ inline constexpr MessageText kNoMarginLine{"no_margin_line", "the preparation ha
 // What the hand has done.
 inline constexpr MessageText kNoSession{"no_session", "the work is not a recorded session",
                                         "記録されたセッションではありません"};
-inline constexpr MessageText kNeverTouched{"never_touched", "nothing was touched", "何にも触れていません"};
+inline constexpr MessageText kNeverTouched{"never_touched", "no hand has touched the tooth in this session",
+                                           "このセッションでは、手で歯に触れていません"};
 inline constexpr MessageText kNoStroke{"no_stroke", "the turning bur touched nothing for longer than 0.05 s",
                                        "回転中のバーが 0.05 秒を超えて触れたことがありません"};
 inline constexpr MessageText kNoLongStroke{"no_long_stroke", "no stroke took longer than 0.3 s",

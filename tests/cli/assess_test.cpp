@@ -72,8 +72,10 @@ TEST_F(AssessCommand, LeavesAReportInFourForms) {
     EXPECT_THAT(readText(file("out") + "/report.csv"), HasSubstr("metric,over_max,0.2999"));
     const std::string html = readText(file("out") + "/report.html");
     EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
-    EXPECT_THAT(html, HasSubstr("not measurable: the files have no pulp"));
+    EXPECT_THAT(html, HasSubstr("Not measurable, because the files have no pulp"));
     EXPECT_THAT(html, Not(HasSubstr("http")));
+    EXPECT_THAT(html, HasSubstr("Section from distal to mesial"));
+    EXPECT_THAT(html, Not(HasSubstr("Force and depth")));  // there is no session
     EXPECT_LT(html.size(), 2'000'000U);
     const std::string pdf = readText(file("out") + "/report.pdf");
     EXPECT_THAT(pdf, StartsWith("%PDF-"));
@@ -81,6 +83,21 @@ TEST_F(AssessCommand, LeavesAReportInFourForms) {
     std::size_t pages = 0;
     for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
     EXPECT_EQ(pages, 2U);
+}
+
+TEST_F(AssessCommand, SaysWhoseWorkItIsAndWhatToDoNext) {
+    const ProgramRun run =
+        assess(cavity("deep.stl", 0.4), {"--name", "Ann <Lee>", "--comment", "Well done.\nMind the depth & stop."});
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    const Json json = report();
+    EXPECT_EQ(json["name"], "Ann <Lee>");
+    EXPECT_EQ(json["comment"], "Well done.\nMind the depth & stop.");
+    ASSERT_EQ(json["next"].size(), 2U);
+    EXPECT_THAT(json["next"][0].get<std::string>(), AnyOf(HasSubstr("0.40 mm"), HasSubstr("%")));
+    const std::string html = readText(file("out") + "/report.html");
+    EXPECT_THAT(html, HasSubstr("Student: Ann &lt;Lee&gt;"));
+    EXPECT_THAT(html, HasSubstr("Well done.\nMind the depth &amp; stop."));
+    EXPECT_THAT(html, HasSubstr(json["next"][0].get<std::string>()));
 }
 
 TEST_F(AssessCommand, WritesTheReportToTheOutputToo) {
@@ -131,6 +148,7 @@ TEST_F(AssessCommand, ReadsASavedToothWithoutAnOriginal) {
     const std::string ideal = drilled("ideal", 1.0) + ".tactooth", deep = drilled("deep", 1.4);
     const ProgramRun saved = runTactooth({"assess", deep + ".tactooth", "--expert", ideal, "--out", file("out")});
     EXPECT_NE(saved.exitCode, 2) << saved.err;
+    EXPECT_EQ(metric(report(), "path_length")["reason"], "the work is not a recorded session");
     EXPECT_NEAR(metric(report(), "over_max")["value"], 0.4, 0.02);
     // The tip is 1.2 mm deep, halfway through what is too deep, after 1.4 of 1.6 of the way.
     const ProgramRun session = runTactooth({"assess", deep + ".ttsession", "--expert", ideal, "--out", file("out")});
@@ -139,6 +157,26 @@ TEST_F(AssessCommand, ReadsASavedToothWithoutAnOriginal) {
     ASSERT_FALSE(metric(report(), "over_max")["moment"].is_null());
     EXPECT_NEAR(metric(report(), "over_max")["moment"], 0.39, 0.02);
     EXPECT_GT(report()["seconds"], 0.3);
+    EXPECT_EQ(metric(report(), "path_length")["reason"], "no hand has touched the tooth in this session");
+}
+
+TEST_F(AssessCommand, MeasuresTheHandInASession) {
+    const ProgramRun played = runTactooth({"demo", "--seconds", "3", "--out", file("demo")});
+    ASSERT_EQ(played.exitCode, 0) << played.err;
+    const ProgramRun run =
+        runTactooth({"assess", file("demo") + "/session.ttsession", "--exercise", "class-1-46", "--out", file("out")});
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    const auto value = [&](const std::string& id) { return metric(report(), id)["value"].get<double>(); };
+    EXPECT_NEAR(value("session_time"), 3, 0.01);
+    EXPECT_GT(value("drilling_time"), 0.2);
+    EXPECT_LT(value("drilling_time") + value("idle_time") + value("dead_time"), 3.01);
+    EXPECT_GT(value("path_length"), 5);
+    EXPECT_GE(value("strokes"), 1);
+    EXPECT_GT(value("force_peak"), value("force_p95"));
+    EXPECT_GT(value("force_p95"), value("force_mean"));
+    EXPECT_GT(value("removed_enamel"), 0.01);
+    EXPECT_GT(value("efficiency"), 0);
+    EXPECT_THAT(readText(file("out") + "/report.html"), HasSubstr("Force and depth during the session"));
 }
 
 TEST_F(AssessCommand, RefusesWhatCannotBeAssessed) {

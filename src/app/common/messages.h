@@ -46,4 +46,16 @@ inline constexpr MessageText kUnforeseen{"unforeseen", "this should not have hap
                                          "起こるはずのないことが起こりました：%1。作者に知らせてください。"};
 inline constexpr MessageText kUsageHelp{"usage_help", "%1; see '%2 --help'.", "%1。'%2 --help' を参照してください。"};
 
+// Reports.
+inline constexpr MessageText kTargetLeavesNothing{
+    "target_leaves_nothing",
+    "%1 leaves nothing to cut: no part of it lies inside the uncut tooth; choose the same tooth with its cavity, "
+    "in the same frame.",
+    "%1 には削るところがありません。削る前の歯の内側にある部分がありません。同じ座標系で、"
+    "窩洞のある同じ歯を選んでください。"};
+inline constexpr MessageText kNothingToJudge{
+    "nothing_to_judge", "no criterion of %1 with a weight can be measured on %2; choose another rubric.",
+    "%1 の重みのある評価項目は、どれも %2 では測れません。別の評価基準表を選んでください。"};
+inline constexpr MessageText kNoPictures{"no_pictures", "There are no pictures: %1", "画像がありません：%1"};
+
 }  // namespace tactooth::msg

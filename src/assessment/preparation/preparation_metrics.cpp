@@ -15,15 +15,12 @@ constexpr double kSpacing = 0.05;  // mm between two lines of the volumes: 0.2 %
 
 using All = const PreparationMeasures&;
 
-Measured ofHand(All m, double HandWork::*value) {
-    return m.hand ? Measured::of((*m.hand).*value) : Measured::none(msg::kNoSession);
-}
-Measured ofHand(All m, Measured HandWork::*value) {
-    return m.hand ? (*m.hand).*value : Measured::none(msg::kNoSession);
-}
+Measured noHand(All m) { return Measured::none(m.hasSession ? msg::kNeverTouched : msg::kNoSession); }
+Measured ofHand(All m, double HandWork::*value) { return m.hand ? Measured::of((*m.hand).*value) : noHand(m); }
+Measured ofHand(All m, Measured HandWork::*value) { return m.hand ? (*m.hand).*value : noHand(m); }
 
 Measured efficiency(All m) {
-    if (!m.hand) return Measured::none(msg::kNoSession);
+    if (!m.hand) return noHand(m);
     if (!(m.hand->drilling > 0)) return Measured::none(msg::kNeverDrilled);
     return Measured::of(m.volumes.common / m.hand->drilling);
 }
@@ -44,7 +41,7 @@ constexpr std::array kMetrics = {
                       [](All m) { return Measured::of(m.volumes.dice()); },
                       "Twice the common volume of the removed and the ideal part over the sum of both (Dice 1945).",
                       ValueForm::Share},
-    PreparationMetric{"deviation_rms", "Deviation from the ideal surface (RMS)", "mm", Better::Lower,
+    PreparationMetric{"deviation_rms", "Deviation from the ideal (RMS)", "mm", Better::Lower,
                       [](All m) { return m.deviation.rms; },
                       "Root mean square, by area, of the distance to the ideal surface, where one of the two is cut."},
     PreparationMetric{"within_0_1", "Surface within 0.1 mm", "1", Better::Higher,
@@ -159,7 +156,7 @@ constexpr std::array kMetrics = {
     PreparationMetric{"ldlj", "Smoothness (LDLJ, median)", "1", Better::Higher,
                       [](All m) { return ofHand(m, &HandWork::jerk); },
                       "Log dimensionless jerk of the speed in the same strokes (Balasubramanian 2015)."},
-    PreparationMetric{"speed_f95", "95 % frequency of the speed (median)", "Hz", Better::Lower,
+    PreparationMetric{"speed_f95", "95 % frequency of the speed", "Hz", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::frequency95); },
                       "Frequency below which 95 % of the power of the speed lies, in the same strokes."},
     PreparationMetric{"force_mean", "Force, mean", "N", Better::Neither,
@@ -172,7 +169,7 @@ constexpr std::array kMetrics = {
     PreparationMetric{"force_over_2n", "Time with more than 2 N", "1", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::forceOver2); },
                       "Share of the time of contact with more than 2 N.", ValueForm::Share},
-    PreparationMetric{"force_sd", "Force, unsteadiness within strokes", "N", Better::Lower,
+    PreparationMetric{"force_sd", "Force, unsteadiness in strokes", "N", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::forceSpread); },
                       "Standard deviation of the force within a stroke: root mean square over the strokes, by time."},
     PreparationMetric{"impulse", "Impulse", "N*s", Better::Neither, [](All m) { return ofHand(m, &HandWork::impulse); },
@@ -195,7 +192,8 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const S
     volumes = preparedVolumes(preparation, columns);
     deviation = surfaceDeviation(preparation, columns);
     tissues = tissueVolumes(preparation, volumes, kSpacing);
-    if (track != nullptr) hand = handWork(*track);
+    hasSession = track != nullptr;
+    if (hasSession) hand = handWork(*track);
 }
 
 std::span<const PreparationMetric> preparationMetrics() { return kMetrics; }

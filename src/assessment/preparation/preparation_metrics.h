@@ -35,7 +35,8 @@ struct PreparationMeasures {
     Measured unsupportedEnamel;
     MarginLine margin;
     TissueVolumes tissues;
-    std::optional<HandWork> hand;  ///< nothing without a session
+    bool hasSession = false;
+    std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
 };
 
 /// How a value is written for people.

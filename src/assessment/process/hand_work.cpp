@@ -143,26 +143,23 @@ void HandWorkMeter::addForces(HandWork& work) {
         if (each.force > kLargeForce) over += each.duration;
         peak = std::max(peak, each.force);
     }
-    if (!(time > 0)) {
-        work.forceMean = work.forceP95 = work.forcePeak = work.forceOver2 = Measured::none(msg::kNeverTouched);
-        return;
-    }
-    work.forceMean = Measured::of(work.impulse / time);
-    work.forcePeak = Measured::of(peak);
-    work.forceOver2 = Measured::of(over / time);
+    work.forceMean = work.impulse / time;
+    work.forcePeak = peak;
+    work.forceOver2 = over / time;
     std::ranges::sort(held_, {}, &Held::force);
     constexpr double kShare = 0.95;
     double below = 0;
     for (const Held& each : held_) {
         below += each.duration;
         if (below < kShare * time) continue;
-        work.forceP95 = Measured::of(each.force);
+        work.forceP95 = each.force;
         break;
     }
 }
 
-HandWork HandWorkMeter::finish() {
+std::optional<HandWork> HandWorkMeter::finish() {
     interrupt();
+    if (std::ranges::none_of(held_, [](const Held& each) { return each.duration > 0; })) return std::nullopt;
     HandWork work = work_;
     if (pause_ > kPause) work.dead += pause_;
     work.seconds = std::max(0.0, lastTime_ - std::max(0.0, firstTime_));
@@ -176,7 +173,7 @@ HandWork HandWorkMeter::finish() {
     return work;
 }
 
-HandWork handWork(const SessionTrack& track) {
+std::optional<HandWork> handWork(const SessionTrack& track) {
     HandWorkMeter meter;
     std::shared_ptr<const TrackBur> bur;
     std::uint64_t moment = 0;

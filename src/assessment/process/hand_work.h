@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "assessment/preparation/measured.h"
@@ -22,8 +23,8 @@ struct HandWork {
     // Medians over the strokes of more than 0.3 s: see movement.h.
     Measured arcLength, jerk, frequency95;
     // Over the time of contact.
-    Measured forceMean, forceP95, forcePeak;  ///< N
-    Measured forceOver2;                      ///< share of the time with more than 2 N, 0..1
+    double forceMean = 0, forceP95 = 0, forcePeak = 0;  ///< N
+    double forceOver2 = 0;                              ///< share of the time with more than 2 N, 0..1
     Measured forceSpread;  ///< within strokes, N: root mean square of their standard deviations, weighted by time
 };
 
@@ -33,8 +34,9 @@ public:
     void add(const TrackTick& tick);
     /// What follows is another movement: another bur, for instance.
     void interrupt();
-    /// No tick follows.
-    [[nodiscard]] HandWork finish();
+    /// No tick follows. Nothing where no tool has touched anything: a session that nobody has worked in, or one that
+    /// follows a file of poses.
+    [[nodiscard]] std::optional<HandWork> finish();
 
 private:
     struct Moment {
@@ -64,6 +66,7 @@ private:
     double strokeTime_ = 0, strokeVariance_ = 0;  // s; N^2*s
 };
 
-[[nodiscard]] HandWork handWork(const SessionTrack& track);
+/// The same of a whole session.
+[[nodiscard]] std::optional<HandWork> handWork(const SessionTrack& track);
 
 }  // namespace tactooth

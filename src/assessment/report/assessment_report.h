@@ -8,9 +8,14 @@
 #include <vector>
 
 #include "assessment/preparation/scan_alignment.h"
+#include "assessment/process/work_strip.h"
+#include "assessment/report/report_section.h"
 #include "assessment/rubric/rubric.h"
 
 namespace tactooth {
+
+/// Where the colours of the pictures end, mm from the ideal surface.
+inline constexpr double kColourRange = 0.5;
 
 /// A picture of a report.
 struct ReportPicture {
@@ -23,6 +28,9 @@ struct AssessmentReport {
     std::string student;             ///< name of the file
     std::string expert;              ///< name of the file, or of the exercise
     std::string task = {};           ///< of the exercise; empty: there is none
+    std::string name = {};           ///< of the student; empty: not known
+    std::string date = {};           ///< of the work; empty: not known
+    std::string comment = {};        ///< of the teacher; empty: there is none
     const Rubric* rubric = nullptr;  ///< not null
     Mark mark = {};
     std::vector<MetricResult> metrics = {};
@@ -31,9 +39,12 @@ struct AssessmentReport {
     double mesialX = 1;
     std::optional<ScanFit> fit = {};     ///< how well a surface from a file lies on the uncut tooth
     std::optional<double> seconds = {};  ///< length of the session; nothing without one
+    double tolerance = 0;                ///< mm: what is nearer to the ideal surface is white in the pictures
     std::vector<ReportPicture> pictures = {};
     std::string noPictures = {};  ///< why there are none
-    std::string program = {};     ///< version and commit
+    std::vector<ReportSection> sections = {};
+    std::optional<WorkStrip> strip = {};  ///< nothing without a session
+    std::string program = {};             ///< version and commit
 };
 
 /// In words: "mesiobuccal".
@@ -56,6 +67,12 @@ struct ReportFact {
 [[nodiscard]] std::string weightedMeanText(const Mark& mark);
 /// "passed, pass mark 65"
 [[nodiscard]] std::string resultText(const AssessmentReport& report);
+/// What the colours of the pictures mean, in a sentence.
+[[nodiscard]] std::string coloursText(const AssessmentReport& report);
+/// "1  0:04  Dentin reached"
+[[nodiscard]] std::string markText(std::size_t number, const WorkStrip::Mark& mark);
+/// The measures without a value, those with the same reason in one sentence.
+[[nodiscard]] std::vector<std::string> notMeasuredTexts(const AssessmentReport& report);
 [[nodiscard]] std::string footerText(const AssessmentReport& report);
 /// "#2f7d4f"
 [[nodiscard]] std::string_view levelColour(Level level);

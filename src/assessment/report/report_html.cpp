@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/next_steps.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {
@@ -49,6 +50,8 @@ td.n, th.n { text-align: right; white-space: nowrap; font-variant-numeric: tabul
 .bar { background: #e3e8ec; height: 2.4mm; width: 22mm; margin-top: 1mm } .bar i { display: block; height: 100% }
 .pictures { display: flex; flex-wrap: wrap; gap: 3mm } figure { margin: 0; width: 58mm; page-break-inside: avoid }
 figure img { width: 100%; display: block } figcaption { font-size: 8.5pt; color: #55636f }
+.sections { display: flex; gap: 6mm } ol { margin: 1mm 0; padding-left: 5mm } svg { max-width: 100%; height: auto }
+.comment { border: 0.3mm solid #c9d2d9; min-height: 14mm; padding: 1mm 2mm; white-space: pre-wrap }
 .small { font-size: 8.5pt; color: #55636f }
 )css";
 
@@ -82,7 +85,7 @@ std::string criterionRow(const AssessmentReport& report, const CriterionScore& e
     if (each.measured.value) {
         text += "<td class=\"n\">" + valueText(*criterion.metric, *each.measured.value) + "</td>";
     } else {
-        text += "<td class=\"none\">not measurable: " + plain(each.measured.reason->english) + "</td>";
+        text += "<td class=\"n none\">not measurable</td>";
     }
     text += scoreCell(each);
     text += criterion.weight > 0 ? fmt::format("<td class=\"n\">{:g}</td>", criterion.weight)
@@ -109,7 +112,7 @@ std::string madeOf(const AssessmentReport& report) {
 std::string pictures(const AssessmentReport& report) {
     std::string text = "<h2>Distance to the ideal preparation</h2>\n";
     if (report.pictures.empty()) return text + "<p class=\"none\">" + plain(report.noPictures) + "</p>\n";
-    text += "<div class=\"pictures\">\n";
+    text += "<p class=\"small\">" + coloursText(report) + "</p>\n<div class=\"pictures\">\n";
     for (const ReportPicture& each : report.pictures) {
         text += "<figure><img alt=\"" + plain(each.title) + "\" src=\"data:image/png;base64," + each.pngBase64 +
                 "\"><figcaption>" + plain(each.title) + "</figcaption></figure>\n";
@@ -117,18 +120,55 @@ std::string pictures(const AssessmentReport& report) {
     return text + "</div>\n";
 }
 
+std::string advice(const AssessmentReport& report) {
+    std::string text = "<h2>What to do next</h2>\n<ul>";
+    for (const std::string& step : nextSteps(report)) text += "<li>" + plain(step) + "</li>";
+    text += "</ul>\n<h2>The teacher's comment</h2>\n<div class=\"comment\">";
+    std::string_view rest = report.comment;
+    while (!rest.empty()) {  // lines stay lines
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        text += plain(rest.substr(0, end)) + "\n";
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return text + "</div>\n";
+}
+
+std::string sections(const AssessmentReport& report) {
+    if (report.sections.empty()) return {};
+    constexpr double kWidth = 86;  // mm
+    std::string text = "<h2>Sections</h2>\n<div class=\"sections\">\n";
+    for (const ReportSection& each : report.sections) {
+        text += "<figure style=\"width:86mm\">" + sectionSvg(each, kWidth) + "<figcaption>" + plain(each.title) +
+                "</figcaption></figure>\n";
+    }
+    return text + "</div>\n";
+}
+
+std::string strip(const AssessmentReport& report) {
+    if (!report.strip) return {};
+    constexpr double kWidth = 182, kHeight = 46;  // mm
+    std::string text = "<h2>Force and depth during the session</h2>\n" + stripSvg(*report.strip, kWidth, kHeight);
+    text += "<p class=\"small\">";
+    for (std::size_t i = 0; i < report.strip->marks.size(); ++i) {
+        text += (i > 0 ? "<br>" : "") + plain(markText(i + 1, report.strip->marks[i]));
+    }
+    return text + "</p>\n";
+}
+
 std::string allMetrics(const AssessmentReport& report) {
     std::string text =
         "<h2>All measures</h2>\n<table><thead><tr><th>Measure</th><th class=\"n\">Value</th><th>Where, when</th>"
         "<th>Definition</th></tr></thead><tbody>\n";
     for (const auto& [metric, measured] : report.metrics) {
+        if (!measured.value) continue;
         text += "<tr><td>" + plain(metric->title) + "</td>";
-        text += measured.value ? "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>"
-                               : "<td class=\"none\">" + plain(measured.reason->english) + "</td>";
+        text += "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>";
         text += "<td>" + placeAndMomentText(report, measured) + "</td><td class=\"small\">" +
                 plain(metric->definition) + "</td></tr>\n";
     }
-    return text + "</tbody></table>\n";
+    text += "</tbody></table>\n";
+    for (const std::string& each : notMeasuredTexts(report)) text += "<p class=\"small\">" + plain(each) + "</p>\n";
+    return text;
 }
 
 }  // namespace
@@ -136,7 +176,8 @@ std::string allMetrics(const AssessmentReport& report) {
 std::string reportHtml(const AssessmentReport& report) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment: ";
     text += plain(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
-    text += head(report) + madeOf(report) + pictures(report) + allMetrics(report);
+    text += head(report) + madeOf(report) + advice(report) + pictures(report) + sections(report) + strip(report) +
+            allMetrics(report);
     text += "<p class=\"small\">" + plain(footerText(report)) + "</p>\n</body></html>\n";
     return text;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/next_steps.h"
 
 namespace tactooth {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json placeJson(const AssessmentReport& report, const Measured& measured) {
     if (!measured.place) return {};
@@ -55,7 +57,9 @@ std::string reportJson(const AssessmentReport& report) {
                  {"program", report.program},
                  {"student", report.student},
                  {"expert", report.expert},
-                 {"task", report.task.empty() ? Json() : Json(report.task)},
+                 {"task", orNull(report.task)},
+                 {"name", orNull(report.name)},
+                 {"date", orNull(report.date)},
                  {"rubric", {{"name", rubric.name}, {"pass", rubric.passMark}, {"critical_mark", rubric.criticalMark}}},
                  {"mark", orNull(report.mark.value)},
                  {"pass", report.mark.passes},
@@ -65,6 +69,8 @@ std::string reportJson(const AssessmentReport& report) {
                  {"seconds", orNull(report.seconds)}};
     for (const Criterion* each : report.mark.limitedBy) json["limited_by"].push_back(each->metric->id);
     json["fit"] = report.fit ? Json{{"residual", report.fit->residual}, {"used_share", report.fit->usedShare}} : Json();
+    json["next"] = nextSteps(report);
+    json["comment"] = orNull(report.comment);
     json["criteria"] = Json::array();
     for (const CriterionScore& each : report.mark.criteria) json["criteria"].push_back(criterionJson(report, each));
     json["metrics"] = Json::array();

@@ -42,6 +42,13 @@ double tidy(double value, int decimals) {
     return std::round(value * scale) / scale + 0.0;
 }
 
+/// "2026-11-27 16:21 UTC" for "2026-11-27T16:21:29Z"; another text stays as it is.
+std::string dateText(const std::string& date) {
+    constexpr std::size_t kDay = 10, kMinutes = 16, kWhole = 20;
+    if (date.size() != kWhole || date[kDay] != 'T' || date.back() != 'Z') return date;
+    return date.substr(0, kDay) + ' ' + date.substr(kDay + 1, kMinutes - kDay - 1) + " UTC";
+}
+
 }  // namespace
 
 std::string placeText(const AssessmentReport& report, const Vec3& place) {
@@ -62,6 +69,8 @@ std::string placeAndMomentText(const AssessmentReport& report, const Measured& m
 
 std::vector<ReportFact> reportFacts(const AssessmentReport& report) {
     std::vector<ReportFact> facts = {{"Work", report.student}, {"Compared with", report.expert}};
+    if (!report.name.empty()) facts.push_back({"Student", report.name});
+    if (!report.date.empty()) facts.push_back({"Date", dateText(report.date)});
     if (!report.task.empty()) facts.push_back({"Task", report.task});
     facts.push_back({"Rubric", report.rubric->name});
     if (report.seconds) facts.push_back({"Length of the session", momentText(*report.seconds) + " min"});
@@ -84,6 +93,36 @@ std::string weightedMeanText(const Mark& mark) {
 
 std::string resultText(const AssessmentReport& report) {
     return fmt::format("{}, pass mark {:.0f}", report.mark.passes ? "passed" : "failed", report.rubric->passMark);
+}
+
+std::string coloursText(const AssessmentReport& report) {
+    return fmt::format(
+        "White: within {:g} mm of the ideal preparation, or not to be cut. Blue: still to be cut. Orange: "
+        "cut too deep. The colours are full from {:g} mm on.",
+        report.tolerance, kColourRange);
+}
+
+std::string markText(std::size_t number, const WorkStrip::Mark& mark) {
+    return fmt::format("{}  {}  {}", number, momentText(mark.time), mark.text);
+}
+
+std::vector<std::string> notMeasuredTexts(const AssessmentReport& report) {
+    std::vector<std::pair<const MessageText*, std::string>> reasons;
+    for (const auto& [metric, measured] : report.metrics) {
+        if (measured.value) continue;
+        const auto known =
+            std::ranges::find(reasons, measured.reason, &std::pair<const MessageText*, std::string>::first);
+        if (known == reasons.end()) {
+            reasons.emplace_back(measured.reason, metric->title);
+        } else {
+            known->second += fmt::format("; {}", metric->title);
+        }
+    }
+    std::vector<std::string> texts;
+    for (const auto& [reason, titles] : reasons) {
+        texts.push_back(fmt::format("Not measurable, because {}: {}.", reason->english, titles));
+    }
+    return texts;
 }
 
 std::string footerText(const AssessmentReport& report) {

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_command.h"
 
-#include <fmt/core.h>
-
 #include "app/cli/cases/assess_input.h"
-#include "app/cli/cases/assess_pdf.h"
-#include "app/cli/cases/assess_pictures.h"
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "app/common/report/make_report.h"
 #include "assessment/exercise_file.h"
-#include "assessment/preparation/removal_moment.h"
 #include "assessment/report/assessment_report.h"
 #include "assessment/rubric/rubric_file.h"
-#include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/util/display_text.h"
-#include "session/io/commit.h"
 
 namespace tactooth {
 namespace {
@@ -40,44 +34,19 @@ Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
         if (std::filesystem::path(input).has_extension()) files.reads(input);
     }
     if (auto made = files.makeFolder(options.out); !made) return made;
-    for (const char* name : {"report.html", "report.pdf", "report.json", "report.csv"}) {
+    for (const char* name : kReportFiles) {
         if (auto opened = files.open(options.out / name); !opened) return opened;
     }
     return {};
 }
 
 Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& rubric) {
-    const Expected<AssessInput> input = loadAssessInput(options);
+    Expected<AssessInput> input = loadAssessInput(options);
     if (!input) return Unexpected{input.error()};
     printImportNotes(input->importNotes);
-    const PreparationMeasures measures(input->preparation, input->track.get());
-    if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, input->expert);
-    std::vector<MetricResult> results = measureAll(measures);
-    if (input->track != nullptr) addMoments(results, measures, input->track);
-    AssessmentReport report{.student = input->student, .expert = input->expert, .task = input->task, .rubric = &rubric};
-    report.mark = markOf(rubric, results);
-    if (!report.mark.value) return unexpected(msg::kNothingToJudge, displayText(rubric.name), input->student);
-    report.metrics = std::move(results);
-    report.middle = measures.surfaces.middle;
-    report.axis = input->preparation.axis;
-    report.mesialX = input->preparation.mesialX;
-    report.fit = input->fit;
-    if (input->track != nullptr) report.seconds = input->track->seconds();
-    report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
-    Expected<std::vector<ReportPicture>> pictures = assessPictures(input->preparation, input->tolerance);
-    if (pictures) {
-        report.pictures = std::move(*pictures);
-    } else {
-        report.noPictures = Message(msg::kNoPictures, pictures.error()).in(Language::English);
-    }
-    return report;
-}
-
-Expected<void> writeReport(const AssessOptions& options, const AssessmentReport& report) {
-    if (auto done = writeFile(options.out / "report.json", reportJson(report)); !done) return done;
-    if (auto done = writeFile(options.out / "report.csv", reportCsv(report)); !done) return done;
-    if (auto done = writeFile(options.out / "report.pdf", reportPdf(report)); !done) return done;
-    return writeFile(options.out / "report.html", reportHtml(report));
+    input->work.name = options.name;
+    input->work.comment = options.comment;
+    return makeReport(input->work, rubric);
 }
 
 void printSummary(const AssessOptions& options, const AssessmentReport& report) {
@@ -109,7 +78,7 @@ int runAssess(const AssessOptions& options) {
     if (!rubric) return reportError(rubric.error());
     const Expected<AssessmentReport> report = assess(options, *rubric);
     if (!report) return reportError(report.error());
-    if (const auto written = writeReport(options, *report); !written) return reportError(written.error());
+    if (const auto written = writeReport(options.out, *report); !written) return reportError(written.error());
     if (const auto named = files.commit(); !named) return reportError(named.error());
     if (options.json) {
         writeTo(stdout, reportJson(*report));

@@ -14,6 +14,8 @@ struct AssessOptions {
     std::string rubric;              ///< a file, or the name of a built-in one; empty: kUsualRubric
     std::filesystem::path original;  ///< the uncut tooth; empty: that of the student's file or of the exercise
     bool align = false;
+    std::string name;           ///< of the student, for the report; empty: not known
+    std::string comment;        ///< of the teacher, for the report; empty: none
     std::filesystem::path out;  ///< folder
     bool json = false;          ///< also to the standard output
 };

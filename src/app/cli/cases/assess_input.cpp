@@ -31,6 +31,7 @@ struct GivenTooth {
     std::shared_ptr<const LayeredTooth> uncut = {};  ///< null: a plain surface
     std::shared_ptr<const Surface> cut = {};         ///< with the bodies around it; null: a plain surface
     std::shared_ptr<const SessionTrack> track = {};
+    std::string date = {};  ///< empty: not known
 };
 
 Expected<void> checkSize(const TriangleMesh& mesh, const std::string& name) {
@@ -59,7 +60,7 @@ Expected<GivenTooth> loadRecording(const std::filesystem::path& file) {
     if (const auto at = (*track)->differsAt()) {
         return unexpected(msg::kReplayIsNotTheWork, displayName(file), fmt::format("{:.0f}", std::floor(*at)));
     }
-    return finished({.name = displayFileName(file), .track = *track}, **model);
+    return finished({.name = displayFileName(file), .track = *track, .date = recording->facts().date}, **model);
 }
 
 Expected<GivenTooth> loadWork(const std::filesystem::path& file, const MessageText& what,
@@ -152,6 +153,7 @@ Vec3 openingOf(const Preparation& preparation) {
 Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
     if (options.expert.empty() && options.exercise.empty()) return unexpected(msg::kNothingToCompareWith);
     AssessInput input;
+    AssessedWork& work = input.work;
     std::optional<Exercise> exercise;
     if (!options.exercise.empty()) {
         Expected<Exercise> found = findExercise(options.exercise);
@@ -162,7 +164,7 @@ Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
     if (!student) return Unexpected{student.error()};
     const auto uncut = uncutTooth(options, *student, exercise, input.importNotes);
     if (!uncut) return Unexpected{uncut.error()};
-    Preparation& preparation = input.preparation;
+    Preparation& preparation = work.preparation;
     preparation.original = (*uncut)->ownOuter();
     preparation.mesialX = (*uncut)->toothContext().mesialX;
     if (auto fits = checkSize(preparation.original->mesh(), displayName(options.original)); !fits)
@@ -170,20 +172,20 @@ Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
     Pose studentInTooth, expertInTooth;
     const auto fit = place(*student, studentInTooth, *preparation.original, options.align);
     if (!fit) return Unexpected{fit.error()};
-    if (student->uncut == nullptr) input.fit = *fit;
+    if (student->uncut == nullptr) work.fit = *fit;
     Expected<TriangleMesh> ideal = TriangleMesh{};
     if (exercise) {
         ideal = idealShape(*exercise, *uncut);
         if (!ideal) return Unexpected{ideal.error()};
-        input.expert = exercise->name;
-        input.task = exercise->task;
-        input.tolerance = exercise->tolerance;
+        work.expert = exercise->name;
+        work.task = exercise->task;
+        work.tolerance = exercise->tolerance;
     } else {
         Expected<GivenTooth> expert = loadWork(options.expert, msg::kExpertsTooth, input.importNotes);
         if (!expert) return Unexpected{expert.error()};
         const auto lies = place(*expert, expertInTooth, *preparation.original, options.align);
         if (!lies) return Unexpected{lies.error()};
-        input.expert = expert->name;
+        work.expert = expert->name;
         ideal = std::move(expert->surface);
     }
     preparation.ideal = std::make_shared<const SurfacePart>(std::move(*ideal));
@@ -195,8 +197,9 @@ Expected<AssessInput> loadAssessInput(const AssessOptions& options) {
     addNeighbours(preparation, *student, studentInTooth);
     const auto* plan = exercise ? std::get_if<PreparationPlan>(&exercise->ideal) : nullptr;
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
-    input.student = student->name;
-    input.track = student->track;
+    work.student = student->name;
+    work.track = student->track;
+    work.date = student->date;
     return input;
 }
 

@@ -108,6 +108,8 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
                      "The uncut tooth (default: that of the exercise, or of the student's file)")
         ->type_name("FILE");
     command->add_flag("--align", options->align, "Lays scans on the uncut tooth first, by what is not prepared");
+    command->add_option("--name", options->name, "Name of the student, for the report")->type_name("TEXT");
+    command->add_option("--comment", options->comment, "The teacher's comment, for the report")->type_name("TEXT");
     command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
         ->required()
         ->type_name("DIR");

@@ -40,9 +40,5 @@ inline constexpr MessageText kReplayIsNotTheWork{
     "use the program that recorded it.",
     "%1：%2 秒以降、再現した内容が記録と異なるため、学生の歯ではありません。保存した歯を指定するか、"
     "記録したプログラムを使ってください。"};
-inline constexpr MessageText kNothingToJudge{
-    "nothing_to_judge", "no criterion of %1 with a weight can be measured on %2; choose another rubric.",
-    "%1 の重みのある評価項目は、どれも %2 では測れません。別の評価基準表を選んでください。"};
-inline constexpr MessageText kNoPictures{"no_pictures", "There are no pictures: %1", "画像がありません：%1"};
 
 }  // namespace tactooth::msg

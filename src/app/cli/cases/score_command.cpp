@@ -14,6 +14,7 @@
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "app/common/messages.h"
 #include "assessment/cavity_metrics.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/metric_table.h"

@@ -51,12 +51,6 @@ inline constexpr MessageText kIdealLeavesNothing{
     "%1: the ideal shape leaves nothing to cut; it must lie in the frame of the tooth, and have its cavity "
     "inside it.",
     "%1：理想形状には削るところがありません。歯と同じ座標系で、窩洞を含む形にしてください。"};
-inline constexpr MessageText kTargetLeavesNothing{
-    "target_leaves_nothing",
-    "%1 leaves nothing to cut: no part of it lies inside the uncut tooth; choose the same tooth with its cavity, "
-    "in the same frame.",
-    "%1 には削るところがありません。削る前の歯の内側にある部分がありません。同じ座標系で、"
-    "窩洞のある同じ歯を選んでください。"};
 inline constexpr MessageText kToleranceBeyondRange{
     "tolerance_beyond_range",
     "--tolerance %1 must be smaller than --range (%2): beyond the range all colours are equal.",

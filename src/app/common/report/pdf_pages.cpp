@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/cases/pdf_pages.h"
+#include "app/common/report/pdf_pages.h"
 
+#include <QSvgRenderer>
 #include <algorithm>
 
 namespace tactooth {
@@ -9,7 +10,7 @@ namespace {
 
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kCellGap = 2;     // mm between two columns
-constexpr double kRowGap = 0.9;    // mm above and below the text of a row
+constexpr double kRowGap = 0.7;    // mm above and below the text of a row
 constexpr double kBarHeight = 2;   // mm
 constexpr double kFooterAt = 264;  // mm
 const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
@@ -110,11 +111,25 @@ void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
     painter_.fillRect(dots({0, y_, kWidth, 0.15}), kLine);
 }
 
-void PdfPages::pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width) {
+void PdfPages::drawings(const std::vector<Drawing>& drawings) {
+    constexpr double kGap = 6, kTitle = 5;
+    double height = 0, x = 0;
+    for (const Drawing& each : drawings) height = std::max(height, each.height + (each.title.isEmpty() ? 0 : kTitle));
+    makeRoom(height);
+    for (const Drawing& each : drawings) {
+        QSvgRenderer renderer(QByteArray::fromStdString(each.svg));
+        renderer.render(&painter_, dots({x, y_, each.width, each.height}));
+        text({x, y_ + each.height + 0.5, each.width, kTitle}, each.title, {8, false, kFaint},
+             Qt::AlignLeft | Qt::AlignTop);
+        x += each.width + kGap;
+    }
+    y_ += height;
+}
+
+void PdfPages::pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width, std::size_t perRow) {
     constexpr double kGap = 3, kTitle = 5;
-    const int perRow = std::max(1, static_cast<int>((kWidth + kGap) / (width + kGap)));
-    for (std::size_t first = 0; first < pictures.size(); first += static_cast<std::size_t>(perRow)) {
-        const std::size_t end = std::min(pictures.size(), first + static_cast<std::size_t>(perRow));
+    for (std::size_t first = 0; first < pictures.size(); first += perRow) {
+        const std::size_t end = std::min(pictures.size(), first + perRow);
         double height = 0;
         for (std::size_t i = first; i < end; ++i) {
             const QImage& picture = pictures[i].second;

@@ -8,6 +8,7 @@
 #include <QPdfWriter>
 #include <QString>
 #include <QStringList>
+#include <string>
 #include <vector>
 
 namespace tactooth {
@@ -53,8 +54,15 @@ public:
     void text(const QRectF& box, const QString& text, const Font& font, Qt::Alignment align);
     void frame(const QRectF& box, const QColor& colour);
     void row(const std::vector<Column>& columns, const Row& row);
-    /// Pictures side by side, each with its title below.
-    void pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width);
+    /// Drawings (SVG) of one size side by side, each with its title below; an empty title takes no room.
+    struct Drawing {
+        QString title;
+        std::string svg;
+        double width, height;
+    };
+    void drawings(const std::vector<Drawing>& drawings);
+    /// Pictures of this width, `perRow` side by side, each with its title below.
+    void pictures(const std::vector<std::pair<QString, QImage>>& pictures, double width, std::size_t perRow);
 
 private:
     [[nodiscard]] QRectF dots(const QRectF& box) const;

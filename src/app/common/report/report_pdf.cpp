@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/cases/assess_pdf.h"
+#include "app/common/report/report_pdf.h"
 
 #include <QBuffer>
 #include <QByteArray>
+#include <algorithm>
 
-#include "app/cli/cases/pdf_pages.h"
 #include "app/common/offscreen_application.h"
+#include "app/common/report/pdf_pages.h"
+#include "assessment/report/next_steps.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kPictureWidth = 58;  // mm: three side by side
+constexpr double kPictureWidth = 58;  // mm at most: three side by side
 constexpr int kResolution = 600;      // dots per inch
 const QColor kPassed(23, 96, 58), kFailed(156, 43, 26);
 
@@ -45,7 +47,7 @@ QStringList cellsOf(const AssessmentReport& report, const CriterionScore& each) 
     QStringList cells;
     cells << shown(criterion.title) + (criterion.critical ? " (critical)" : "");
     cells << (each.measured.value ? shown(valueText(*criterion.metric, *each.measured.value))
-                                  : "not measurable: " + shown(each.measured.reason->english));
+                                  : QStringLiteral("not measurable"));
     cells << (each.score ? QString::number(*each.score, 'f', 0) : QStringLiteral("–"));
     cells << (each.level ? shown(levelText(*each.level).english) : QString());
     cells << (criterion.weight > 0 ? QString::number(criterion.weight) : QStringLiteral("limit"));
@@ -77,29 +79,86 @@ void drawCriteria(PdfPages& pages, const AssessmentReport& report) {
     }
 }
 
+/// Two rows of three, as large as they fit on the page, or one row where that is little.
 void drawPictures(PdfPages& pages, const AssessmentReport& report) {
-    constexpr double kPictureHeight = 50;  // mm, with its title
-    pages.heading("Distance to the ideal preparation", kPictureHeight);
+    constexpr double kLeast = 38, kSmall = 27.8, kHeading = 20, kTitle = 5, kAspect = 0.75;  // mm; height to width
+    const double room = (PdfPages::kHeight - pages.y() - kHeading) / 2 - kTitle;
+    const bool isOneRow = room / kAspect < kLeast;
+    const double width = isOneRow ? kSmall : std::min(room / kAspect, kPictureWidth);
+    pages.heading("Distance to the ideal preparation", (isOneRow ? 1 : 2) * (kAspect * width + kTitle));
     if (report.pictures.empty()) return pages.paragraph(shown(report.noPictures), {9, false, PdfPages::kFaint});
     std::vector<std::pair<QString, QImage>> pictures;
     for (const ReportPicture& each : report.pictures) {
         const QByteArray png = QByteArray::fromBase64(QByteArray::fromStdString(each.pngBase64));
         pictures.emplace_back(shown(each.title), QImage::fromData(png, "PNG"));
     }
+    pages.paragraph(shown(coloursText(report)), {7.5, false, PdfPages::kFaint});
     pages.skip(1);
-    pages.pictures(pictures, kPictureWidth);
+    pages.pictures(pictures, width, isOneRow ? pictures.size() : 3);
 }
 
-/// The definitions are left out: docs/assessment.md has them, and the page in HTML.
+void drawAdvice(PdfPages& pages, const AssessmentReport& report) {
+    pages.heading("What to do next", 8);
+    for (const std::string& step : nextSteps(report)) pages.paragraph("•  " + shown(step), {9});
+}
+
+constexpr auto kCommentTitle = "The teacher's comment";
+
+void drawComment(PdfPages& pages, const AssessmentReport& report) {
+    if (report.comment.empty()) return;
+    pages.heading(kCommentTitle, 8);
+    for (const QString& line : QString::fromStdString(report.comment).split('\n')) {
+        pages.paragraph(shown(line.toStdString()), {9});
+    }
+}
+
+/// Room for a comment by hand, where there is some.
+void drawRoomForComment(PdfPages& pages, const AssessmentReport& report) {
+    constexpr double kLeast = 22;  // mm, with the heading
+    if (report.comment.empty() && PdfPages::kHeight - pages.y() >= kLeast) pages.heading(kCommentTitle, 0);
+}
+
+void drawSections(PdfPages& pages, const AssessmentReport& report) {
+    constexpr double kWidth = 86;  // mm
+    std::vector<PdfPages::Drawing> drawings;
+    for (const ReportSection& each : report.sections) {
+        drawings.push_back({shown(each.title), sectionSvg(each, kWidth), kWidth, sectionHeight(each, kWidth)});
+    }
+    if (drawings.empty()) return;
+    pages.heading("Sections", drawings.front().height);
+    pages.drawings(drawings);
+}
+
+void drawStrip(PdfPages& pages, const AssessmentReport& report) {
+    if (!report.strip) return;
+    constexpr double kHeight = 36;  // mm
+    pages.heading("Force and depth during the session", kHeight);
+    pages.drawings({{{}, stripSvg(*report.strip, PdfPages::kWidth, kHeight), PdfPages::kWidth, kHeight}});
+    QStringList marks;
+    for (std::size_t i = 0; i < report.strip->marks.size(); ++i)
+        marks << shown(markText(i + 1, report.strip->marks[i]));
+    pages.paragraph(marks.join("     "), {7.5, false, PdfPages::kFaint});
+}
+
+/// In two columns. The definitions are left out: docs/assessment.md has them, and the page in HTML.
 void drawMetrics(PdfPages& pages, const AssessmentReport& report) {
-    const std::vector<PdfPages::Column> columns = {{80}, {62, Qt::AlignRight}, {40}};
+    const std::vector<PdfPages::Column> columns = {{43}, {19, Qt::AlignRight}, {29}, {43}, {19, Qt::AlignRight}, {29}};
     pages.heading("All measures", 20);
-    pages.row(columns, {{"Measure", "Value", "Where, when"}, {7.5, true, PdfPages::kFaint}});
+    std::vector<QStringList> measures;
     for (const auto& [metric, measured] : report.metrics) {
-        const QString value =
-            measured.value ? shown(valueText(*metric, *measured.value)) : shown(measured.reason->english);
-        pages.row(columns, {{shown(metric->title), value, shown(placeAndMomentText(report, measured))},
-                            {7.5, false, measured.value ? PdfPages::kInk : PdfPages::kFaint}});
+        if (!measured.value) continue;
+        measures.push_back({shown(metric->title), shown(valueText(*metric, *measured.value)),
+                            shown(placeAndMomentText(report, measured))});
+    }
+    const std::size_t half = (measures.size() + 1) / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+        QStringList cells = measures[i];
+        if (half + i < measures.size()) cells += measures[half + i];
+        pages.row(columns, {cells, {6.3}});
+    }
+    pages.skip(1);
+    for (const std::string& each : notMeasuredTexts(report)) {
+        pages.paragraph(shown(each), {6.3, false, PdfPages::kFaint});
     }
 }
 
@@ -121,9 +180,14 @@ std::string reportPdf(const AssessmentReport& report) {
         PdfPages pages(writer, shown(footerText(report)));
         drawHead(pages, report);
         drawCriteria(pages, report);
+        drawAdvice(pages, report);
+        drawComment(pages, report);
         drawPictures(pages, report);
         pages.beginPage();
+        drawSections(pages, report);
+        drawStrip(pages, report);
         drawMetrics(pages, report);
+        drawRoomForComment(pages, report);
     }
     return bytes.toStdString();
 }

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/report/make_report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/common/messages.h"
+#include "app/common/report/report_pdf.h"
+#include "app/common/report/report_pictures.h"
+#include "assessment/preparation/removal_moment.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/util/display_text.h"
+#include "session/io/commit.h"
+
+namespace tactooth {
+namespace {
+
+/// Force and depth over time, with the events and the moments at which points were lost.
+WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
+    constexpr std::size_t kColumns = 360, kEvents = 8, kErrors = 4;
+    WorkStrip strip = workStrip(*work.track, *work.preparation.original, kColumns, kEvents);
+    std::size_t errors = 0;
+    for (const CriterionScore& each : report.mark.criteria) {
+        if (!each.measured.moment || each.lost <= 0 || ++errors > kErrors) continue;
+        const std::string value = valueText(*each.criterion->metric, *each.measured.value);
+        strip.marks.push_back({*each.measured.moment,
+                               fmt::format("{}: {}, {}", displayText(each.criterion->title), value,
+                                           placeText(report, *each.measured.place)),
+                               true});
+    }
+    std::ranges::stable_sort(strip.marks, {}, &WorkStrip::Mark::time);
+    return strip;
+}
+
+}  // namespace
+
+Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric) {
+    const PreparationMeasures measures(work.preparation, work.track.get());
+    if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
+    std::vector<MetricResult> results = measureAll(measures);
+    if (work.track != nullptr) addMoments(results, measures, work.track);
+    AssessmentReport report{.student = work.student,
+                            .expert = work.expert,
+                            .task = work.task,
+                            .name = work.name,
+                            .date = work.date,
+                            .comment = work.comment,
+                            .rubric = &rubric,
+                            .mark = markOf(rubric, results)};
+    if (!report.mark.value) return unexpected(msg::kNothingToJudge, displayText(rubric.name), work.student);
+    report.metrics = std::move(results);
+    report.middle = measures.surfaces.middle;
+    report.axis = work.preparation.axis;
+    report.mesialX = work.preparation.mesialX;
+    report.fit = work.fit;
+    report.tolerance = work.tolerance;
+    if (work.track != nullptr) {
+        report.seconds = work.track->seconds();
+        report.strip = stripOf(work, report);
+    }
+    const Measured& overMax = measures.deviation.overMax;
+    const bool isOver = overMax.value.value_or(0) > work.tolerance;
+    report.sections = reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt);
+    report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
+    Expected<std::vector<ReportPicture>> pictures = reportPictures(work.preparation, measures.surfaces, work.tolerance);
+    if (pictures) {
+        report.pictures = std::move(*pictures);
+    } else {
+        report.noPictures = Message(msg::kNoPictures, pictures.error()).in(Language::English);
+    }
+    return report;
+}
+
+Expected<void> writeReport(const std::filesystem::path& folder, const AssessmentReport& report) {
+    if (auto done = writeFile(folder / "report.json", reportJson(report)); !done) return done;
+    if (auto done = writeFile(folder / "report.csv", reportCsv(report)); !done) return done;
+    if (auto done = writeFile(folder / "report.pdf", reportPdf(report)); !done) return done;
+    return writeFile(folder / "report.html", reportHtml(report));
+}
+
+}  // namespace tactooth
