@@ -207,6 +207,17 @@ inline constexpr MessageText kTooManyTeachers{"too_many_teachers",
                                               "there are more than %1 teachers; leave out those with few marks.",
                                               "教員が %1 人を超えています。採点の少ない教員を除いてください。"};
 
+// Fits to the marks of teachers.
+inline constexpr MessageText kTooFewMarkedWorks{
+    "too_few_marked_works",
+    "a rubric is fitted to at least %1 measured and marked works of %2 students, but these are %3 of %4; add more.",
+    "評価基準表を合わせるには、計測と採点の済んだ作品が、学生 %2 人以上の %1 個以上必要ですが、あるのは学生 %4 "
+    "人の %3 個です。追加してください。"};
+inline constexpr MessageText kMarkedWorkUnknown{
+    "marked_work_unknown",
+    "there is a mark of %1 for the work %2, but no such work; correct its name, or add its file.",
+    "教員 %1 が採点した作品 %2 が見つかりません。名前を直すか、ファイルを加えてください。"};
+
 // Places in a preparation.
 inline constexpr MessageText kPlaceMiddle{"place_middle", "in the middle", "中央"};
 inline constexpr MessageText kPlaceMesial{"place_mesial", "mesial", "近心"};
