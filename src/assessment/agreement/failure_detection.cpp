@@ -42,7 +42,7 @@ std::optional<double> areaUnderCurve(std::span<const double> upper, std::span<co
     std::ranges::sort(sorted);
     std::size_t halves = 0;  // of won pairs, a whole number
     for (const double each : upper) {
-        const auto [first, last] = std::ranges::equal_range(sorted, each);
+        const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), each);
         halves += static_cast<std::size_t>((first - sorted.begin()) + (last - sorted.begin()));
     }
     return static_cast<double>(halves) / (2 * static_cast<double>(upper.size()) * static_cast<double>(lower.size()));

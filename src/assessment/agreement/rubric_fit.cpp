@@ -228,6 +228,7 @@ std::vector<double> inTenths(const std::vector<double>& weights) {
     std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return lost(a) > lost(b); });
     for (std::size_t i = 0; missing > 0; i = (i + 1) % order.size(), --missing) ++tenths[order[i]];
     std::vector<double> rounded;
+    rounded.reserve(tenths.size());
     for (const long each : tenths) rounded.push_back(static_cast<double>(each) / 10);
     return rounded;
 }

@@ -4,6 +4,10 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
+#include "support/mutation.h"
+
 namespace tactooth {
 namespace {
 
@@ -100,6 +104,28 @@ TEST(MarksFile, ShowsNoControlCharactersOfAName) {
     const std::string refused = refusalOf("work,student,teacher,mark\nw\x1B[31m,s,t,70\nw\x1B[31m,s,t,80\n");
     EXPECT_THAT(refused, HasSubstr("line 3"));
     EXPECT_EQ(refused.find('\x1B'), std::string::npos);
+}
+
+TEST(MarksFile, ThatIsDamagedIsReadOrRefused) {
+    std::mt19937 random(1);
+    const std::vector<std::string> others = {"sep=;\nteacher;mark;work;student\n\"t;1\";50;w;s\n"};
+    int read = 0, refused = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        std::string text = "work,student,teacher,mark\nw1,s1,t1,70\nw2,\"s, 2\",t1,85.5\nw1,s1,t2,100\n";
+        for (int i = 0; i <= trial % 3; ++i) test::mutate(text, others, random);
+        const auto marks = parseMarks(text, "marks.csv");
+        ++(marks ? read : refused);
+        if (!marks) {
+            EXPECT_THAT(marks.error().message(), StartsWith("marks.csv"));
+            continue;
+        }
+        for (const TeacherMark& each : *marks) {
+            EXPECT_FALSE(each.work.empty() || each.student.empty() || each.teacher.empty());
+            EXPECT_TRUE(each.mark >= 0 && each.mark <= 100);
+        }
+    }
+    EXPECT_GT(read, 100);
+    EXPECT_GT(refused, 1000);
 }
 
 TEST(MarksFile, ThatIsMissingIsNamed) {
