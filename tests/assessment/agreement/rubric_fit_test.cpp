@@ -155,6 +155,43 @@ TEST(RubricFit, KeepsWhatLimitsTheMark) {
     EXPECT_LE(*markOf(fit.rubric, examples.works[0].results).value, start.criticalMark);
 }
 
+TEST(RubricFit, NeverWidensWhatIsCritical) {
+    const auto beside = [](std::string_view zero) {
+        return std::string("[[criterion]]\nmetric = \"neighbour_depth_max\"\nweight = 50\ncritical = true\n") +
+               "ideal = [0, 0.05]\ncorrect = [0, 0.2]\nzero = [0, " + std::string(zero) + "]\n";
+    };
+    const Rubric start = madeUpRubric({20, 10, 10, 10}, 1, beside("0.4"));
+    const Rubric generous = madeUpRubric({20, 10, 10, 10}, 1, beside("0.8"));
+    Examples examples(madeUpRubric({25, 25, 25, 25}), 300, 8);
+    SeededRandom random(8);
+    for (std::size_t i = 0; i < examples.works.size(); ++i) {
+        setResult(examples.works[i].results, "neighbour_depth_max", 0.5 * random.share());
+        examples.all[i].mark = *markOf(generous, examples.works[i].results).value;
+    }
+    const RubricFit fit = fitRubric(start, examples.all);
+    EXPECT_EQ(fit.criteria[4].widening, 1);
+    EXPECT_GT(fit.criteria[4].weight, 10);
+    EXPECT_EQ(fit.rubric.criteria.back().levels.ranges(), start.criteria.back().levels.ranges());
+}
+
+TEST(RubricFit, KnowsThatLimitsLowerAMark) {
+    const Rubric truth = madeUpRubric({45, 25, 10, 10}, 1, kGuards);
+    const Rubric start = madeUpRubric({20, 20, 25, 25}, 1, kGuards);
+    Examples examples(madeUpRubric({25, 25, 25, 25}), 2000, 9);
+    SeededRandom random(9);
+    for (std::size_t i = 0; i < examples.works.size(); ++i) {
+        // Whose depth is good has overlooked the pulp: read as a mean, such marks would say that depth is a fault.
+        const double depth = 1.75 + 0.4 * (2 * random.share() - 1);
+        setResult(examples.works[i].results, "floor_depth_median", depth);
+        setResult(examples.works[i].results, "pulp_open", std::abs(depth - 1.75) < 0.2 ? 1 : 0);
+        setResult(examples.works[i].results, "dice", 0.95);
+        examples.all[i].mark = *markOf(truth, examples.works[i].results).value;
+    }
+    const RubricFit fit = fitRubric(start, examples.all);
+    const std::array<double, 4> wanted = {45, 25, 10, 10};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(fit.criteria[i].weight, wanted[i], 6) << i;
+}
+
 TEST(RubricFit, TakesWorksOfWhichSomeValuesCannotBeMeasured) {
     const Rubric truth = madeUpRubric({50, 30, 15, 5}), start = madeUpRubric({25, 25, 25, 25});
     Examples examples(truth, 300, 5);
