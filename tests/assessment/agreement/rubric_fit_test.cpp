@@ -156,12 +156,11 @@ TEST(RubricFit, KeepsWhatLimitsTheMark) {
 }
 
 TEST(RubricFit, NeverWidensWhatIsCritical) {
-    const auto beside = [](std::string_view zero) {
-        return std::string("[[criterion]]\nmetric = \"neighbour_depth_max\"\nweight = 50\ncritical = true\n") +
-               "ideal = [0, 0.05]\ncorrect = [0, 0.2]\nzero = [0, " + std::string(zero) + "]\n";
-    };
-    const Rubric start = madeUpRubric({20, 10, 10, 10}, 1, beside("0.4"));
-    const Rubric generous = madeUpRubric({20, 10, 10, 10}, 1, beside("0.8"));
+    const Rubric start = madeUpRubric({20, 10, 10, 10}, 1,
+                                      "[[criterion]]\nmetric = \"neighbour_depth_max\"\nweight = 50\ncritical = true\n"
+                                      "ideal = [0, 0.05]\ncorrect = [0, 0.2]\nzero = [0, 0.4]\n");
+    Rubric generous = start;
+    generous.criteria[4].levels = widened(start.criteria[4].levels, 1.5);
     Examples examples(madeUpRubric({25, 25, 25, 25}), 300, 8);
     SeededRandom random(8);
     for (std::size_t i = 0; i < examples.works.size(); ++i) {
