@@ -202,6 +202,39 @@ inline constexpr MessageText kRubricUnknown{
     "rubric_unknown", "there is no rubric %1; give a file that ends in .toml, or one of %2.",
     "%1 という評価基準表はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
 
+// Marks of teachers.
+inline constexpr MessageText kMarksNameEmpty{"marks_name_empty", "the column '%1' is empty here; write a name.",
+                                             "列 '%1' が空です。名前を書いてください。"};
+inline constexpr MessageText kMarksNameNotUtf8{
+    "marks_name_not_utf8", "the column '%1' has bytes that are not UTF-8, %2; save the file as UTF-8.",
+    "列 '%1' に UTF-8 でないバイトがあります（%2）。ファイルを UTF-8 で保存してください。"};
+inline constexpr MessageText kMarkOutOfRange{"mark_out_of_range",
+                                             "column 'mark': expected a number from 0 to 100, but found %1.",
+                                             "列 'mark'：0 から 100 までの数値が必要ですが、%1 があります。"};
+inline constexpr MessageText kMarkTwice{"mark_twice",
+                                        "the teacher %1 has marked the work %2 before (%3); keep one of the two.",
+                                        "教員 %1 は作品 %2 をすでに採点しています（%3）。どちらかを残してください。"};
+inline constexpr MessageText kWorkOfTwoStudents{
+    "work_of_two_students",
+    "the work %1 is of the student %2 here, but of %3 before (%4); give each work a name of its own.",
+    "作品 %1 は、ここでは学生 %2 のものですが、前には %3 のものです（%4）。作品ごとに別の名前を付けてください。"};
+inline constexpr MessageText kTooManyMarks{"too_many_marks", "there are more than %1 marks; divide the file.",
+                                           "評点が %1 件を超えています。ファイルを分けてください。"};
+inline constexpr MessageText kTooManyTeachers{"too_many_teachers",
+                                              "there are more than %1 teachers; leave out those with few marks.",
+                                              "教員が %1 人を超えています。採点の少ない教員を除いてください。"};
+
+// Fits to the marks of teachers.
+inline constexpr MessageText kTooFewMarkedWorks{
+    "too_few_marked_works",
+    "a rubric is fitted to at least %1 measured and marked works of %2 students, but these are %3 of %4; add more.",
+    "評価基準表を合わせるには、計測と採点の済んだ作品が、学生 %2 人以上の %1 個以上必要ですが、あるのは学生 %4 "
+    "人の %3 個です。追加してください。"};
+inline constexpr MessageText kMarkedWorkUnknown{
+    "marked_work_unknown",
+    "there is a mark of %1 for the work %2, but no such work; correct its name, or add its file.",
+    "教員 %1 が採点した作品 %2 が見つかりません。名前を直すか、ファイルを加えてください。"};
+
 // Places in a preparation.
 inline constexpr MessageText kPlaceMiddle{"place_middle", "in the middle", "中央"};
 inline constexpr MessageText kPlaceMesial{"place_mesial", "mesial", "近心"};

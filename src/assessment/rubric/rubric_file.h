@@ -18,6 +18,9 @@ namespace tactooth {
 /// The same from a file.
 [[nodiscard]] Expected<Rubric> readRubric(const std::filesystem::path& file);
 
+/// A rubric as TOML that parseRubric reads back as the same, with numbers in their shortest exact form.
+[[nodiscard]] std::string rubricText(const Rubric& rubric);
+
 /// One file of data/rubrics/, which is built into the program.
 struct BuiltinRubricText {
     const char* name;  ///< without the ending .toml: "class-1"

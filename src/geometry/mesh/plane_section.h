@@ -33,7 +33,7 @@ struct SectionLine {
 [[nodiscard]] std::vector<SectionLine> planeSection(const TriangleMesh& mesh, const SectionPlane& plane);
 
 /// The part of a closed line within a rectangle, as a closed line; empty: nothing. Concave lines keep edges along the
-/// rectangle. I. Sutherland, G. Hodgman, Commun. ACM 17, 1974.
+/// rectangle. I. Sutherland, G. Hodgman, CACM 17, 1974.
 [[nodiscard]] std::vector<Vec2> clipped(const std::vector<Vec2>& line, const Eigen::AlignedBox2d& box);
 
 /// The pieces of a line within a rectangle, without edges along it.

@@ -83,6 +83,45 @@ TEST(RubricFile, ReadsEachThatIsBuiltIn) {
     EXPECT_TRUE(findRubric(std::string(kUsualRubric)));
 }
 
+void expectSame(const Rubric& written, const Rubric& read) {
+    EXPECT_EQ(written.name, read.name);
+    EXPECT_EQ(written.passMark, read.passMark);
+    EXPECT_EQ(written.criticalMark, read.criticalMark);
+    ASSERT_EQ(written.criteria.size(), read.criteria.size());
+    for (std::size_t i = 0; i < written.criteria.size(); ++i) {
+        const Criterion &a = written.criteria[i], &b = read.criteria[i];
+        EXPECT_EQ(a.title, b.title);
+        EXPECT_EQ(a.metric, b.metric);
+        EXPECT_EQ(a.weight, b.weight);
+        EXPECT_EQ(a.levels.ranges(), b.levels.ranges());
+        EXPECT_EQ(a.critical, b.critical);
+        EXPECT_EQ(a.limitsMark, b.limitsMark);
+    }
+}
+
+TEST(RubricFile, ReadsBackWhatItWrites) {
+    for (const BuiltinRubricText& each : builtinRubricTexts()) {
+        const auto rubric = findRubric(each.name);
+        ASSERT_TRUE(rubric) << rubric.error().message();
+        const auto read = parseRubric(rubricText(*rubric), "written.toml");
+        ASSERT_TRUE(read) << read.error().message();
+        expectSame(*rubric, *read);
+        EXPECT_EQ(rubricText(*rubric), rubricText(*read));
+    }
+}
+
+TEST(RubricFile, WritesAnyTitleAndNumber) {
+    auto rubric = parseRubric(rubricWith(), "mine.toml");
+    ASSERT_TRUE(rubric);
+    rubric->name = "\"Ours\" \\ 2026 = [1] # 髄室 '''";
+    rubric->criteria[0].title = "\\u0041";
+    rubric->criteria[0].weight = 1.0 / 3;
+    rubric->criteria[0].levels = LevelRanges({{{-1e-7, 0.1}, {-1.0 / 3, 0.1 + 0.2}, {-5e5, 12345.6789}, {-1e6, 1e6}}});
+    const auto read = parseRubric(rubricText(*rubric), "written.toml");
+    ASSERT_TRUE(read) << read.error().message();
+    expectSame(*rubric, *read);
+}
+
 TEST(RubricFile, IsFoundByItsName) {
     const auto unknown = findRubric("class-9");
     ASSERT_FALSE(unknown);
