@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -177,6 +178,72 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_GT(value("removed_enamel"), 0.01);
     EXPECT_GT(value("efficiency"), 0);
     EXPECT_THAT(readText(file("out") + "/report.html"), HasSubstr("Force and depth during the session"));
+}
+
+TEST_F(AssessCommand, AssessesAClassWithARowForEach) {
+    std::filesystem::create_directory(file("class"));
+    (void)cavity("class/ann.stl", 0.05);
+    (void)cavity("class/ben, b.stl", 1.5);
+    (void)text("class/carl.stl", "junk\n");
+    (void)text("class/readme.txt", "no work\n");
+    (void)text("class/.hidden.stl", "junk\n");
+    const ProgramRun run = assess(file("class"));
+    EXPECT_EQ(run.exitCode, 2) << "one cannot be assessed";
+    EXPECT_THAT(run.out, AllOf(HasSubstr("passed"), HasSubstr("failed"), HasSubstr("carl.stl: this is text")));
+    const std::string csv = readText(file("out") + "/class.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << csv;
+    EXPECT_THAT(csv, AllOf(StartsWith("work,mark,result,cleared_share,cleared_share_score,"), HasSubstr("\nann.stl,"),
+                           HasSubstr("\n\"ben, b.stl\","), HasSubstr("\ncarl.stl,,not assessed,")));
+    const std::string html = readText(file("out") + "/class.html");
+    EXPECT_THAT(
+        html, AllOf(HasSubstr("href=\"ben%2C%20b/report.html\""), HasSubstr("1 of 2 passed"), Not(HasSubstr("http"))));
+    for (const char* each : {"ann", "ben, b"}) {
+        EXPECT_TRUE(std::filesystem::exists(file("out") + "/" + each + "/report.pdf"));
+    }
+    EXPECT_FALSE(std::filesystem::exists(file("out") + "/carl"));
+    std::filesystem::remove(file("class/carl.stl"));
+    EXPECT_EQ(assess(file("class")).exitCode, 1) << "one fails";
+    std::filesystem::remove(file("class/ben, b.stl"));
+    EXPECT_EQ(assess(file("class")).exitCode, 0) << "all pass";
+    std::filesystem::remove(file("class/ann.stl"));
+    expectRefused(assess(file("class")), "there is no work in this folder");
+}
+
+/// Ten works of five students, each deeper than the one before; the teachers mark by the depth.
+TEST_F(AssessCommand, CalibratesARubricToTheMarksOfTeachers) {
+    std::filesystem::create_directory(file("class"));
+    std::string marks = "work,student,teacher,mark\n";
+    for (int i = 0; i < 10; ++i) {
+        const std::string name = "w" + std::to_string(i);
+        (void)cavity("class/" + name + ".stl", 0.05 * i);
+        const std::string begin = name + ",s" + std::to_string(i / 2);
+        marks += begin + ",Sato," + std::to_string(95 - 7 * i) + "\n";
+        marks += begin + ",Brown," + std::to_string(91 - 6 * i) + "\n";
+    }
+    const std::vector<std::string> command = {"calibrate",  file("class"),   "--expert", expert(),
+                                              "--original", block(),         "--marks",  text("marks.csv", marks),
+                                              "--out",      file("our.toml")};
+    std::vector<std::string> asJson = command;
+    asJson.emplace_back("--json");
+    const ProgramRun run = runTactooth(asJson);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["works"], 10);
+    EXPECT_EQ(json["students"], 5);
+    EXPECT_GT(json["teachers"]["icc"], 0.8);
+    EXPECT_LT(json["fitted"]["rms"], json["start"]["rms"]);
+    const ProgramRun again = runTactooth({"assess", file("class/w0.stl"), "--expert", expert(), "--original", block(),
+                                          "--rubric", file("our.toml"), "--out", file("out")});
+    EXPECT_EQ(again.exitCode, 0) << again.err;  // the fitted rubric can be used
+    const std::string once = readText(file("our.toml"));
+    std::filesystem::remove(file("class/w9.stl"));
+    expectRefused(runTactooth(command), "10");  // too few
+    EXPECT_EQ(readText(file("our.toml")), once);
+    std::vector<std::string> other = command;
+    other[7] = text("other.csv", "work,student,teacher,mark\nx,y,z,50\n");
+    expectRefused(runTactooth(other), "none of the works has a mark");
+    other[7] = text("bad.csv", "work,student,teacher,mark\nw0,y,z,500\n");
+    expectRefused(runTactooth(other), "bad.csv, line 2");
 }
 
 TEST_F(AssessCommand, RefusesWhatCannotBeAssessed) {

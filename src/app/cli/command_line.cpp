@@ -419,6 +419,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addExercise(program, chosen);
     addScore(program, chosen);
     addAssessCommand(program, chosen);
+    addCalibrateCommand(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
     addSessionCommands(program, chosen);

@@ -6,28 +6,10 @@
 
 #include "assessment/report/assessment_report.h"
 #include "assessment/report/next_steps.h"
-#include "geometry/util/display_text.h"
+#include "assessment/report/table_text.h"
 
 namespace tactooth {
 namespace {
-
-/// A text from a file, on one line and without control characters, as text of a page.
-std::string plain(std::string_view text) {
-    std::string result;
-    for (const char c : displayText(std::string(text))) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4; margin: 14mm }
@@ -61,7 +43,7 @@ std::string head(const AssessmentReport& report) {
     text += "<p>";
     const std::vector<ReportFact> facts = reportFacts(report);
     for (std::size_t i = 0; i < facts.size(); ++i) {
-        const std::string value = i < 2 ? "<b>" + plain(facts[i].value) + "</b>" : plain(facts[i].value);
+        const std::string value = i < 2 ? "<b>" + htmlText(facts[i].value) + "</b>" : htmlText(facts[i].value);
         text += (i > 0 ? "<br>" : "") + std::string(facts[i].title) + ": " + value;
     }
     text += "</p></div>\n";
@@ -79,7 +61,7 @@ std::string scoreCell(const CriterionScore& each) {
 
 std::string criterionRow(const AssessmentReport& report, const CriterionScore& each) {
     const Criterion& criterion = *each.criterion;
-    std::string text = "<tr><td>" + plain(criterion.title);
+    std::string text = "<tr><td>" + htmlText(criterion.title);
     if (criterion.critical) text += " <span class=\"small\">(critical)</span>";
     text += "</td>";
     if (each.measured.value) {
@@ -104,30 +86,30 @@ std::string madeOf(const AssessmentReport& report) {
     text += "</tbody></table>\n";
     text += "<p>" + weightedMeanText(mark) + "</p>\n";
     for (const Criterion* each : mark.limitedBy) {
-        text += "<p><b>The mark is limited by: " + plain(each->title) + "</b></p>\n";
+        text += "<p><b>The mark is limited by: " + htmlText(each->title) + "</b></p>\n";
     }
     return text;
 }
 
 std::string pictures(const AssessmentReport& report) {
     std::string text = "<h2>Distance to the ideal preparation</h2>\n";
-    if (report.pictures.empty()) return text + "<p class=\"none\">" + plain(report.noPictures) + "</p>\n";
+    if (report.pictures.empty()) return text + "<p class=\"none\">" + htmlText(report.noPictures) + "</p>\n";
     text += "<p class=\"small\">" + coloursText(report) + "</p>\n<div class=\"pictures\">\n";
     for (const ReportPicture& each : report.pictures) {
-        text += "<figure><img alt=\"" + plain(each.title) + "\" src=\"data:image/png;base64," + each.pngBase64 +
-                "\"><figcaption>" + plain(each.title) + "</figcaption></figure>\n";
+        text += "<figure><img alt=\"" + htmlText(each.title) + "\" src=\"data:image/png;base64," + each.pngBase64 +
+                "\"><figcaption>" + htmlText(each.title) + "</figcaption></figure>\n";
     }
     return text + "</div>\n";
 }
 
 std::string advice(const AssessmentReport& report) {
     std::string text = "<h2>What to do next</h2>\n<ul>";
-    for (const std::string& step : nextSteps(report)) text += "<li>" + plain(step) + "</li>";
+    for (const std::string& step : nextSteps(report)) text += "<li>" + htmlText(step) + "</li>";
     text += "</ul>\n<h2>The teacher's comment</h2>\n<div class=\"comment\">";
     std::string_view rest = report.comment;
     while (!rest.empty()) {  // lines stay lines
         const std::size_t end = std::min(rest.find('\n'), rest.size());
-        text += plain(rest.substr(0, end)) + "\n";
+        text += htmlText(rest.substr(0, end)) + "\n";
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     return text + "</div>\n";
@@ -138,7 +120,7 @@ std::string sections(const AssessmentReport& report) {
     constexpr double kWidth = 86;  // mm
     std::string text = "<h2>Sections</h2>\n<div class=\"sections\">\n";
     for (const ReportSection& each : report.sections) {
-        text += "<figure style=\"width:86mm\">" + sectionSvg(each, kWidth) + "<figcaption>" + plain(each.title) +
+        text += "<figure style=\"width:86mm\">" + sectionSvg(each, kWidth) + "<figcaption>" + htmlText(each.title) +
                 "</figcaption></figure>\n";
     }
     return text + "</div>\n";
@@ -150,7 +132,7 @@ std::string strip(const AssessmentReport& report) {
     std::string text = "<h2>Force and depth during the session</h2>\n" + stripSvg(*report.strip, kWidth, kHeight);
     text += "<p class=\"small\">";
     for (std::size_t i = 0; i < report.strip->marks.size(); ++i) {
-        text += (i > 0 ? "<br>" : "") + plain(markText(i + 1, report.strip->marks[i]));
+        text += (i > 0 ? "<br>" : "") + htmlText(markText(i + 1, report.strip->marks[i]));
     }
     return text + "</p>\n";
 }
@@ -161,13 +143,13 @@ std::string allMetrics(const AssessmentReport& report) {
         "<th>Definition</th></tr></thead><tbody>\n";
     for (const auto& [metric, measured] : report.metrics) {
         if (!measured.value) continue;
-        text += "<tr><td>" + plain(metric->title) + "</td>";
+        text += "<tr><td>" + htmlText(metric->title) + "</td>";
         text += "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>";
         text += "<td>" + placeAndMomentText(report, measured) + "</td><td class=\"small\">" +
-                plain(metric->definition) + "</td></tr>\n";
+                htmlText(metric->definition) + "</td></tr>\n";
     }
     text += "</tbody></table>\n";
-    for (const std::string& each : notMeasuredTexts(report)) text += "<p class=\"small\">" + plain(each) + "</p>\n";
+    for (const std::string& each : notMeasuredTexts(report)) text += "<p class=\"small\">" + htmlText(each) + "</p>\n";
     return text;
 }
 
@@ -175,10 +157,10 @@ std::string allMetrics(const AssessmentReport& report) {
 
 std::string reportHtml(const AssessmentReport& report) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment: ";
-    text += plain(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
+    text += htmlText(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
     text += head(report) + madeOf(report) + advice(report) + pictures(report) + sections(report) + strip(report) +
             allMetrics(report);
-    text += "<p class=\"small\">" + plain(footerText(report)) + "</p>\n</body></html>\n";
+    text += "<p class=\"small\">" + htmlText(footerText(report)) + "</p>\n</body></html>\n";
     return text;
 }
 

@@ -9,20 +9,12 @@
 
 #include "assessment/preparation/place_name.h"
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/table_text.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
-
-/// One cell of a table. A text that a spreadsheet would take as a formula begins with an apostrophe.
-std::string cell(std::string text) {
-    if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos) text.insert(0, "'");
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
 
 std::string number(const std::optional<double>& value) { return value ? numberText(*value) : std::string(); }
 
@@ -158,11 +150,11 @@ std::string reportCsv(const AssessmentReport& report) {
         text += "criterion," + std::string(criterion.metric->id) + ',' + number(each.measured.value) + ',' +
                 std::string(criterion.metric->unit) + ',' + number(each.score) + ',' + numberText(criterion.weight) +
                 ',' + placeCells(each.measured) + ',' + number(each.measured.moment) + ',' +
-                cell(each.score ? criterion.title : criterion.title + ": " + reasonOf(each.measured)) + '\n';
+                csvCell(each.score ? criterion.title : criterion.title + ": " + reasonOf(each.measured)) + '\n';
     }
     for (const auto& [metric, measured] : report.metrics) {
         text += "metric," + std::string(metric->id) + ',' + number(measured.value) + ',' + std::string(metric->unit) +
-                ",,," + placeCells(measured) + ',' + number(measured.moment) + ',' + cell(reasonOf(measured)) + '\n';
+                ",,," + placeCells(measured) + ',' + number(measured.moment) + ',' + csvCell(reasonOf(measured)) + '\n';
     }
     return text;
 }

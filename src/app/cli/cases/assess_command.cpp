@@ -2,30 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_command.h"
 
-#include "app/cli/cases/assess_input.h"
+#include "app/cli/cases/assess_class.h"
+#include "app/cli/cases/assess_source.h"
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
 #include "app/common/report/make_report.h"
-#include "assessment/exercise_file.h"
 #include "assessment/report/assessment_report.h"
-#include "assessment/rubric/rubric_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {
 namespace {
-
-/// The rubric that the options name, else that of the exercise, else the usual one.
-Expected<Rubric> rubricOf(const AssessOptions& options) {
-    if (!options.rubric.empty()) return findRubric(options.rubric);
-    if (options.exercise.empty()) return findRubric(std::string(kUsualRubric));
-    const Expected<Exercise> exercise = findExercise(options.exercise);
-    if (!exercise) return Unexpected{exercise.error()};
-    return findRubric(exercise->rubric.empty() ? std::string(kUsualRubric) : exercise->rubric);
-}
 
 /// Opens the files before the work starts, so that an obstacle is reported at once.
 Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
@@ -40,13 +30,14 @@ Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
     return {};
 }
 
-Expected<AssessmentReport> assess(const AssessOptions& options, const Rubric& rubric) {
-    Expected<AssessInput> input = loadAssessInput(options);
-    if (!input) return Unexpected{input.error()};
-    printImportNotes(input->importNotes);
-    input->work.name = options.name;
-    input->work.comment = options.comment;
-    return makeReport(input->work, rubric);
+Expected<AssessmentReport> assess(const AssessOptions& options, const AssessSource& source) {
+    std::vector<ImportNote> notes = source.importNotes();
+    Expected<AssessedWork> work = source.workOf(options.student, notes);
+    if (!work) return Unexpected{work.error()};
+    printImportNotes(notes);
+    work->name = options.name;
+    work->comment = options.comment;
+    return makeReport(*work, source.rubric());
 }
 
 void printSummary(const AssessOptions& options, const AssessmentReport& report) {
@@ -72,11 +63,18 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
 }  // namespace
 
 int runAssess(const AssessOptions& options) {
+    std::error_code fault;
+    if (std::filesystem::is_directory(options.student, fault)) {
+        const Expected<AssessSource> source = AssessSource::load(options);
+        if (!source) return reportError(source.error());
+        printImportNotes(source->importNotes());
+        return runAssessClass(options, *source);
+    }
     FileTransaction files;
     if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
-    const Expected<Rubric> rubric = rubricOf(options);
-    if (!rubric) return reportError(rubric.error());
-    const Expected<AssessmentReport> report = assess(options, *rubric);
+    const Expected<AssessSource> source = AssessSource::load(options);
+    if (!source) return reportError(source.error());
+    const Expected<AssessmentReport> report = assess(options, *source);
     if (!report) return reportError(report.error());
     if (const auto written = writeReport(options.out, *report); !written) return reportError(written.error());
     if (const auto named = files.commit(); !named) return reportError(named.error());

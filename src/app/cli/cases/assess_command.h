@@ -8,7 +8,7 @@
 namespace tactooth {
 
 struct AssessOptions {
-    std::filesystem::path student;   ///< a recording, a saved tooth or a surface
+    std::filesystem::path student;   ///< a recording, a saved tooth or a surface, or a folder of them
     std::filesystem::path expert;    ///< the same; empty: `exercise` says what is ideal
     std::string exercise;            ///< a file, or the name of a built-in one; empty: none
     std::string rubric;              ///< a file, or the name of a built-in one; empty: kUsualRubric
@@ -20,8 +20,8 @@ struct AssessOptions {
     bool json = false;          ///< also to the standard output
 };
 
-/// Measures and marks a student's work, and writes the report. Returns kExitOk if it passes and kExitNegative if it
-/// fails.
+/// Measures and marks a student's work, or each work of a folder, and writes the report. Returns kExitOk if it passes
+/// and kExitNegative if it fails.
 [[nodiscard]] int runAssess(const AssessOptions& options);
 
 }  // namespace tactooth

@@ -41,4 +41,20 @@ inline constexpr MessageText kReplayIsNotTheWork{
     "%1：%2 秒以降、再現した内容が記録と異なるため、学生の歯ではありません。保存した歯を指定するか、"
     "記録したプログラムを使ってください。"};
 
+inline constexpr MessageText kFolderUnreadable{"folder_unreadable", "%1: the folder cannot be read (%2).",
+                                               "%1：フォルダーを読めません（%2）。"};
+inline constexpr MessageText kNoWorksInFolder{
+    "no_works_in_folder",
+    "%1: there is no work in this folder; expected recordings (.ttsession), saved teeth (.tactooth) or surfaces (.stl, "
+    ".obj, .ply).",
+    "%1：このフォルダーには作業結果がありません。記録（.ttsession）、保存した歯（.tactooth）、"
+    "または表面（.stl、.obj、.ply）が必要です。"};
+
+inline constexpr MessageText kTwoWorksOfOneName{
+    "two_works_of_one_name", "%1: another work has the same name in the marks; name both with their folders there.",
+    "%1：採点表で同じ名前になる作業結果がほかにあります。採点表では、両方をフォルダー名とともに書いてください。"};
+inline constexpr MessageText kNoWorkHasAMark{
+    "no_work_has_a_mark", "%1: none of the works has a mark; the column 'work' must have the names of their files.",
+    "%1：どの作業結果にも点数がありません。'work' の列には、ファイルの名前を書いてください。"};
+
 }  // namespace tactooth::msg

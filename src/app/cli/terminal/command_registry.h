@@ -34,6 +34,7 @@ void addSealOption(CLI::App& command, bool& seal, CLI::Option* record);
 void addSessionCommands(CLI::App& program, CommandAction& chosen);
 /// The assessment of a student's work.
 void addAssessCommand(CLI::App& program, CommandAction& chosen);
+void addCalibrateCommand(CLI::App& program, CommandAction& chosen);
 /// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// Changes to surfaces.

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/assess_class.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <system_error>
+
+#include "app/cli/cases/messages.h"
+#include "app/cli/terminal/output.h"
+#include "app/common/exit_code.h"
+#include "assessment/report/class_report.h"
+#include "geometry/files/atomic_file.h"
+#include "geometry/files/file_bytes.h"
+#include "geometry/files/file_transaction.h"
+#include "geometry/util/display_text.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::array kExtensions = {".ttsession", ".tactooth", ".stl", ".obj", ".ply"};
+
+std::string lowered(std::string text) {
+    for (char& c : text) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return text;
+}
+
+/// A folder for each work: its name without the extension, or with it where two works have the same name.
+std::vector<std::string> foldersOf(const std::vector<std::filesystem::path>& works) {
+    std::multiset<std::string> stems;
+    for (const auto& work : works) stems.insert(lowered(work.stem().string()));
+    std::vector<std::string> folders;
+    for (const auto& work : works) {
+        const bool isOnly = stems.count(lowered(work.stem().string())) == 1;
+        folders.push_back(isOnly ? work.stem().string() : work.filename().string());
+    }
+    return folders;
+}
+
+/// Assesses one work and leaves its report. Nothing is left of a report that cannot be finished.
+Expected<AssessmentReport> assessOne(const std::filesystem::path& work, const std::filesystem::path& folder,
+                                     const AssessOptions& options, const AssessSource& source) {
+    FileTransaction files;
+    files.reads(work);
+    if (auto made = files.makeFolder(folder); !made) return Unexpected{made.error()};
+    for (const char* name : kReportFiles) {
+        if (auto opened = files.open(folder / name); !opened) return Unexpected{opened.error()};
+    }
+    std::vector<ImportNote> notes;
+    Expected<AssessedWork> assessed = source.workOf(work, notes);
+    if (!assessed) return Unexpected{assessed.error()};
+    assessed->name = work.stem().string();
+    assessed->comment = options.comment;
+    Expected<AssessmentReport> report = makeReport(*assessed, source.rubric());
+    if (!report) return report;
+    if (auto written = writeReport(folder, *report); !written) return Unexpected{written.error()};
+    if (auto named = files.commit(); !named) return Unexpected{named.error()};
+    return report;
+}
+
+Expected<void> openTable(const std::filesystem::path& folder, FileTransaction& files) {
+    if (auto made = files.makeFolder(folder); !made) return made;
+    for (const char* name : {"class.html", "class.csv"}) {
+        if (auto opened = files.open(folder / name); !opened) return opened;
+    }
+    return {};
+}
+
+/// An obstacle is reported before the work starts. Nothing is left.
+Expected<void> checkTable(const std::filesystem::path& folder) {
+    FileTransaction files;
+    return openTable(folder, files);
+}
+
+/// Keeps what the table needs, not the pictures.
+ClassRow rowOf(const std::string& work, const std::string& folder, const Expected<AssessmentReport>& report) {
+    ClassRow row{.work = work, .folder = folder};
+    if (report) {
+        row.mark = report->mark;
+    } else {
+        row.fault = report.error().message();
+    }
+    return row;
+}
+
+void printRow(const ClassRow& row) {
+    const std::string name = displayShort(row.work, 32);
+    if (row.mark) {
+        print("{:<32} {:5.1f}  {}\n", name, *row.mark->value, row.mark->passes ? "passed" : "failed");
+    } else {
+        print("{:<32}     –  {}\n", name, row.fault);
+    }
+}
+
+}  // namespace
+
+Expected<std::vector<std::filesystem::path>> worksIn(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> works;
+    std::error_code fault;
+    for (std::filesystem::directory_iterator each(folder, fault), end; !fault && each != end; each.increment(fault)) {
+        const std::string name = each->path().filename().string();
+        if (name.starts_with('.') || each->is_directory(fault)) continue;
+        if (std::ranges::find(kExtensions, lowered(each->path().extension().string())) != kExtensions.end()) {
+            works.push_back(each->path());
+        }
+    }
+    if (fault) return unexpected(msg::kFolderUnreadable, displayName(folder), fault.message());
+    if (works.empty()) return unexpected(msg::kNoWorksInFolder, displayName(folder));
+    std::ranges::sort(works);
+    return works;
+}
+
+int runAssessClass(const AssessOptions& options, const AssessSource& source) {
+    const auto works = worksIn(options.student);
+    if (!works) return reportError(works.error());
+    if (const auto writable = checkTable(options.out); !writable) return reportError(writable.error());
+    const std::vector<std::string> folders = foldersOf(*works);
+    std::vector<ClassRow> rows;
+    for (std::size_t i = 0; i < works->size(); ++i) {
+        const auto report = assessOne((*works)[i], options.out / folders[i], options, source);
+        rows.push_back(rowOf((*works)[i].filename().string(), folders[i], report));
+        printRow(rows.back());
+    }
+    FileTransaction files;
+    if (const auto opened = openTable(options.out, files); !opened) return reportError(opened.error());
+    if (const auto done = writeFile(options.out / "class.csv", classCsv(rows, source.rubric())); !done)
+        return reportError(done.error());
+    if (const auto done = writeFile(options.out / "class.html", classHtml(rows, source.rubric())); !done)
+        return reportError(done.error());
+    if (const auto named = files.commit(); !named) return reportError(named.error());
+    print("table: {} and class.csv\n", displayName(options.out / "class.html"));
+    const bool isAnyFaulty = std::ranges::any_of(rows, [](const ClassRow& row) { return !row.mark; });
+    const bool isAnyFailed =
+        std::ranges::any_of(rows, [](const ClassRow& row) { return row.mark && !row.mark->passes; });
+    return isAnyFaulty ? kExitBadInput : isAnyFailed ? kExitNegative : kExitOk;
+}
+
+}  // namespace tactooth

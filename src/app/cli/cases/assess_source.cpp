@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cases/assess_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/cli/cases/messages.h"
+#include "app/cli/terminal/messages.h"
+#include "assessment/exercise_file.h"
+#include "assessment/ideal_shape.h"
+#include "assessment/rubric/rubric_file.h"
+#include "geometry/util/number_text.h"
+#include "session/cases/loaded_tooth.h"
+
+namespace tactooth {
+namespace {
+
+/// The teeth beside, before the work and as far as it has cut them.
+void addNeighbours(Preparation& preparation, const GivenTooth& work, const Pose& pose) {
+    if (work.cut == nullptr) return;
+    const MaterialRegistry& materials = work.uncut->materials();
+    const auto adjacent = [&](const SurfacePart& part) {
+        TriangleMesh mesh{part.mesh().vertices, {}};
+        for (std::uint32_t i = part.firstAdjacent(); i < part.mesh().triangles.size(); ++i) {
+            const auto material = static_cast<MaterialId>(part.tag(i));
+            if (!materials.hasRole(material, MaterialRole::Surroundings))
+                mesh.triangles.push_back(part.mesh().triangles[i]);
+        }
+        return transformed(mesh, pose);
+    };
+    TriangleMesh neighbours = adjacent(*work.uncut->outer());
+    if (neighbours.empty()) return;
+    preparation.neighbours = std::make_shared<const SurfacePart>(std::move(neighbours));
+    for (const auto& patch : work.cut->patches) append(preparation.cutNeighbours, adjacent(*patch));
+}
+
+void addPulps(Preparation& preparation) {
+    for (const LayeredTooth::Layer& layer : preparation.tooth->layers()) {
+        if (preparation.tooth->materials().hasRole(layer.material, MaterialRole::Pulp))
+            preparation.pulps.push_back(layer.part);
+    }
+}
+
+/// The direction of the tooth that comes nearest to that into which the ideal preparation opens.
+Vec3 openingOf(const Preparation& preparation) {
+    const CavityWalls walls = cavityWalls(preparation.ideal->mesh(), *preparation.original);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < walls.mesh.triangles.size(); ++i) sum += walls.mesh.areaVector(i);
+    int longest = 2;
+    for (const int axis : {0, 1}) {
+        if (std::abs(sum[axis]) > std::abs(sum[longest])) longest = axis;
+    }
+    return (sum[longest] < 0 ? -1.0 : 1.0) * Vec3::Unit(longest);
+}
+
+}  // namespace
+
+Expected<AssessSource> AssessSource::load(const AssessOptions& options) {
+    if (options.expert.empty() && options.exercise.empty()) return unexpected(msg::kNothingToCompareWith);
+    AssessSource source;
+    source.originalName_ = displayName(options.original);
+    source.align_ = options.align;
+    std::string rubric(kUsualRubric);
+    if (!options.exercise.empty()) {
+        Expected<Exercise> found = findExercise(options.exercise);
+        if (!found) return Unexpected{found.error()};
+        source.exercise_ = std::move(*found);
+        if (!source.exercise_->rubric.empty()) rubric = source.exercise_->rubric;
+    }
+    Expected<Rubric> named = findRubric(options.rubric.empty() ? rubric : options.rubric);
+    if (!named) return Unexpected{named.error()};
+    source.rubric_ = std::move(*named);
+    if (!options.original.empty()) {
+        auto loaded = loadModelOrCase({.outer = options.original, .layers = {}}, {}, std::nullopt, 0.05);
+        if (!loaded) return Unexpected{loaded.error()};
+        source.notes_.insert(source.notes_.end(), loaded->importNotes.begin(), loaded->importNotes.end());
+        source.uncut_ = loaded->piece->volume().tooth();
+    } else if (source.exercise_) {
+        auto tooth = exerciseTooth(*source.exercise_);
+        if (!tooth) return Unexpected{tooth.error()};
+        source.uncut_ = std::move(*tooth);
+    }
+    if (source.uncut_ != nullptr) source.original_ = source.uncut_->ownOuter();
+    if (source.exercise_) {
+        Expected<TriangleMesh> ideal = idealShape(*source.exercise_, source.uncut_);
+        if (!ideal) return Unexpected{ideal.error()};
+        source.ideal_ = std::make_shared<const SurfacePart>(std::move(*ideal));
+    } else {
+        Expected<GivenTooth> expert = loadGivenTooth(options.expert, msg::kExpertsTooth, source.notes_);
+        if (!expert) return Unexpected{expert.error()};
+        source.expert_ = std::move(*expert);
+    }
+    return source;
+}
+
+Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, std::vector<ImportNote>& notes) const {
+    Expected<GivenTooth> student = loadGivenTooth(file, msg::kPreparedTooth, notes);
+    if (!student) return Unexpected{student.error()};
+    const std::shared_ptr<const LayeredTooth>& uncut = uncut_ != nullptr ? uncut_ : student->uncut;
+    if (uncut == nullptr) return unexpected(msg::kNoUncutTooth, displayName(file));
+    AssessedWork work;
+    Preparation& preparation = work.preparation;
+    preparation.original = original_ != nullptr ? original_ : uncut->ownOuter();
+    preparation.mesialX = uncut->toothContext().mesialX;
+    if (auto fits = checkSize(preparation.original->mesh(), originalName_); !fits) return Unexpected{fits.error()};
+    Pose studentInTooth;
+    const auto fit = place(*student, studentInTooth, *preparation.original, align_);
+    if (!fit) return Unexpected{fit.error()};
+    if (student->uncut == nullptr) work.fit = *fit;
+    if (exercise_) {
+        preparation.ideal = ideal_;
+        work.expert = exercise_->name;
+        work.task = exercise_->task;
+        work.tolerance = exercise_->tolerance;
+    } else {
+        GivenTooth expert = *expert_;
+        Pose expertInTooth;
+        const auto lies = place(expert, expertInTooth, *preparation.original, align_);
+        if (!lies) return Unexpected{lies.error()};
+        work.expert = expert.name;
+        preparation.ideal = std::make_shared<const SurfacePart>(std::move(expert.surface));
+    }
+    preparation.prepared = std::make_shared<const SurfacePart>(std::move(student->surface));
+    preparation.tooth = uncut;
+    const bool isLayered = !uncut->layers().empty();
+    if (!isLayered && student->uncut != nullptr && !align_) preparation.tooth = student->uncut;
+    addPulps(preparation);
+    addNeighbours(preparation, *student, studentInTooth);
+    const auto* plan = exercise_ ? std::get_if<PreparationPlan>(&exercise_->ideal) : nullptr;
+    preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
+    work.student = student->name;
+    work.track = student->track;
+    work.date = student->date;
+    return work;
+}
+
+}  // namespace tactooth

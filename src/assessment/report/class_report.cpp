@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/report/class_report.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "assessment/report/assessment_report.h"
+#include "assessment/report/table_text.h"
+#include "geometry/util/number_text.h"
+
+namespace tactooth {
+namespace {
+
+constexpr std::string_view kStyle = R"css(
+@page { size: A4 landscape; margin: 12mm }
+body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, sans-serif; color: #1d2730; margin: 6mm }
+h1 { font-size: 17pt; margin: 0 0 2mm }
+table { border-collapse: collapse } tr { page-break-inside: avoid }
+th { text-align: left; vertical-align: bottom; font-weight: 600; font-size: 8.5pt; color: #55636f }
+td, th { padding: 1mm 3mm 1mm 0; border-bottom: 0.2mm solid #e3e8ec }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums }
+.passed { color: #17603a } .failed { color: #9c2b1a } .small { font-size: 8.5pt; color: #55636f }
+tfoot td { border-top: 0.4mm solid #8a97a1; font-weight: 600 }
+)css";
+
+/// The name of a folder in an address.
+std::string inAddress(std::string_view name) {
+    std::string address;
+    for (const char c : name) {
+        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+                             c == '_' || c == '.';
+        address += isPlain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+    return address;
+}
+
+struct MeanOf {
+    double sum = 0, squares = 0;
+    std::size_t count = 0;
+
+    void add(double value) {
+        sum += value;
+        squares += value * value;
+        ++count;
+    }
+    [[nodiscard]] std::string text() const {
+        if (count == 0) return "–";
+        const auto n = static_cast<double>(count);
+        if (count == 1) return fmt::format("{:.1f}", sum);
+        const double spread = std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1));
+        return fmt::format("{:.1f} ± {:.1f}", sum / n, spread);
+    }
+};
+
+std::string cellOf(const CriterionScore& each) {
+    if (!each.score) return "<td class=\"n\">–</td>";
+    return fmt::format("<td class=\"n\" style=\"color:{}\">{:.0f}</td>", levelColour(*each.level), *each.score);
+}
+
+}  // namespace
+
+std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric) {
+    std::string text = "work,mark,result";
+    for (const Criterion& each : rubric.criteria) text += fmt::format(",{0},{0}_score", each.metric->id);
+    text += ",note\n";
+    for (const ClassRow& row : rows) {
+        text += csvCell(row.work) + ',';
+        if (row.mark) {
+            text += numberText(*row.mark->value) + (row.mark->passes ? ",passed" : ",failed");
+            for (const CriterionScore& each : row.mark->criteria) {
+                text += ',' + (each.measured.value ? numberText(*each.measured.value) : std::string());
+                text += ',' + (each.score ? numberText(*each.score) : std::string());
+            }
+        } else {
+            text += ",not assessed" + std::string(2 * rubric.criteria.size(), ',');
+        }
+        text += ',' + csvCell(row.fault) + '\n';
+    }
+    return text;
+}
+
+std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric) {
+    std::string text =
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment of a "
+        "class</title>\n<style>";
+    text += std::string(kStyle) + "</style></head><body>\n<h1>Assessment of a class</h1>\n";
+    text +=
+        fmt::format("<p>Rubric: {}, pass mark {:.0f}. The columns show the score of each criterion, 0 to 100.</p>\n",
+                    htmlText(rubric.name), rubric.passMark);
+    text += "<table><thead><tr><th>Work</th><th class=\"n\">Mark</th><th>Result</th>";
+    for (const Criterion& each : rubric.criteria) text += "<th class=\"n\">" + htmlText(each.title) + "</th>";
+    text += "</tr></thead><tbody>\n";
+    MeanOf marks;
+    std::vector<MeanOf> scores(rubric.criteria.size());
+    std::size_t passed = 0;
+    for (const ClassRow& row : rows) {
+        if (!row.mark) {
+            text += fmt::format("<tr><td>{}</td><td class=\"n\">–</td><td colspan=\"{}\">{}</td></tr>\n",
+                                htmlText(row.work), 1 + rubric.criteria.size(), htmlText(row.fault));
+            continue;
+        }
+        const bool passes = row.mark->passes;
+        passed += passes ? 1 : 0;
+        marks.add(*row.mark->value);
+        text += fmt::format("<tr><td><a href=\"{}/report.html\">{}</a></td><td class=\"n\">{:.1f}</td>",
+                            inAddress(row.folder), htmlText(row.work), *row.mark->value);
+        text += passes ? "<td class=\"passed\">passed</td>" : "<td class=\"failed\">failed</td>";
+        for (std::size_t i = 0; i < row.mark->criteria.size(); ++i) {
+            const CriterionScore& each = row.mark->criteria[i];
+            if (each.score) scores[i].add(*each.score);
+            text += cellOf(each);
+        }
+        text += "</tr>\n";
+    }
+    text += fmt::format("</tbody><tfoot><tr><td>Mean ± s.d.</td><td class=\"n\">{}</td><td>{} of {} passed</td>",
+                        marks.text(), passed, marks.count);
+    for (const MeanOf& each : scores) text += "<td class=\"n\">" + each.text() + "</td>";
+    return text +
+           "</tr></tfoot></table>\n<p class=\"small\">One trial says little; look at several.</p>\n</body></html>\n";
+}
+
+}  // namespace tactooth
