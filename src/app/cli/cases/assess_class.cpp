@@ -31,11 +31,11 @@ std::string lowered(std::string text) {
 /// A folder for each work: its name without the extension, or with it where two works have the same name.
 std::vector<std::string> foldersOf(const std::vector<std::filesystem::path>& works) {
     std::multiset<std::string> stems;
-    for (const auto& work : works) stems.insert(lowered(work.stem().string()));
+    for (const auto& work : works) stems.insert(lowered(work.stem().native()));
     std::vector<std::string> folders;
     for (const auto& work : works) {
-        const bool isOnly = stems.count(lowered(work.stem().string())) == 1;
-        folders.push_back(isOnly ? work.stem().string() : work.filename().string());
+        const bool isOnly = stems.count(lowered(work.stem().native())) == 1;
+        folders.push_back(isOnly ? work.stem().native() : work.filename().native());
     }
     return folders;
 }
@@ -52,7 +52,7 @@ Expected<AssessmentReport> assessOne(const std::filesystem::path& work, const st
     std::vector<ImportNote> notes;
     Expected<AssessedWork> assessed = source.workOf(work, notes);
     if (!assessed) return Unexpected{assessed.error()};
-    assessed->name = work.stem().string();
+    assessed->name = displayFileName(work.stem());
     assessed->comment = options.comment;
     Expected<AssessmentReport> report = makeReport(*assessed, source.rubric());
     if (!report) return report;
@@ -101,9 +101,9 @@ Expected<std::vector<std::filesystem::path>> worksIn(const std::filesystem::path
     std::vector<std::filesystem::path> works;
     std::error_code fault;
     for (std::filesystem::directory_iterator each(folder, fault), end; !fault && each != end; each.increment(fault)) {
-        const std::string name = each->path().filename().string();
+        const std::string name = each->path().filename().native();
         if (name.starts_with('.') || each->is_directory(fault)) continue;
-        if (std::ranges::find(kExtensions, lowered(each->path().extension().string())) != kExtensions.end()) {
+        if (std::ranges::find(kExtensions, lowered(each->path().extension().native())) != kExtensions.end()) {
             works.push_back(each->path());
         }
     }
@@ -121,7 +121,7 @@ int runAssessClass(const AssessOptions& options, const AssessSource& source) {
     std::vector<ClassRow> rows;
     for (std::size_t i = 0; i < works->size(); ++i) {
         const auto report = assessOne((*works)[i], options.out / folders[i], options, source);
-        rows.push_back(rowOf((*works)[i].filename().string(), folders[i], report));
+        rows.push_back(rowOf(displayFileName((*works)[i]), folders[i], report));
         printRow(rows.back());
     }
     FileTransaction files;

@@ -40,7 +40,7 @@ Expected<std::vector<NamedWork>> markedWorks(const CalibrateOptions& options,
                                              const std::map<std::string, std::string>& students) {
     std::vector<NamedWork> found;
     const auto add = [&](const std::filesystem::path& file, const std::filesystem::path& name) {
-        for (const std::string& id : {name.generic_string(), name.filename().string(), name.stem().string()}) {
+        for (const std::string& id : {name.generic_string(), name.filename().native(), name.stem().native()}) {
             if (!students.contains(id)) continue;
             const bool isNew = std::ranges::find(found, id, &NamedWork::id) == found.end();
             if (isNew) found.push_back({id, file});
