@@ -202,7 +202,15 @@ TEST_F(AssessCommand, AssessesAClassWithARowForEach) {
     }
     EXPECT_FALSE(std::filesystem::exists(file("out") + "/carl"));
     std::filesystem::remove(file("class/carl.stl"));
-    EXPECT_EQ(assess(file("class")).exitCode, 1) << "one fails";
+    const ProgramRun two = assess(file("class"), {"--json"});
+    EXPECT_EQ(two.exitCode, 1) << "one fails";
+    const Json rows = Json::parse(two.out);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0]["work"], "ann.stl");
+    EXPECT_EQ(rows[0]["pass"], true);
+    EXPECT_EQ(rows[1]["folder"], "ben, b");
+    EXPECT_EQ(rows[1]["pass"], false);
+    expectRefused(assess(file("class"), {"--name", "Ann"}), "a folder has many works");
     std::filesystem::remove(file("class/ben, b.stl"));
     EXPECT_EQ(assess(file("class")).exitCode, 0) << "all pass";
     std::filesystem::remove(file("class/ann.stl"));

@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "geometry/util/assert.h"
 

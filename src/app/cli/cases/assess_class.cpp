@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
@@ -18,6 +19,8 @@
 
 namespace tactooth {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr std::array kExtensions = {".ttsession", ".tactooth", ".stl", ".obj", ".ply"};
 
@@ -95,6 +98,19 @@ void printRow(const ClassRow& row) {
     }
 }
 
+/// The numbers of a work are in its own report.json.
+Json jsonOf(const std::vector<ClassRow>& rows) {
+    Json json = Json::array();
+    for (const ClassRow& row : rows) {
+        json.push_back({{"work", row.work},
+                        {"folder", row.folder},
+                        {"mark", row.mark ? Json(*row.mark->value) : Json()},
+                        {"pass", row.mark ? Json(row.mark->passes) : Json()},
+                        {"fault", row.fault.empty() ? Json() : Json(row.fault)}});
+    }
+    return json;
+}
+
 }  // namespace
 
 Expected<std::vector<std::filesystem::path>> worksIn(const std::filesystem::path& folder) {
@@ -122,7 +138,7 @@ int runAssessClass(const AssessOptions& options, const AssessSource& source) {
     for (std::size_t i = 0; i < works->size(); ++i) {
         const auto report = assessOne((*works)[i], options.out / folders[i], options, source);
         rows.push_back(rowOf(displayFileName((*works)[i]), folders[i], report));
-        printRow(rows.back());
+        if (!options.json) printRow(rows.back());
     }
     FileTransaction files;
     if (const auto opened = openTable(options.out, files); !opened) return reportError(opened.error());
@@ -131,7 +147,11 @@ int runAssessClass(const AssessOptions& options, const AssessSource& source) {
     if (const auto done = writeFile(options.out / "class.html", classHtml(rows, source.rubric())); !done)
         return reportError(done.error());
     if (const auto named = files.commit(); !named) return reportError(named.error());
-    print("table: {} and class.csv\n", displayName(options.out / "class.html"));
+    if (options.json) {
+        print("{}\n", jsonOf(rows).dump(1, ' ', false, Json::error_handler_t::replace));
+    } else {
+        print("table: {} and class.csv\n", displayName(options.out / "class.html"));
+    }
     const bool isAnyFaulty = std::ranges::any_of(rows, [](const ClassRow& row) { return !row.mark; });
     const bool isAnyFailed =
         std::ranges::any_of(rows, [](const ClassRow& row) { return row.mark && !row.mark->passes; });

@@ -19,8 +19,8 @@ namespace {
 
 /// Opens the files before the work starts, so that an obstacle is reported at once.
 Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
-    for (const auto& input : {options.student, options.expert, options.original}) files.reads(input);
-    for (const std::string& input : {options.exercise, options.rubric}) {
+    for (const auto& input : {options.student, options.with.expert, options.with.original}) files.reads(input);
+    for (const std::string& input : {options.with.exercise, options.with.rubric}) {
         if (std::filesystem::path(input).has_extension()) files.reads(input);
     }
     if (auto made = files.makeFolder(options.out); !made) return made;
@@ -65,14 +65,15 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
 int runAssess(const AssessOptions& options) {
     std::error_code fault;
     if (std::filesystem::is_directory(options.student, fault)) {
-        const Expected<AssessSource> source = AssessSource::load(options);
+        if (!options.name.empty()) return reportError(Error(Message(msg::kNameForAFolder)));
+        const Expected<AssessSource> source = AssessSource::load(options.with);
         if (!source) return reportError(source.error());
         printImportNotes(source->importNotes());
         return runAssessClass(options, *source);
     }
     FileTransaction files;
     if (const auto opened = openFiles(options, files); !opened) return reportError(opened.error());
-    const Expected<AssessSource> source = AssessSource::load(options);
+    const Expected<AssessSource> source = AssessSource::load(options.with);
     if (!source) return reportError(source.error());
     const Expected<AssessmentReport> report = assess(options, *source);
     if (!report) return reportError(report.error());

@@ -7,13 +7,18 @@
 
 namespace tactooth {
 
-struct AssessOptions {
-    std::filesystem::path student;   ///< a recording, a saved tooth or a surface, or a folder of them
-    std::filesystem::path expert;    ///< the same; empty: `exercise` says what is ideal
+/// What works are compared with.
+struct ComparisonOptions {
+    std::filesystem::path expert;    ///< a recording, a saved tooth or a surface; empty: `exercise` says what is ideal
     std::string exercise;            ///< a file, or the name of a built-in one; empty: none
     std::string rubric;              ///< a file, or the name of a built-in one; empty: kUsualRubric
     std::filesystem::path original;  ///< the uncut tooth; empty: that of the student's file or of the exercise
     bool align = false;
+};
+
+struct AssessOptions {
+    std::filesystem::path student;  ///< a recording, a saved tooth or a surface, or a folder of them
+    ComparisonOptions with;
     std::string name;           ///< of the student, for the report; empty: not known
     std::string comment;        ///< of the teacher, for the report; empty: none
     std::filesystem::path out;  ///< folder

@@ -10,7 +10,7 @@
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/rubric/rubric_file.h"
-#include "geometry/util/number_text.h"
+#include "geometry/files/file_bytes.h"
 #include "session/cases/loaded_tooth.h"
 
 namespace tactooth {
@@ -56,7 +56,7 @@ Vec3 openingOf(const Preparation& preparation) {
 
 }  // namespace
 
-Expected<AssessSource> AssessSource::load(const AssessOptions& options) {
+Expected<AssessSource> AssessSource::load(const ComparisonOptions& options) {
     if (options.expert.empty() && options.exercise.empty()) return unexpected(msg::kNothingToCompareWith);
     AssessSource source;
     source.originalName_ = displayName(options.original);

@@ -19,8 +19,8 @@ namespace tactooth {
 /// rubric.
 class AssessSource {
 public:
-    /// Reads all that the options name, but for the student's work. Fails with one sentence.
-    [[nodiscard]] static Expected<AssessSource> load(const AssessOptions& options);
+    /// Reads all that the options name. Fails with one sentence.
+    [[nodiscard]] static Expected<AssessSource> load(const ComparisonOptions& options);
 
     /// Reads a student's work and places it beside the ideal one, in one frame. Fails with one sentence.
     [[nodiscard]] Expected<AssessedWork> workOf(const std::filesystem::path& file,

@@ -207,14 +207,14 @@ Json jsonOf(const Calibration& result) {
 int runCalibrate(const CalibrateOptions& options) {
     FileTransaction files;
     files.reads(options.marks);
-    for (const auto& input : {options.source.expert, options.source.original}) files.reads(input);
+    for (const auto& input : {options.with.expert, options.with.original}) files.reads(input);
     if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     auto marks = readMarks(options.marks);
     if (!marks) return reportError(marks.error());
     const std::map<std::string, std::string> students = studentsOf(*marks);
     const auto works = markedWorks(options, students);
     if (!works) return reportError(works.error());
-    const Expected<AssessSource> source = AssessSource::load(options.source);
+    const Expected<AssessSource> source = AssessSource::load(options.with);
     if (!source) return reportError(source.error());
     printImportNotes(source->importNotes());
     const auto results = measured(*works, *source, students);

@@ -10,7 +10,7 @@
 namespace tactooth {
 
 struct CalibrateOptions {
-    AssessOptions source;  ///< what the works are compared with; its student and folder are not used
+    ComparisonOptions with;
     std::vector<std::filesystem::path> works;  ///< files, or folders of files
     std::filesystem::path marks;               ///< the teachers' marks
     std::filesystem::path out;                 ///< the fitted rubric

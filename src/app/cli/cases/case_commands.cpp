@@ -77,7 +77,7 @@ void addPack(CLI::App& parent, CommandAction& chosen) {
 }
 
 /// What works are compared with.
-void addSource(CLI::App& command, AssessOptions& options) {
+void addComparison(CLI::App& command, ComparisonOptions& options) {
     CLI::Option* expert =
         command.add_option("--expert", options.expert, "The same of an expert: what is ideal")->type_name("FILE");
     command
@@ -115,7 +115,7 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
             "report for each, and a table of all")
         ->required()
         ->type_name("");
-    addSource(*command, *options);
+    addComparison(*command, options->with);
     command->add_option("--name", options->name, "Name of the student, for the report")->type_name("TEXT");
     command->add_option("--comment", options->comment, "The teacher's comment, for the report")->type_name("TEXT");
     command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
@@ -138,7 +138,7 @@ void addCalibrateCommand(CLI::App& program, CommandAction& chosen) {
                      "CSV file with the columns work, student, teacher and mark (docs/assessment.md)")
         ->required()
         ->type_name("FILE");
-    addSource(*command, options->source);
+    addComparison(*command, options->with);
     command->add_option("--out", options->out, "File (*.toml) for the fitted rubric")->required()->type_name("FILE");
     command->add_flag("--json", options->json, "Prints the result as JSON");
 }

@@ -8,6 +8,7 @@
 
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/messages.h"
+#include "assessment/ideal_shape.h"
 #include "collision/solid/solid_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"

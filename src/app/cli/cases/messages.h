@@ -57,4 +57,9 @@ inline constexpr MessageText kNoWorkHasAMark{
     "no_work_has_a_mark", "%1: none of the works has a mark; the column 'work' must have the names of their files.",
     "%1：どの作業結果にも点数がありません。'work' の列には、ファイルの名前を書いてください。"};
 
+inline constexpr MessageText kNameForAFolder{
+    "name_for_a_folder",
+    "--name is the name of one student, and a folder has many works; name the files by their students.",
+    "--name は一人の学生の名前です。フォルダーには複数の作業結果があるため、ファイルに学生の名前を付けてください。"};
+
 }  // namespace tactooth::msg
