@@ -212,8 +212,10 @@ TEST_F(AssessCommand, AssessesAClassWithARowForEach) {
     EXPECT_EQ(rows[1]["pass"], false);
     expectRefused(assess(file("class"), {"--name", "Ann"}), "a folder has many works");
     std::filesystem::remove(file("class/ben, b.stl"));
+    std::filesystem::rename(file("class/ann.stl"), file("class/class.html.stl"));
     EXPECT_EQ(assess(file("class")).exitCode, 0) << "all pass";
-    std::filesystem::remove(file("class/ann.stl"));
+    EXPECT_TRUE(std::filesystem::exists(file("out") + "/class.html.stl/report.html")) << "beside the table";
+    std::filesystem::remove(file("class/class.html.stl"));
     expectRefused(assess(file("class")), "there is no work in this folder");
 }
 

@@ -31,9 +31,12 @@ std::string lowered(std::string text) {
     return text;
 }
 
-/// A folder for each work: its name without the extension, or with it where two works have the same name.
+constexpr std::array kTableFiles = {"class.html", "class.csv"};
+
+/// A folder for each work: its name without the extension, or with it where two works, or a work and a table, have the
+/// same name.
 std::vector<std::string> foldersOf(const std::vector<std::filesystem::path>& works) {
-    std::multiset<std::string> stems;
+    std::multiset<std::string> stems(kTableFiles.begin(), kTableFiles.end());
     for (const auto& work : works) stems.insert(lowered(work.stem().native()));
     std::vector<std::string> folders;
     for (const auto& work : works) {
@@ -66,7 +69,7 @@ Expected<AssessmentReport> assessOne(const std::filesystem::path& work, const st
 
 Expected<void> openTable(const std::filesystem::path& folder, FileTransaction& files) {
     if (auto made = files.makeFolder(folder); !made) return made;
-    for (const char* name : {"class.html", "class.csv"}) {
+    for (const char* name : kTableFiles) {
         if (auto opened = files.open(folder / name); !opened) return opened;
     }
     return {};
