@@ -249,6 +249,10 @@ TEST_F(AssessCommand, CalibratesARubricToTheMarksOfTeachers) {
     std::filesystem::remove(file("class/w9.stl"));
     expectRefused(runTactooth(command), "10");  // too few
     EXPECT_EQ(readText(file("our.toml")), once);
+    std::vector<std::string> onItself = command;
+    onItself.insert(onItself.end(), {"--rubric", file("our.toml")});
+    expectRefused(runTactooth(onItself), "our.toml");
+    EXPECT_EQ(readText(file("our.toml")), once) << "where the fit begins is not replaced";
     std::vector<std::string> other = command;
     other[7] = text("other.csv", "work,student,teacher,mark\nx,y,z,50\n");
     expectRefused(runTactooth(other), "none of the works has a mark");

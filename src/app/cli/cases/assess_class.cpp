@@ -16,6 +16,9 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/util/display_text.h"
+#include "geometry/util/lower_case.h"
+#include "geometry/util/messages.h"
+#include "geometry/util/system_reason.h"
 
 namespace tactooth {
 namespace {
@@ -24,23 +27,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kExtensions = {".ttsession", ".tactooth", ".stl", ".obj", ".ply"};
 
-std::string lowered(std::string text) {
-    for (char& c : text) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-}
-
 constexpr std::array kTableFiles = {"class.html", "class.csv"};
 
 /// A folder for each work: its name without the extension, or with it where two works, or a work and a table, have the
 /// same name.
 std::vector<std::string> foldersOf(const std::vector<std::filesystem::path>& works) {
     std::multiset<std::string> stems(kTableFiles.begin(), kTableFiles.end());
-    for (const auto& work : works) stems.insert(lowered(work.stem().native()));
+    for (const auto& work : works) stems.insert(toLowerCase(work.stem().native()));
     std::vector<std::string> folders;
     for (const auto& work : works) {
-        const bool isOnly = stems.count(lowered(work.stem().native())) == 1;
+        const bool isOnly = stems.count(toLowerCase(work.stem().native())) == 1;
         folders.push_back(isOnly ? work.stem().native() : work.filename().native());
     }
     return folders;
@@ -51,6 +47,7 @@ Expected<AssessmentReport> assessOne(const std::filesystem::path& work, const st
                                      const AssessOptions& options, const AssessSource& source) {
     FileTransaction files;
     files.reads(work);
+    addInputs(files, options.with);
     if (auto made = files.makeFolder(folder); !made) return Unexpected{made.error()};
     for (const char* name : kReportFiles) {
         if (auto opened = files.open(folder / name); !opened) return Unexpected{opened.error()};
@@ -122,11 +119,11 @@ Expected<std::vector<std::filesystem::path>> worksIn(const std::filesystem::path
     for (std::filesystem::directory_iterator each(folder, fault), end; !fault && each != end; each.increment(fault)) {
         const std::string name = each->path().filename().native();
         if (name.starts_with('.') || each->is_directory(fault)) continue;
-        if (std::ranges::find(kExtensions, lowered(each->path().extension().native())) != kExtensions.end()) {
+        if (std::ranges::find(kExtensions, toLowerCase(each->path().extension().native())) != kExtensions.end()) {
             works.push_back(each->path());
         }
     }
-    if (fault) return unexpected(msg::kFolderUnreadable, displayName(folder), fault.message());
+    if (fault) return unexpected(msg::kFolderNotRead, displayName(folder), systemReason(fault));
     if (works.empty()) return unexpected(msg::kNoWorksInFolder, displayName(folder));
     std::ranges::sort(works);
     return works;

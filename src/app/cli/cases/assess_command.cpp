@@ -19,10 +19,8 @@ namespace {
 
 /// Opens the files before the work starts, so that an obstacle is reported at once.
 Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
-    for (const auto& input : {options.student, options.with.expert, options.with.original}) files.reads(input);
-    for (const std::string& input : {options.with.exercise, options.with.rubric}) {
-        if (std::filesystem::path(input).has_extension()) files.reads(input);
-    }
+    files.reads(options.student);
+    addInputs(files, options.with);
     if (auto made = files.makeFolder(options.out); !made) return made;
     for (const char* name : kReportFiles) {
         if (auto opened = files.open(options.out / name); !opened) return opened;

@@ -56,6 +56,14 @@ Vec3 openingOf(const Preparation& preparation) {
 
 }  // namespace
 
+void addInputs(FileTransaction& files, const ComparisonOptions& options) {
+    files.reads(options.expert);
+    files.reads(options.original);
+    for (const std::string& input : {options.exercise, options.rubric}) {  // or the name of a built-in one
+        if (std::filesystem::path(input).has_extension()) files.reads(input);
+    }
+}
+
 Expected<AssessSource> AssessSource::load(const ComparisonOptions& options) {
     if (options.expert.empty() && options.exercise.empty()) return unexpected(msg::kNothingToCompareWith);
     AssessSource source;

@@ -12,8 +12,12 @@
 #include "app/cli/cases/given_tooth.h"
 #include "app/common/report/make_report.h"
 #include "assessment/exercise.h"
+#include "geometry/files/file_transaction.h"
 
 namespace tactooth {
+
+/// Names the files that the options read, so that no output replaces one of them.
+void addInputs(FileTransaction& files, const ComparisonOptions& options);
 
 /// What works are compared with, read once for all of them: the exercise or the expert's tooth, the uncut tooth and the
 /// rubric.

@@ -207,7 +207,8 @@ Json jsonOf(const Calibration& result) {
 int runCalibrate(const CalibrateOptions& options) {
     FileTransaction files;
     files.reads(options.marks);
-    for (const auto& input : {options.with.expert, options.with.original}) files.reads(input);
+    addInputs(files, options.with);
+    for (const std::filesystem::path& work : options.works) files.reads(work);
     if (const auto opened = files.open(options.out); !opened) return reportError(opened.error());
     auto marks = readMarks(options.marks);
     if (!marks) return reportError(marks.error());

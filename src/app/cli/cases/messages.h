@@ -41,8 +41,6 @@ inline constexpr MessageText kReplayIsNotTheWork{
     "%1：%2 秒以降、再現した内容が記録と異なるため、学生の歯ではありません。保存した歯を指定するか、"
     "記録したプログラムを使ってください。"};
 
-inline constexpr MessageText kFolderUnreadable{"folder_unreadable", "%1: the folder cannot be read (%2).",
-                                               "%1：フォルダーを読めません（%2）。"};
 inline constexpr MessageText kNoWorksInFolder{
     "no_works_in_folder",
     "%1: there is no work in this folder; expected recordings (.ttsession), saved teeth (.tactooth) or surfaces (.stl, "
