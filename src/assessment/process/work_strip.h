@@ -10,7 +10,7 @@
 
 namespace tactooth {
 
-/// Force and depth over the time of a session, for a drawing.
+/// Force and depth over the time of a session, for a drawing (report/strip_svg.h).
 struct WorkStrip {
     struct Column {
         double force = 0;  ///< the greatest on the hand while the tool touches, N
@@ -30,8 +30,5 @@ struct WorkStrip {
 /// them at most.
 [[nodiscard]] WorkStrip workStrip(const SessionTrack& track, const SurfacePart& original, std::size_t columns,
                                   std::size_t mostMarks);
-
-/// A drawing (SVG) of this size, mm. The marks have their numbers, from 1.
-[[nodiscard]] std::string stripSvg(const WorkStrip& strip, double width, double height);
 
 }  // namespace tactooth

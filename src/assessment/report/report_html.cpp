@@ -6,6 +6,7 @@
 
 #include "assessment/report/assessment_report.h"
 #include "assessment/report/next_steps.h"
+#include "assessment/report/strip_svg.h"
 #include "assessment/report/table_text.h"
 
 namespace tactooth {

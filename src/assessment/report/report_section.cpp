@@ -9,6 +9,7 @@
 
 #include "assessment/messages.h"
 #include "assessment/preparation/place_name.h"
+#include "assessment/report/svg_text.h"
 #include "collision/bvh/closest_point.h"
 
 namespace tactooth {
@@ -104,20 +105,13 @@ constexpr std::string_view kPrepared = "stroke=\"#1d2730\" stroke-width=\"0.35\"
 constexpr std::string_view kIdeal = "stroke=\"#1c66b8\" stroke-width=\"0.35\"";
 constexpr std::string_view kPulp = "stroke=\"#b23a24\" stroke-width=\"0.25\"";
 
-std::string text(double x, double y, std::string_view anchor, std::string_view words) {
-    return fmt::format(
-        "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\" fill=\"#55636f\" font-size=\"2.6\">{}</text>\n", x, y,
-        anchor, words);
-}
-
 /// What the lines mean, from `x` on.
 std::string legend(double y, bool hasPulp) {
     std::string legend;
     double x = 0;
     const auto add = [&](std::string_view style, std::string_view words, double width) {
-        legend += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.2f}\" x2=\"{2:.1f}\" y2=\"{1:.2f}\" {3}/>\n", x, y - 0.9,
-                              x + 5, style);
-        legend += text(x + 6, y, "start", words);
+        legend += svgLine(x, y - 0.9, x + 5, y - 0.9, style);
+        legend += svgText(x + 6, y, "start", words);
         x += width;
     };
     add(kPrepared, "prepared", 21);
@@ -152,19 +146,14 @@ double sectionHeight(const ReportSection& section, double width) {
 std::string sectionSvg(const ReportSection& section, double width) {
     const Drawing drawing(section, width);
     const double height = sectionHeight(section, width), bottom = height - kLegend;
-    std::string svg = fmt::format(
-        "<svg width=\"{0:.1f}mm\" height=\"{1:.1f}mm\" viewBox=\"0 0 {0:.1f} "
-        "{1:.1f}\" font-family=\"Noto Sans, Arial, sans-serif\" font-weight=\"normal\">\n",
-        width, height);
+    std::string svg = svgHead(width, height);
     svg += drawing.filled(section.prepared, "#f4ecd9") + drawing.filled(section.pulp, "#f3d9d4");
     svg += drawing.drawn(section.uncut, kUncut) + drawing.drawn(section.pulp, kPulp);
     svg += drawing.drawn(section.prepared, kPrepared) + drawing.drawn(section.ideal, kIdeal);
     const double row = bottom + 3.4, scaleBar = drawing.onPaper(1), middle = width / 2;
-    svg += text(0, row, "start", section.left) + text(width, row, "end", section.right);
-    svg += fmt::format(
-        "<line x1=\"{0:.2f}\" y1=\"{2:.2f}\" x2=\"{1:.2f}\" y2=\"{2:.2f}\" stroke=\"#1d2730\" stroke-width=\"0.5\"/>\n",
-        middle - scaleBar, middle, row - 0.9);
-    svg += text(middle + 1, row, "start", "1 mm") + legend(row + 4, !section.pulp.empty());
+    svg += svgText(0, row, "start", section.left) + svgText(width, row, "end", section.right);
+    svg += svgLine(middle - scaleBar, row - 0.9, middle, row - 0.9, "stroke=\"#1d2730\" stroke-width=\"0.5\"");
+    svg += svgText(middle + 1, row, "start", "1 mm") + legend(row + 4, !section.pulp.empty());
     return svg + "</svg>\n";
 }
 

@@ -9,6 +9,7 @@
 #include "app/common/offscreen_application.h"
 #include "app/common/report/pdf_pages.h"
 #include "assessment/report/next_steps.h"
+#include "assessment/report/strip_svg.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {

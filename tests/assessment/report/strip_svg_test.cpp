@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/process/work_strip.h"
+#include "assessment/report/strip_svg.h"
 
 #include <gmock/gmock.h>
 
@@ -17,7 +17,7 @@ WorkStrip someStrip() {
     return strip;
 }
 
-TEST(WorkStrip, DrawsBothCurvesTheTimeAndTheMarks) {
+TEST(StripSvg, DrawsBothCurvesTheTimeAndTheMarks) {
     const std::string svg = stripSvg(someStrip(), 182, 40);
     for (const char* words : {"force, N", "depth, mm", ">0:00<", ">1:30<", ">1<", ">2<", ">3<", "#b23a24"}) {
         EXPECT_THAT(svg, HasSubstr(words));
@@ -26,7 +26,7 @@ TEST(WorkStrip, DrawsBothCurvesTheTimeAndTheMarks) {
     EXPECT_THAT(svg, Not(HasSubstr("inf")));
 }
 
-TEST(WorkStrip, OfNothingIsAnEmptyPlot) {
+TEST(StripSvg, OfNothingIsAnEmptyPlot) {
     const std::string svg = stripSvg({.seconds = 0, .columns = {{}}, .marks = {}}, 182, 40);
     EXPECT_THAT(svg, HasSubstr("force, N"));
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
