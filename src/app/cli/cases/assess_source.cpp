@@ -67,7 +67,7 @@ void addInputs(FileTransaction& files, const ComparisonOptions& options) {
 Expected<AssessSource> AssessSource::load(const ComparisonOptions& options) {
     if (options.expert.empty() && options.exercise.empty()) return unexpected(msg::kNothingToCompareWith);
     AssessSource source;
-    source.originalName_ = displayName(options.original);
+    if (!options.original.empty()) source.originalName_ = displayName(options.original);
     source.align_ = options.align;
     std::string rubric(kUsualRubric);
     if (!options.exercise.empty()) {
@@ -111,7 +111,8 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     Preparation& preparation = work.preparation;
     preparation.original = original_ != nullptr ? original_ : uncut->ownOuter();
     preparation.mesialX = uncut->toothContext().mesialX;
-    if (auto fits = checkSize(preparation.original->mesh(), originalName_); !fits) return Unexpected{fits.error()};
+    const std::string& original = originalName_.empty() ? student->name : originalName_;
+    if (auto fits = checkSize(preparation.original->mesh(), original); !fits) return Unexpected{fits.error()};
     Pose studentInTooth;
     const auto fit = place(*student, studentInTooth, *preparation.original, align_);
     if (!fit) return Unexpected{fit.error()};

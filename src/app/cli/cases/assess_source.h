@@ -42,7 +42,7 @@ private:
     std::shared_ptr<const SurfacePart> ideal_;     // of the exercise
     std::shared_ptr<const LayeredTooth> uncut_;    // null: that of each work
     std::shared_ptr<const SurfacePart> original_;  // its surface
-    std::string originalName_;
+    std::string originalName_;                     // empty: it comes with the work
     bool align_ = false;
     std::vector<ImportNote> notes_;
 };

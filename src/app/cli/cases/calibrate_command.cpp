@@ -23,6 +23,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/util/display_text.h"
+#include "session/io/unicode_text.h"
 
 namespace tactooth {
 namespace {
@@ -39,8 +40,10 @@ struct NamedWork {
 Expected<std::vector<NamedWork>> markedWorks(const CalibrateOptions& options,
                                              const std::map<std::string, std::string>& students) {
     std::vector<NamedWork> found;
-    const auto add = [&](const std::filesystem::path& file, const std::filesystem::path& name) {
-        for (const std::string& id : {name.generic_string(), name.filename().native(), name.stem().native()}) {
+    const auto add = [&](const std::filesystem::path& file) {
+        const std::filesystem::path name = file.lexically_normal();
+        for (const std::string& given : {name.native(), name.filename().native(), name.stem().native()}) {
+            const std::string id = composed(given);  // as in the marks
             if (!students.contains(id)) continue;
             const bool isNew = std::ranges::find(found, id, &NamedWork::id) == found.end();
             if (isNew) found.push_back({id, file});
@@ -57,7 +60,7 @@ Expected<std::vector<NamedWork>> markedWorks(const CalibrateOptions& options,
             files = std::move(*inside);
         }
         for (const std::filesystem::path& file : files) {
-            if (!add(file, file.lexically_normal())) return unexpected(msg::kTwoWorksOfOneName, displayName(file));
+            if (!add(file)) return unexpected(msg::kTwoWorksOfOneName, displayName(file));
         }
     }
     if (found.empty()) return unexpected(msg::kNoWorkHasAMark, displayName(options.marks));

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/cases/assess_command.h"
-#include "app/cli/cases/calibrate_command.h"
 #include "app/cli/cases/case_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
@@ -76,72 +74,7 @@ void addPack(CLI::App& parent, CommandAction& chosen) {
         ->type_name("FILE");
 }
 
-/// What works are compared with.
-void addComparison(CLI::App& command, ComparisonOptions& options) {
-    CLI::Option* expert =
-        command.add_option("--expert", options.expert, "The same of an expert: what is ideal")->type_name("FILE");
-    command
-        .add_option(
-            "--exercise", options.exercise,
-            "Exercise that says what is ideal: a TOML file, or a built-in one, as class-1-46 (docs/exercises.md)")
-        ->excludes(expert)
-        ->type_name("EXERCISE");
-    command
-        .add_option(
-            "--rubric", options.rubric,
-            "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default, unless the exercise "
-            "has another), "
-            "near-ideal-strict, class-1, class-3, class-5 or endodontic-access")
-        ->type_name("RUBRIC");
-    command
-        .add_option("--original", options.original,
-                    "The uncut tooth (default: that of the exercise, or of the student's file)")
-        ->type_name("FILE");
-    command.add_flag("--align", options.align, "Lays scans on the uncut tooth first, by what is not prepared");
-}
-
 }  // namespace
-
-void addAssessCommand(CLI::App& program, CommandAction& chosen) {
-    const auto options = std::make_shared<AssessOptions>();
-    CLI::App* command =
-        addCommand(program, chosen, "assess",
-                   "Measures and marks a student's work against an expert's tooth or an exercise, and writes a report.",
-                   options, runAssess);
-    command
-        ->add_option(
-            "STUDENT", options->student,
-            "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm); or a folder of them: a "
-            "report for each, and a table of all")
-        ->required()
-        ->type_name("");
-    addComparison(*command, options->with);
-    command->add_option("--name", options->name, "Name of the student, for the report")->type_name("TEXT");
-    command->add_option("--comment", options->comment, "The teacher's comment, for the report")->type_name("TEXT");
-    command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
-        ->required()
-        ->type_name("DIR");
-    command->add_flag("--json", options->json, "Also writes report.json to the standard output");
-}
-
-void addCalibrateCommand(CLI::App& program, CommandAction& chosen) {
-    const auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* command = addCommand(program, chosen, "calibrate",
-                                   "Fits a rubric to a school's own marks, and says how far the program agrees with "
-                                   "its teachers.",
-                                   options, runCalibrate);
-    command->add_option("WORKS", options->works, "Works as for 'assess', or folders of them")
-        ->required()
-        ->type_name("");
-    command
-        ->add_option("--marks", options->marks,
-                     "CSV file with the columns work, student, teacher and mark (docs/assessment.md)")
-        ->required()
-        ->type_name("FILE");
-    addComparison(*command, options->with);
-    command->add_option("--out", options->out, "File (*.toml) for the fitted rubric")->required()->type_name("FILE");
-    command->add_flag("--json", options->json, "Prints the result as JSON");
-}
 
 void addCaseCommands(CLI::App& program, CommandAction& chosen) {
     CLI::App* parent = program.add_subcommand(
