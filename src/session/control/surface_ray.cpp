@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/control/surface_ray.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "collision/narrow/triangle3.h"
@@ -39,21 +39,67 @@ Meeting meeting(const Ray& ray, const Triangle3& triangle) {
     return {t, determinant < 0, nullptr, 0};
 }
 
-/// Distance to the entry into child `i` of a node; kNever if the ray misses the box or enters it after `best`.
-double entry(const AabbTree::Node& node, int i, const Ray& ray, double best) {
-    if (!(node.low[0][i] <= node.high[0][i])) return kNever;
-    double enter = 0;
-    double leave = best;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double inverse = 1 / ray.direction[axis];
-        const double first = (node.low[axis][i] - ray.origin[axis]) * inverse;
-        const double second = (node.high[axis][i] - ray.origin[axis]) * inverse;
-        enter = std::fmax(enter, std::fmin(first, second));
-        leave = std::fmin(leave, std::fmax(first, second));
+/// A ray as the boxes of a tree are tested with it: the children of a node at once.
+class BoxRay {
+public:
+    explicit BoxRay(const Ray& ray) : origin_(ray.origin) {
+        for (int axis = 0; axis < 3; ++axis) inverse_[axis] = std::clamp(1 / ray.direction[axis], -kSteep, kSteep);
     }
-    constexpr double kRounding = 1e-9;  // mm: a box as thin as the triangle in it must not be missed
-    return enter <= leave + kRounding ? enter : kNever;
-}
+    /// Distances to the entries into the children of a node; kNever where the ray misses the box or enters it after
+    /// `best`.
+    [[nodiscard]] std::array<double, AabbTree::kWidth> entries(const AabbTree::Node& node, double best) const {
+        std::array<double, AabbTree::kWidth> enter{}, leave;
+        leave.fill(best);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int i = 0; i < AabbTree::kWidth; ++i) {
+                const double first = (node.low[axis][i] - origin_[axis]) * inverse_[axis];
+                const double second = (node.high[axis][i] - origin_[axis]) * inverse_[axis];
+                enter[i] = std::max(enter[i], std::min(first, second));
+                leave[i] = std::min(leave[i], std::max(first, second));
+            }
+        }
+        constexpr double kRounding = 1e-9;  // mm: a box as thin as the triangle in it must not be missed
+        for (int i = 0; i < AabbTree::kWidth; ++i) {
+            const bool isMet = node.low[0][i] <= node.high[0][i] && enter[i] <= leave[i] + kRounding;
+            if (!isMet) enter[i] = kNever;
+        }
+        return enter;
+    }
+
+private:
+    /// Stands for infinity along an axis that the ray is across of: 0 times it is 0, so that a ray in the side of a box
+    /// meets the box.
+    static constexpr double kSteep = 1e300;
+
+    Vec3 origin_;
+    Vec3 inverse_;
+};
+
+/// Nodes and leaves that a ray enters, the nearest on top.
+class NearestFirst {
+public:
+    struct Entry {
+        AabbTree::Link link;
+        double distance;  // to the entry, mm
+    };
+
+    explicit NearestFirst(AabbTree::Link root) { entries_[size_++] = {root, 0}; }
+    [[nodiscard]] bool empty() const { return size_ == 0; }
+    [[nodiscard]] Entry pop() { return entries_[--size_]; }
+    void push(const AabbTree::Node& node, const std::array<double, AabbTree::kWidth>& distances) {
+        const int first = size_;
+        for (int i = 0; i < AabbTree::kWidth; ++i) {
+            if (distances[i] == kNever) continue;
+            int at = size_++;
+            for (; at > first && entries_[at - 1].distance < distances[i]; --at) entries_[at] = entries_[at - 1];
+            entries_[at] = {node.child[i], distances[i]};
+        }
+    }
+
+private:
+    std::array<Entry, AabbTree::kStackSize> entries_;
+    int size_ = 0;
+};
 
 /// Which sides of the triangles count.
 enum class Sides { Both, Outside };
@@ -61,16 +107,14 @@ enum class Sides { Both, Outside };
 Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, Sides sides, Meeting best) {
     const auto& [tree, hidden] = visible;
     if (tree.empty()) return best;
-    std::array<AabbTree::Link, AabbTree::kStackSize> stack;
-    int size = 0;
-    stack[size++] = tree.rootLink();
-    while (size > 0) {
-        const AabbTree::Link link = stack[--size];
+    const BoxRay boxRay(ray);
+    NearestFirst waiting(tree.rootLink());
+    while (!waiting.empty()) {
+        const auto [link, distance] = waiting.pop();
+        if (distance > best.distance) continue;
         if (!link.isLeaf()) {
             const AabbTree::Node& node = tree.node(link);
-            for (int i = 0; i < AabbTree::kWidth; ++i) {
-                if (entry(node, i, ray, best.distance) < kNever) stack[size++] = node.child[i];
-            }
+            waiting.push(node, boxRay.entries(node, best.distance));
             continue;
         }
         const AabbTree::Leaf& leaf = tree.leaf(link);

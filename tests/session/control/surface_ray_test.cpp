@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "support/shapes.h"
@@ -74,6 +75,39 @@ TEST(SurfaceRay, WhatIsBehindIsNotHit) {
 }
 
 /// Closed form: a place inside a ball, and the way out of it.
+/// Rays in the sides of the boxes of the tree, where nothing is to be divided by: all numbers here are exact.
+TEST(SurfaceRay, ARayAlongTheSideOfABoxMeetsWhatIsThere) {
+    constexpr int kCells = 16;
+    constexpr float kPitch = 0.25F;
+    TriangleMesh floor;
+    for (int y = 0; y <= kCells; ++y) {
+        for (int x = 0; x <= kCells; ++x) {
+            floor.vertices.emplace_back(kPitch * static_cast<float>(x), kPitch * static_cast<float>(y), 0);
+        }
+    }
+    for (int y = 0; y < kCells; ++y) {
+        for (int x = 0; x < kCells; ++x) {
+            const auto corner = static_cast<std::uint32_t>(y * (kCells + 1) + x);
+            floor.triangles.push_back({corner, corner + 1, corner + kCells + 2});
+            floor.triangles.push_back({corner, corner + kCells + 2, corner + kCells + 1});
+        }
+    }
+    Surface surface;
+    surface.base = std::make_shared<const SurfacePart>(std::move(floor));
+    for (int y = 0; y <= 2 * kCells; ++y) {
+        for (int x = 0; x <= 2 * kCells; ++x) {
+            const Vec3 place(0.125 * x, 0.125 * y, 2);
+            for (const double zero : {0.0, -0.0}) {
+                EXPECT_EQ(firstHit(surface, {place, Vec3(zero, zero, -1)}), 2) << place.transpose();
+            }
+        }
+    }
+    for (const double beside : {-0.001, 4.001}) {
+        EXPECT_FALSE(firstHit(surface, {Vec3(beside, 2, 2), -Vec3::UnitZ()}));
+        EXPECT_FALSE(firstHit(surface, {Vec3(2, beside, 2), -Vec3::UnitZ()}));
+    }
+}
+
 TEST(SurfaceRay, DepthInsideABallIsTheWayOut) {
     const Surface surface = ball();
     std::mt19937 random(8);
