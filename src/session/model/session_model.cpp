@@ -9,6 +9,7 @@
 
 #include "haptics/overload_check.h"
 #include "session/audio/tick_sound.h"
+#include "session/live/live_stream.h"
 #include "session/model/instrument_poses.h"
 
 namespace tactooth {
@@ -118,6 +119,13 @@ void SessionModel::recordTo(const RecordingFolder& folder, std::shared_ptr<const
     keeper_->forget();
 }
 
+void SessionModel::streamTo(std::shared_ptr<LiveStream> stream) {
+    stream_ = std::move(stream);
+    if (runner_ == nullptr) return;
+    stop();  // its servo thread uses the stream before
+    needsRunner_ = true;
+}
+
 void SessionModel::stopRecording() {
     if (!keeper_->folder()) return;
     if (keeper_->isRecording()) {
@@ -212,10 +220,12 @@ void SessionModel::startRunner() {
     stop();  // its threads end before the new ones begin: they share the cut model and the device
     runner_ = std::make_unique<LiveRunner>(
         tooth_->piece, bur_->instrument, haptics_, devices_.active(),
-        [this, tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
+        [this, stream = stream_,
+         tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
             DrillSoundState heard = tickSound.at(tick);
             instruments_.muteIdle(heard);
             sound_.publish(heard);
+            if (stream != nullptr && streamAllowed_) stream->write(tick);
         },
         hand_.rate, registration(), devices_.second(), currentControls(), keeper_->begin({bur_->instrument, haptics_}));
     reportedOverload_ = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -17,6 +18,8 @@
 #include "sound/output/sound_output.h"
 
 namespace tactooth {
+
+class LiveStream;
 
 /// How the user's hands work with the devices.
 struct HandSettings {
@@ -71,6 +74,10 @@ public:
     /// may. Not so in an examination.
     void setDepthStop(bool on) { depthStop_ = on; }
     void setDepthStopAllowed(bool allowed) { depthStopAllowed_ = allowed; }
+    /// From the next tick on, each tick goes there, too. Null: nowhere.
+    void streamTo(std::shared_ptr<LiveStream> stream);
+    /// Whether ticks may go there. Not so in an examination.
+    void setStreamAllowed(bool allowed) { streamAllowed_ = allowed; }
     /// A change that is no cut was made; its functions undo and redo it.
     void noteChange(WorkStep step);
 
@@ -175,6 +182,8 @@ private:
     bool paused_ = false;
     bool editsAllowed_ = true;
     bool depthStop_ = false, depthStopAllowed_ = true;
+    std::shared_ptr<LiveStream> stream_;
+    std::atomic<bool> streamAllowed_{true};
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/live/live_stream.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <poll.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,41 +12,12 @@
 #include <sstream>
 #include <thread>
 
+#include "live/udp_listener.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
 namespace tactooth {
 namespace {
-
-/// A socket on a free port of the loopback.
-class Listener {
-public:
-    Listener() : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
-        sockaddr_in place{};
-        place.sin_family = AF_INET;
-        place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        EXPECT_EQ(::bind(socket_, reinterpret_cast<sockaddr*>(&place), sizeof place), 0);
-        socklen_t size = sizeof place;
-        EXPECT_EQ(::getsockname(socket_, reinterpret_cast<sockaddr*>(&place), &size), 0);
-        port_ = ntohs(place.sin_port);
-    }
-    ~Listener() { ::close(socket_); }
-    Listener(const Listener&) = delete;
-    Listener& operator=(const Listener&) = delete;
-    [[nodiscard]] int port() const { return port_; }
-    /// Empty if nothing comes within ten seconds.
-    [[nodiscard]] std::vector<std::byte> next() const {
-        pollfd waiting{socket_, POLLIN, 0};
-        if (::poll(&waiting, 1, 10'000) <= 0) return {};
-        std::vector<std::byte> bytes(2048);
-        bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::recv(socket_, bytes.data(), bytes.size(), 0))));
-        return bytes;
-    }
-
-private:
-    int socket_;
-    int port_ = 0;
-};
 
 Tick someTick(std::uint32_t number) {
     Tick tick;
@@ -65,8 +32,8 @@ Tick someTick(std::uint32_t number) {
 }
 
 TEST(LiveStream, SendsTheNewestTick) {
-    const Listener listener;
-    const auto stream = LiveStream::open("udp://127.0.0.1:" + std::to_string(listener.port()));
+    const test::UdpListener listener;
+    const auto stream = LiveStream::open(listener.url());
     ASSERT_TRUE(stream) << stream.error().message();
     (*stream)->write(someTick(7));
     const std::vector<std::byte> datagram = listener.next();
@@ -86,7 +53,7 @@ TEST(LiveStream, TheLinesOfThePageReadIt) {
     std::ofstream(folder / "read.py") << lines;
     int port = 0;
     {
-        const Listener free;
+        const test::UdpListener free;
         port = free.port();
     }
     const pid_t reader = ::fork();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "live/udp_listener.h"
 #include "model/model_scene.h"
+#include "session/live/live_stream.h"
 #include "session/model/session_model.h"
 #include "session/recording/recording_seal.h"
 #include "support/test_data.h"
@@ -82,6 +84,20 @@ TEST_F(ExaminationSession, ARecordingThatRunsUnsignedIsReplacedByASignedOneIfNot
     test::cutBlock(model_);
     model_.finishRecording();
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+}
+
+/// No numbers: neither on the screen nor anywhere else.
+TEST_F(ExaminationSession, SendsNoTicks) {
+    const test::UdpListener listener;
+    auto stream = LiveStream::open(listener.url());
+    ASSERT_TRUE(stream) << stream.error().message();
+    model_.streamTo(std::move(*stream));
+    model_.setStreamAllowed(false);
+    begin();
+    goOnFor(0.2);
+    EXPECT_FALSE(listener.hasDatagram());
+    model_.setStreamAllowed(true);
+    EXPECT_EQ(listener.next().size(), kStreamBytes);
 }
 
 }  // namespace

@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "devices/simulated/scripted_device.h"
+#include "live/udp_listener.h"
 #include "model/model_scene.h"
 #include "model/slow_device.h"
+#include "session/live/live_stream.h"
 #include "support/materials.h"
 
 namespace tactooth {
@@ -73,6 +75,22 @@ TEST(SessionModel, WithoutAToothNothingFitsAndMesialIsAtPlusX) {
     EXPECT_EQ(model.mesialX(), 1);
     model.resetTooth();  // nothing happens
     EXPECT_TRUE(model.log().ticks().empty());
+}
+
+TEST_F(SessionModelTest, SendsItsTicksWhereItIsTold) {
+    const test::UdpListener listener;
+    auto stream = LiveStream::open(listener.url());
+    ASSERT_TRUE(stream) << stream.error().message();
+    model_.streamTo(std::move(*stream));
+    (void)model_.step(0);
+    EXPECT_EQ(listener.next().size(), kStreamBytes);
+    model_.streamTo(nullptr);
+    ASSERT_TRUE(ticksCome());
+    while (listener.hasDatagram()) (void)listener.next();
+    model_.install(test::flatSessionBur());
+    (void)model_.step(0);
+    ASSERT_TRUE(ticksCome());
+    EXPECT_FALSE(listener.hasDatagram());
 }
 
 TEST_F(SessionModelTest, AStepWithoutAChangeKeepsTheRunner) {

@@ -115,6 +115,17 @@ void addRecordings(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
 }
 
+void addStream(CLI::App& program, WindowArguments& arguments) {
+    program
+        .add_option(
+            "--stream", arguments.stream,
+            "Sends the newest tick there by UDP, at most a thousand times a second (docs/live-stream.md); not in "
+            "an examination")
+        ->type_name("udp://HOST:PORT")
+        ->excludes("--sealed")
+        ->group(kGroup);
+}
+
 /// One option for each stored setting.
 void addSettings(CLI::App& program, WindowArguments& arguments) {
     for (const WindowOption& option : windowOptions()) {
@@ -151,6 +162,7 @@ void addWindowArguments(CLI::App& program, WindowArguments& arguments) {
     addMouthAndBur(program, arguments);
     addExercise(program, arguments);
     addRecordings(program, arguments);
+    addStream(program, arguments);
     addSettings(program, arguments);
 }
 
@@ -192,6 +204,7 @@ int runWindowCommand(const WindowArguments& arguments) {
     if (!arguments.bur.empty()) options.bur = arguments.bur;
     options.recordings = arguments.recordings;
     options.records = !arguments.noRecord;
+    options.stream = arguments.stream;
     options.sealed = arguments.sealed;
     options.settings = arguments.settings;
     options.device = arguments.device;

@@ -23,6 +23,7 @@ struct WindowArguments {
     std::string bur;
     std::string recordings;
     bool noRecord = false;
+    std::string stream;
     bool sealed = false;
     std::map<std::string, std::string> settings;  ///< the key is the flag
     std::optional<std::string> device;

@@ -26,6 +26,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/unfinished_files.h"
 #include "haptics/real_time.h"
+#include "session/live/live_stream.h"
 #include "session/recording/session_recording.h"
 #include "session/recording/station_key.h"
 #include "sound/output/openal_output.h"
@@ -86,6 +87,14 @@ Expected<std::shared_ptr<const SigningKey>> sealFor(const WindowOptions& options
     Expected<StationKey> station = openStationKey();
     if (!station) return Unexpected{station.error()};
     return station->key;
+}
+
+/// Null if nothing is sent.
+Expected<std::shared_ptr<LiveStream>> streamFor(const WindowOptions& options) {
+    if (options.stream.empty()) return std::shared_ptr<LiveStream>();
+    auto stream = LiveStream::open(options.stream);
+    if (!stream) return Unexpected{stream.error()};
+    return std::shared_ptr<LiveStream>(std::move(*stream));
 }
 
 /// What the user should know about the settings file. A file that is not TOML is renamed.
@@ -161,6 +170,8 @@ int runWindow(const WindowOptions& options) {
     }
     const Expected<std::shared_ptr<const SigningKey>> seal = sealFor(options);
     if (!seal) return reportError(seal.error());
+    Expected<std::shared_ptr<LiveStream>> stream = streamFor(options);
+    if (!stream) return reportError(stream.error());
     if (!display) return reportError(display.error());
     int argc = 1;
     char name[] = "tactooth";
@@ -184,6 +195,7 @@ int runWindow(const WindowOptions& options) {
     if (options.records) {
         holder.setRecordings(options.recordings.empty() ? defaultRecordingFolder() : options.recordings);
     }
+    holder.setStream(std::move(*stream));
     holder.setExamination(*seal);
     MainWindow& window = holder.open(*start);
     const bool isOwnTooth = tooth->has_value();

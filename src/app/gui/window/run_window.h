@@ -22,6 +22,7 @@ struct WindowOptions {
     std::optional<std::filesystem::path> bur;
     std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
     bool records = true;                          ///< false: nothing is kept or restored
+    std::string stream;                           ///< where each tick is sent (LiveStream::open); empty: nowhere
     bool sealed = false;                          ///< an examination; needs `records`
     std::map<std::string, std::string> settings;  ///< by their flags (see windowOptions); they override the file
     std::optional<std::string>

@@ -18,6 +18,7 @@ MainWindow& WindowOwner::open(const WindowSettings& settings) {
     connect(window_.get(), &MainWindow::graphicsFailed, this, &WindowOwner::graphicsFailed);
     connect(window_.get(), &MainWindow::languageChosen, this, &WindowOwner::reopen, Qt::QueuedConnection);
     window_->apply(settings);
+    window_->model().streamTo(stream_);
     if (seal_ != nullptr) window_->examination().begin(seal_);
     window_->recordings().setFolder(recordings_);
     return *window_;

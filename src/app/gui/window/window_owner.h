@@ -13,6 +13,7 @@ class QApplication;
 
 namespace tactooth {
 
+class LiveStream;
 class MainWindow;
 class SoundOutput;
 
@@ -30,6 +31,8 @@ public:
     void setRecordings(const std::filesystem::path& folder) { recordings_ = folder; }
     /// The windows to come hold an examination, whose recordings this key signs.
     void setExamination(std::shared_ptr<const SigningKey> seal) { seal_ = std::move(seal); }
+    /// The windows to come send each tick there; null (as without this call): nowhere.
+    void setStream(std::shared_ptr<LiveStream> stream) { stream_ = std::move(stream); }
     /// Makes the window in the language of `settings`; it is not shown yet.
     MainWindow& open(const WindowSettings& settings);
     /// The window; another one after a change of the language.
@@ -46,6 +49,7 @@ private:
     SoundOutput& sound_;
     std::filesystem::path recordings_;
     std::shared_ptr<const SigningKey> seal_;
+    std::shared_ptr<LiveStream> stream_;
     std::unique_ptr<MainWindow> window_;
 };
 
