@@ -15,12 +15,14 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
+#include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <filesystem>
 
 #include "app/gui/finish/report_pages_view.h"
 #include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/status_line.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "cli/run_program.h"
@@ -52,7 +54,8 @@ public:
 private slots:
     void initTestCase();
     void withoutAnExerciseItSaysWhyItIsOff();
-    void theWindowIsAliveWhileTheWorkIsAssessedAndCancelGoesOn();
+    void itAssessesInTheBackgroundAndCancelGoesOn();
+    void theStatusLineShowsHowFarItIsAndCancels();
     void theReportShowsTheMarkAndWhatItIsMadeOf();
     void whatIsHandedInLiesInOneFolder();
     void theCommandLineGivesTheSameMark();
@@ -148,24 +151,30 @@ void WindowFinishTest::withoutAnExerciseItSaysWhyItIsOff() {
     QCOMPARE(action().text(), "&Finish exercise");
 }
 
-void WindowFinishTest::theWindowIsAliveWhileTheWorkIsAssessedAndCancelGoesOn() {
+void WindowFinishTest::itAssessesInTheBackgroundAndCancelGoesOn() {
     window_->model().manipulator().setPressDepth(2);
     cutALittle();
     const double before = removed();
     window_->findChild<QToolButton*>("finish")->click();
-    QVERIFY(window_->finish().isAssessing());
+    QVERIFY(window_->finish().isAssessing());  // it has returned at once
     QVERIFY(window_->model().runner() == nullptr);
     QVERIFY(!action().isEnabled());
-    waitForSteps(5);
-    auto* cancel = window_->findChild<QToolButton*>("cancelLoading");
-    QTRY_VERIFY_WITH_TIMEOUT(cancel->isVisible(), kPatience);
-    QVERIFY(window_->findChild<QProgressBar*>("loadProgress")->maximum() == 100);  // not a bar without an end
-    QTest::mouseClick(cancel, Qt::LeftButton);
+    emit window_->findChild<StatusLine*>()->loadingCancelled();
     QVERIFY(!window_->finish().isAssessing());
     QVERIFY(!window_->exercise().isClockStopped());
     waitForTooth();
     QCOMPARE(removed(), before);
     QVERIFY(report() == nullptr);
+}
+
+void WindowFinishTest::theStatusLineShowsHowFarItIsAndCancels() {
+    StatusLine line;
+    line.setVisible(true);
+    QTRY_VERIFY_WITH_TIMEOUT(line.showAssessing(0.4), kPatience);
+    QCOMPARE(line.findChild<QProgressBar*>("loadProgress")->value(), 40);
+    QSignalSpy cancelled(&line, &StatusLine::loadingCancelled);
+    QTest::mouseClick(line.findChild<QToolButton*>("cancelLoading"), Qt::LeftButton);
+    QCOMPARE(cancelled.count(), 1);
 }
 
 void WindowFinishTest::theReportShowsTheMarkAndWhatItIsMadeOf() {
