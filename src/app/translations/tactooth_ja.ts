@@ -1409,6 +1409,14 @@ It is off in an examination.</source>
         <source>Keeps the present tooth; what is being loaded is dropped</source>
         <translation>現在の歯をそのまま残し、読み込みを中止します</translation>
     </message>
+    <message>
+        <source>Assessing</source>
+        <translation>評価中</translation>
+    </message>
+    <message>
+        <source>The work goes on as if you had not finished it</source>
+        <translation>終了しなかったものとして作業を続けます</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::WelcomeDialog</name>
@@ -1806,6 +1814,30 @@ It is off in an examination.</source>
     <message>
         <source>no ideal cavity</source>
         <translation>理想窩洞なし</translation>
+    </message>
+    <message>
+        <source>&amp;Continue exercise</source>
+        <translation>課題を続ける(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Finish exercise</source>
+        <translation>課題を終える(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>続ける</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>The time of the exercise goes on</source>
+        <translation>課題の時間の計測を続けます</translation>
+    </message>
+    <message>
+        <source>The time stops, and the report shows the mark and what it is made of</source>
+        <translation>時間を止め、評点とその内訳を報告書に示します</translation>
     </message>
 </context>
 <context>
@@ -2455,6 +2487,230 @@ It is off in an examination.</source>
     <message>
         <source>Tooth %1</source>
         <translation>歯 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::FinishController</name>
+    <message>
+        <source>The time goes on.</source>
+        <translation>時間の計測を続けます。</translation>
+    </message>
+    <message>
+        <source>The time stands still. The work is being assessed…</source>
+        <translation>時間を止めました。評価しています…</translation>
+    </message>
+    <message>
+        <source>The examination is over.</source>
+        <translation>試験は終わりました。</translation>
+    </message>
+    <message>
+        <source>The examination is over: its recording is signed and closed. Hand in your work.</source>
+        <translation>試験は終わりました。記録には署名が付き、閉じられました。作業を提出してください。</translation>
+    </message>
+    <message>
+        <source>The report, the tooth and the recording of this work are written into a new folder. Nothing is sent anywhere.</source>
+        <translation>この作業の報告書、歯、記録を新しいフォルダーに書き出します。どこにも送信されません。</translation>
+    </message>
+    <message>
+        <source>Finished: the time stands still.</source>
+        <translation>終了：時間は止まっています。</translation>
+    </message>
+    <message>
+        <source>The time stands still until you choose Continue, or Cut.</source>
+        <translation>「続ける」か「切削」を選ぶまで、時間は止まっています。</translation>
+    </message>
+    <message>
+        <source>Handed in: %1</source>
+        <translation>提出しました：%1</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>提出</translation>
+    </message>
+    <message>
+        <source>Choose an exercise first: without one there is nothing to compare the work with</source>
+        <translation>先に課題を選んでください。課題がないと、作業を比べる相手がありません</translation>
+    </message>
+    <message>
+        <source>The work is being assessed</source>
+        <translation>作業を評価しています</translation>
+    </message>
+    <message>
+        <source>Something else is shown in place of the tooth</source>
+        <translation>歯の代わりに別のものが表示されています</translation>
+    </message>
+    <message>
+        <source>The tooth is not ready yet</source>
+        <translation>歯の準備がまだできていません</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReportDialog</name>
+    <message>
+        <source>limit</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>not measurable</source>
+        <translation>測れません</translation>
+    </message>
+    <message>
+        <source>Score %1 of 100</source>
+        <translation>得点 %1 / 100</translation>
+    </message>
+    <message>
+        <source>The mark is no better because of this.</source>
+        <translation>この項目のため、評点はこれより良くなりません。</translation>
+    </message>
+    <message>
+        <source>Report: %1</source>
+        <translation>報告書：%1</translation>
+    </message>
+    <message>
+        <source>Smaller pages</source>
+        <translation>ページを縮小</translation>
+    </message>
+    <message>
+        <source>Larger pages</source>
+        <translation>ページを拡大</translation>
+    </message>
+    <message>
+        <source>Fit width</source>
+        <translation>幅に合わせる</translation>
+    </message>
+    <message>
+        <source>Pages as wide as the view</source>
+        <translation>ページを表示の幅に合わせます</translation>
+    </message>
+    <message>
+        <source>Mark of 100</source>
+        <translation>評点（100 点満点）</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>不合格</translation>
+    </message>
+    <message>
+        <source>of 100; pass mark %1</source>
+        <translation>100 点満点、合格点 %1</translation>
+    </message>
+    <message>
+        <source>What the mark is made of</source>
+        <translation>評点の内訳</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>減点</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>評価項目</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Where, when</source>
+        <translation>場所、時刻</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>次にすること</translation>
+    </message>
+    <message>
+        <source>&amp;Again</source>
+        <translation>もう一度(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The same exercise from the start</source>
+        <translation>同じ課題を最初から行います</translation>
+    </message>
+    <message>
+        <source>&amp;Replay the error</source>
+        <translation>誤りを再生(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in…</source>
+        <translation>提出(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Writes the report, the tooth and the recording into a folder; nothing is sent</source>
+        <translation>報告書、歯、記録をフォルダーに書き出します。何も送信されません</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>続ける(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Goes on with the work, and so does the time</source>
+        <translation>作業と時間の計測を続けます</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>閉じる(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Leads back to the tooth; the time stands still until you choose Continue</source>
+        <translation>歯に戻ります。「続ける」を選ぶまで、時間は止まっています</translation>
+    </message>
+    <message>
+        <source>Shows the recording of this work, from shortly before the error on</source>
+        <translation>この作業の記録を、誤りの少し前から見せます</translation>
+    </message>
+    <message>
+        <source>There is no recording of this work: see Recordings in the menu File</source>
+        <translation>この作業の記録はありません。「ファイル」メニューの「記録」を見てください</translation>
+    </message>
+    <message>
+        <source>This criterion has no single moment: choose one with a time</source>
+        <translation>この項目には決まった時刻がありません。時刻のある項目を選んでください</translation>
+    </message>
+    <message>
+        <source>Handed in: %1</source>
+        <translation>提出しました：%1</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReportPagesView</name>
+    <message>
+        <source>Pages of the report</source>
+        <translation>報告書のページ</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::HandInDialog</name>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>参照(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>&amp;Hand in</source>
+        <translation>提出(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hand in</source>
+        <translation>提出</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the student</source>
+        <translation>学生の氏名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Comment of the teacher</source>
+        <translation>教員のコメント(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;In the folder</source>
+        <translation>保存先フォルダー(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Folder of what is handed in</source>
+        <translation>提出するもののフォルダー</translation>
     </message>
 </context>
 </TS>

@@ -30,6 +30,7 @@ void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const 
     work_ = work;
     beginning_.cancel();
     endRecording();
+    endedFile_ = std::make_shared<std::filesystem::path>();
     if (!folder_) return;
     beginning_.start([folder = *folder_, tooth, title, work = work_, seal = seal_] {
         return KeptRecording::begin(folder, tooth, title, work, seal);
@@ -72,12 +73,25 @@ void SessionKeeper::endRecording() {
     hasStopped_ = false;
     if (recording_ == nullptr) return;
     // The assignment waits for the one before, which has mostly ended long ago.
-    ending_ = executor_([recording = std::exchange(recording_, nullptr), faults = lateFaults_] {
+    ending_ = executor_([recording = std::exchange(recording_, nullptr), faults = lateFaults_, file = endedFile_] {
         const Expected<void> done = recording->finish();
-        if (done) return;
+        if (done) {
+            *file = recording->file();
+            return;
+        }
         const std::lock_guard lock(faults->mutex);
         faults->newest = done.error();
     });
+}
+
+std::filesystem::path SessionKeeper::writtenFile() {
+    collect();
+    if (recording_ != nullptr) {
+        const bool isWhole = !hasStopped_ && recording_->recorder().flush();
+        return isWhole ? recording_->file() : std::filesystem::path();
+    }
+    ending_ = {};  // joins
+    return *endedFile_;
 }
 
 void SessionKeeper::finish() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -46,6 +47,9 @@ public:
     void noteTouch();
     /// Ends the recording and waits until it is on the disk.
     void finish();
+    /// The file of the tooth's recording with all that has happened so far, on the disk: of the recording that runs,
+    /// or of the one that ended last. Empty: nothing was recorded, or not all of it. No thread works on the tooth now.
+    [[nodiscard]] std::filesystem::path writtenFile();
 
     [[nodiscard]] bool isRecording() const { return recording_ != nullptr && !hasStopped_; }
     /// Whether a recording runs that is signed.
@@ -74,6 +78,8 @@ private:
     std::optional<Message> fault_;           // not taken yet
     std::shared_ptr<Faults> lateFaults_ = std::make_shared<Faults>();
     Task<Recording> beginning_;
+    // The file of the tooth's recording that has ended; the thread that ends it shares it.
+    std::shared_ptr<std::filesystem::path> endedFile_ = std::make_shared<std::filesystem::path>();
     std::jthread ending_;  // waits for the disk
 };
 

@@ -140,6 +140,12 @@ void SessionModel::finishRecording() {
     keeper_->finish();
 }
 
+std::filesystem::path SessionModel::writtenRecording() {
+    if (runner_ != nullptr) needsRunner_ = true;
+    stop();
+    return keeper_->writtenFile();
+}
+
 std::unique_ptr<SessionKeeper> SessionModel::releaseKeeper() {
     stop();
     return std::exchange(keeper_, std::make_unique<SessionKeeper>());

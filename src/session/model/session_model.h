@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -93,6 +94,9 @@ public:
     void describeWork(const std::string& work) { keeper_->describe(work); }
     /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.
     void finishRecording();
+    /// Stops the runner, and gives the file with the recording of the tooth so far, which may go on afterwards. Waits
+    /// for the disk. Empty: nothing was recorded, or not all of it.
+    [[nodiscard]] std::filesystem::path writtenRecording();
     /// For another model that goes on with this tooth: the recording that runs. Stops the runner.
     [[nodiscard]] std::unique_ptr<SessionKeeper> releaseKeeper();
     /// Goes on with the recording of another model. Call it before the tooth is installed.

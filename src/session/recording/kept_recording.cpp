@@ -38,9 +38,11 @@ Expected<void> KeptRecording::finish() {
     recorder_.reset();
     if (!isTouched_) {
         folder_.discard(file_);
+        file_.clear();
         return {};
     }
     const auto kept = folder_.keep(file_, began_, title_);
+    if (kept) file_ = *kept;
     folder_.tidy();
     if (!closed) return closed;
     if (!kept) return Unexpected{kept.error()};

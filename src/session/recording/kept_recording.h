@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -32,6 +33,8 @@ public:
     [[nodiscard]] const SessionRecorder& recorder() const { return *recorder_; }
     /// Of which tooth.
     [[nodiscard]] const CutModel* tooth() const { return tooth_.get(); }
+    /// Where it is now: `finish` gives it its final name.
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] bool isSealed() const { return isSealed_; }
     /// The instrument has touched something: the recording is worth keeping.
     void noteTouch() { isTouched_ = true; }

@@ -109,14 +109,14 @@ void SessionRecorder::append(const SessionEvent& event) {
     TACTOOTH_ASSERT(lanes_ == nullptr);
     events_.push_back(event);
     unwritten_ += secondsOf(event).value_or(0);
-    if (unwritten_ >= kBlockSeconds || events_.size() >= kMaxBlockEvents) flush(/*waits=*/true);
+    if (unwritten_ >= kBlockSeconds || events_.size() >= kMaxBlockEvents) writeEvents(/*waits=*/true);
 }
 
 void SessionRecorder::end() {
     const std::lock_guard lock(mutex_);
-    if (lanes_ == nullptr) return flush(/*waits=*/true);
+    if (lanes_ == nullptr) return writeEvents(/*waits=*/true);
     drain();
-    flush(/*waits=*/false);
+    writeEvents(/*waits=*/false);
     lanes_.reset();
     merger_ = {};
 }
@@ -129,7 +129,7 @@ void SessionRecorder::drain() {
 }
 
 /// Called with the lock.
-void SessionRecorder::flush(bool waits) {
+void SessionRecorder::writeEvents(bool waits) {
     flushed_ = std::chrono::steady_clock::now();
     unwritten_ = 0;
     std::span<const SessionEvent> rest = events_;
@@ -154,12 +154,19 @@ void SessionRecorder::run(const std::stop_token& stop) {
             const std::lock_guard lock(mutex_);
             if (lanes_ != nullptr) {
                 drain();
-                if (std::chrono::steady_clock::now() - flushed_ >= kBlockPeriod) flush(/*waits=*/false);
+                if (std::chrono::steady_clock::now() - flushed_ >= kBlockPeriod) writeEvents(/*waits=*/false);
             }
         }
         std::unique_lock lock(sleeping);
         (void)wake.wait_for(lock, stop, kDrainPeriod, [] { return false; });
     }
+}
+
+Expected<void> SessionRecorder::flush() {
+    const Expected<void> flushed = writer_->flush();
+    if (!flushed) return flushed;
+    if (const std::optional<Message> why = fault()) return Unexpected{Error(*why)};
+    return {};
 }
 
 Expected<void> SessionRecorder::close(std::uint64_t toothHash) {

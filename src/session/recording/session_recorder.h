@@ -54,6 +54,8 @@ public:
     void append(const SessionEvent& event);
     /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
     void end();
+    /// Waits until all that has happened up to the last `end` is on the disk. Fails with the sentence of `fault`.
+    [[nodiscard]] Expected<void> flush();
     /// Ends the recording and waits until it is on the disk. `toothHash`: of the tooth now (CutModel::hash). Fails with
     /// the sentence of `fault`.
     [[nodiscard]] Expected<void> close(std::uint64_t toothHash);
@@ -68,7 +70,7 @@ private:
     void run(const std::stop_token& stop);
     void drain();
     void open(const BeginEvent& event);
-    void flush(bool waits);
+    void writeEvents(bool waits);
     void note(const std::string& json);
     void attach(std::string_view name, std::span<const std::byte> content);
     void attachTooth(const CutModel& model);

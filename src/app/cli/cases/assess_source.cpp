@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_source.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/messages.h"
+#include "app/common/report/preparation_parts.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/rubric/rubric_file.h"
@@ -14,47 +12,6 @@
 #include "session/cases/loaded_tooth.h"
 
 namespace tactooth {
-namespace {
-
-/// The teeth beside, before the work and as far as it has cut them.
-void addNeighbours(Preparation& preparation, const GivenTooth& work, const Pose& pose) {
-    if (work.cut == nullptr) return;
-    const MaterialRegistry& materials = work.uncut->materials();
-    const auto adjacent = [&](const SurfacePart& part) {
-        TriangleMesh mesh{part.mesh().vertices, {}};
-        for (std::uint32_t i = part.firstAdjacent(); i < part.mesh().triangles.size(); ++i) {
-            const auto material = static_cast<MaterialId>(part.tag(i));
-            if (!materials.hasRole(material, MaterialRole::Surroundings))
-                mesh.triangles.push_back(part.mesh().triangles[i]);
-        }
-        return transformed(mesh, pose);
-    };
-    TriangleMesh neighbours = adjacent(*work.uncut->outer());
-    if (neighbours.empty()) return;
-    preparation.neighbours = std::make_shared<const SurfacePart>(std::move(neighbours));
-    for (const auto& patch : work.cut->patches) append(preparation.cutNeighbours, adjacent(*patch));
-}
-
-void addPulps(Preparation& preparation) {
-    for (const LayeredTooth::Layer& layer : preparation.tooth->layers()) {
-        if (preparation.tooth->materials().hasRole(layer.material, MaterialRole::Pulp))
-            preparation.pulps.push_back(layer.part);
-    }
-}
-
-/// The direction of the tooth that comes nearest to that into which the ideal preparation opens.
-Vec3 openingOf(const Preparation& preparation) {
-    const CavityWalls walls = cavityWalls(preparation.ideal->mesh(), *preparation.original);
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < walls.mesh.triangles.size(); ++i) sum += walls.mesh.areaVector(i);
-    int longest = 2;
-    for (const int axis : {0, 1}) {
-        if (std::abs(sum[axis]) > std::abs(sum[longest])) longest = axis;
-    }
-    return (sum[longest] < 0 ? -1.0 : 1.0) * Vec3::Unit(longest);
-}
-
-}  // namespace
 
 void addInputs(FileTransaction& files, const ComparisonOptions& options) {
     files.reads(options.expert);
@@ -135,7 +92,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     const bool isLayered = !uncut->layers().empty();
     if (!isLayered && student->uncut != nullptr && !align_) preparation.tooth = student->uncut;
     addPulps(preparation);
-    addNeighbours(preparation, *student, studentInTooth);
+    if (student->cut != nullptr) addNeighbours(preparation, *student->uncut, *student->cut, studentInTooth);
     const auto* plan = exercise_ ? std::get_if<PreparationPlan>(&exercise_->ideal) : nullptr;
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     work.student = student->name;

@@ -36,8 +36,13 @@ WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
 
 }  // namespace
 
-Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric) {
+Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, const ReportProgress& progress) {
+    constexpr double kMeasured = 0.5, kMarked = 0.75;  // about these shares of the time
+    const auto show = [&](double share) {
+        if (progress) progress(share);
+    };
     const PreparationMeasures measures(work.preparation, work.track.get());
+    show(kMeasured);
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
     std::vector<MetricResult> results = measureAll(measures);
     if (work.track != nullptr) addMoments(results, measures, work.track);
@@ -63,6 +68,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     const Measured& overMax = measures.deviation.overMax;
     const bool isOver = overMax.value.value_or(0) > work.tolerance;
     report.sections = reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt);
+    show(kMarked);
     report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
     Expected<std::vector<ReportPicture>> pictures = reportPictures(work.preparation, measures.surfaces, work.tolerance);
     if (pictures) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,9 +29,13 @@ struct AssessedWork {
     std::shared_ptr<const SessionTrack> track = {};  ///< the finished session; null: not known
 };
 
+/// Receives the share of a long work that is done, 0..1.
+using ReportProgress = std::function<void(double share)>;
+
 /// Measures and marks a work, and draws its pictures. Takes some seconds. `rubric` outlives the report. Fails with one
 /// sentence if there is nothing to compare with or to judge. Without OpenGL the report has no pictures.
-[[nodiscard]] Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric);
+[[nodiscard]] Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric,
+                                                    const ReportProgress& progress = {});
 
 /// The names of the files of a report.
 inline constexpr std::array kReportFiles = {"report.html", "report.pdf", "report.json", "report.csv"};

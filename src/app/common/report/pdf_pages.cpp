@@ -8,22 +8,22 @@
 namespace tactooth {
 namespace {
 
-constexpr double kMillimetresPerInch = 25.4;
-constexpr double kCellGap = 2;     // mm between two columns
-constexpr double kRowGap = 0.7;    // mm above and below the text of a row
-constexpr double kBarHeight = 2;   // mm
-constexpr double kFooterAt = 264;  // mm
+constexpr double kPerMm = PageTarget::kResolution / 25.4;  // dots
+constexpr double kCellGap = 2;                             // mm between two columns
+constexpr double kRowGap = 0.7;                            // mm above and below the text of a row
+constexpr double kBarHeight = 2;                           // mm
+constexpr double kFooterAt = 264;                          // mm
 const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
 
 }  // namespace
 
-PdfPages::PdfPages(QPdfWriter& writer, const QString& footer)
-    : writer_(writer), painter_(&writer), footer_(footer), perMm_(writer.resolution() / kMillimetresPerInch) {
+PdfPages::PdfPages(PageTarget& target, const QString& footer) : target_(target), footer_(footer) {
+    target_.beginPage(painter_);
     drawFooter();
 }
 
 QRectF PdfPages::dots(const QRectF& box) const {
-    return {box.x() * perMm_, box.y() * perMm_, box.width() * perMm_, box.height() * perMm_};
+    return {box.x() * kPerMm, box.y() * kPerMm, box.width() * kPerMm, box.height() * kPerMm};
 }
 
 void PdfPages::use(const Font& font) {
@@ -37,7 +37,7 @@ void PdfPages::use(const Font& font) {
 
 double PdfPages::heightOf(const QString& text, const Font& font, double width) {
     use(font);
-    return painter_.boundingRect(dots({0, 0, width, kHeight}), Qt::TextWordWrap, text).height() / perMm_;
+    return painter_.boundingRect(dots({0, 0, width, kHeight}), Qt::TextWordWrap, text).height() / kPerMm;
 }
 
 void PdfPages::drawFooter() {
@@ -47,7 +47,7 @@ void PdfPages::drawFooter() {
 }
 
 void PdfPages::beginPage() {
-    writer_.newPage();
+    target_.beginPage(painter_);
     ++page_;
     y_ = 0;
     drawFooter();
@@ -63,9 +63,9 @@ void PdfPages::text(const QRectF& box, const QString& text, const Font& font, Qt
 }
 
 void PdfPages::frame(const QRectF& box, const QColor& colour) {
-    painter_.setPen(QPen(colour, 0.5 * perMm_));
+    painter_.setPen(QPen(colour, 0.5 * kPerMm));
     painter_.setBrush(Qt::NoBrush);
-    painter_.drawRoundedRect(dots(box), 2 * perMm_, 2 * perMm_);
+    painter_.drawRoundedRect(dots(box), 2 * kPerMm, 2 * kPerMm);
 }
 
 void PdfPages::paragraph(const QString& text, const Font& font, double width) {

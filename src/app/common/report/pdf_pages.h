@@ -5,13 +5,27 @@
 #include <QColor>
 #include <QImage>
 #include <QPainter>
-#include <QPdfWriter>
 #include <QString>
 #include <QStringList>
 #include <string>
 #include <vector>
 
 namespace tactooth {
+
+/// The paper of PdfPages: A4, one page after the other.
+class PageTarget {
+public:
+    static constexpr double kMargin = 14;    ///< mm, around the printable area
+    static constexpr int kResolution = 600;  ///< dots per inch in which the pages are laid out
+
+    PageTarget() = default;
+    PageTarget(const PageTarget&) = delete;
+    PageTarget& operator=(const PageTarget&) = delete;
+    virtual ~PageTarget() = default;
+    /// Begins the first page, or ends the one before and begins the next. The origin of the painter is the upper left
+    /// corner of the printable area, and its unit is a dot.
+    virtual void beginPage(QPainter& painter) = 0;
+};
 
 /// Pages A4 that fill from the top. All lengths in mm, from the upper left corner of the printable area.
 class PdfPages {
@@ -37,8 +51,8 @@ public:
         QColor barColour = {};
     };
 
-    /// `footer`: stands on each page, with its number. The writer outlives the pages.
-    PdfPages(QPdfWriter& writer, const QString& footer);
+    /// `footer`: stands on each page, with its number. The target outlives the pages.
+    PdfPages(PageTarget& target, const QString& footer);
     PdfPages(const PdfPages&) = delete;
     PdfPages& operator=(const PdfPages&) = delete;
     ~PdfPages() = default;
@@ -71,10 +85,9 @@ private:
     void drawFooter();
     void makeRoom(double height);
 
-    QPdfWriter& writer_;
+    PageTarget& target_;
     QPainter painter_;
     QString footer_;
-    double perMm_;
     double y_ = 0;
     int page_ = 1;
 };

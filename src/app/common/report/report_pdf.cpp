@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QByteArray>
+#include <QPdfWriter>
 #include <algorithm>
 
 #include "app/common/offscreen_application.h"
@@ -16,7 +17,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kPictureWidth = 58;  // mm at most: three side by side
-constexpr int kResolution = 600;      // dots per inch
 const QColor kPassed(23, 96, 58), kFailed(156, 43, 26);
 
 QString shown(std::string_view text) { return QString::fromStdString(displayText(std::string(text))); }
@@ -163,7 +163,37 @@ void drawMetrics(PdfPages& pages, const AssessmentReport& report) {
     }
 }
 
+/// A file. Its writer keeps the margins.
+class PdfTarget final : public PageTarget {
+public:
+    explicit PdfTarget(QPdfWriter& writer) : writer_(writer) {}
+    void beginPage(QPainter& painter) override {
+        if (painter.isActive()) {
+            writer_.newPage();
+        } else {
+            painter.begin(&writer_);
+        }
+    }
+
+private:
+    QPdfWriter& writer_;
+};
+
 }  // namespace
+
+void drawReport(PageTarget& target, const AssessmentReport& report) {
+    PdfPages pages(target, shown(footerText(report)));
+    drawHead(pages, report);
+    drawCriteria(pages, report);
+    drawAdvice(pages, report);
+    drawComment(pages, report);
+    drawPictures(pages, report);
+    pages.beginPage();
+    drawSections(pages, report);
+    drawStrip(pages, report);
+    drawMetrics(pages, report);
+    drawRoomForComment(pages, report);
+}
 
 std::string reportPdf(const AssessmentReport& report) {
     const OffscreenApplication application;
@@ -172,23 +202,14 @@ std::string reportPdf(const AssessmentReport& report) {
     buffer.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&buffer);
-        writer.setResolution(kResolution);
+        writer.setResolution(PageTarget::kResolution);
         writer.setPageSize(QPageSize(QPageSize::A4));
-        constexpr double kMargin = 14;  // mm
+        constexpr double kMargin = PageTarget::kMargin;
         writer.setPageMargins(QMarginsF(kMargin, kMargin, kMargin, kMargin), QPageLayout::Millimeter);
         writer.setTitle("Assessment: " + shown(report.student));
         writer.setCreator(shown(report.program));
-        PdfPages pages(writer, shown(footerText(report)));
-        drawHead(pages, report);
-        drawCriteria(pages, report);
-        drawAdvice(pages, report);
-        drawComment(pages, report);
-        drawPictures(pages, report);
-        pages.beginPage();
-        drawSections(pages, report);
-        drawStrip(pages, report);
-        drawMetrics(pages, report);
-        drawRoomForComment(pages, report);
+        PdfTarget target(writer);
+        drawReport(target, report);
     }
     return bytes.toStdString();
 }

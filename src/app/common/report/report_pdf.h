@@ -8,8 +8,13 @@
 
 namespace tactooth {
 
-/// The report for paper, as the bytes of a PDF file: two pages A4, or more for a rubric of very many criteria. No table
-/// row and no picture is cut by the end of a page. Needs no display.
+class PageTarget;
+
+/// Draws the pages of the report: two, or more for a rubric of very many criteria. No table row and no picture is cut
+/// by the end of a page. Needs an application of Qt.
+void drawReport(PageTarget& target, const AssessmentReport& report);
+
+/// The same pages, A4, as the bytes of a PDF file. Needs no display.
 [[nodiscard]] std::string reportPdf(const AssessmentReport& report);
 
 }  // namespace tactooth

@@ -81,7 +81,7 @@ void ExaminationController::askToBegin() {
     mode_.begin(station->key);
 }
 
-void ExaminationController::askToFinish() {
+void ExaminationController::askToFinish(const std::function<void()>& then) {
     if (question_ != nullptr) return;
     question_ = new QMessageBox(QMessageBox::Question, tr("Examination"), tr("Finish the examination?"),
                                 QMessageBox::NoButton, &window_);
@@ -92,8 +92,10 @@ void ExaminationController::askToFinish() {
     auto* goOn = question_->addButton(tr("&Go on"), QMessageBox::RejectRole);
     question_->setDefaultButton(goOn);
     question_->setEscapeButton(goOn);
-    connect(question_, &QMessageBox::buttonClicked, this, [this](QAbstractButton* button) {
-        if (question_->buttonRole(button) == QMessageBox::AcceptRole) mode_.finish();
+    connect(question_, &QMessageBox::buttonClicked, this, [this, then](QAbstractButton* button) {
+        if (question_->buttonRole(button) != QMessageBox::AcceptRole) return;
+        mode_.finish();
+        if (then) then();
     });
     question_->open();
 }

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QObject>
 #include <QPointer>
+#include <functional>
 
 #include "app/gui/controllers/window_panels.h"
 #include "app/gui/model/examination_mode.h"
@@ -36,10 +37,11 @@ public:
     void store(WindowSettings& settings) const;
     /// Call it after the layout was reset: what an examination hides stays hidden.
     void followLayout();
+    /// Asks whether the examination is to end. `then`: called when it has.
+    void askToFinish(const std::function<void()>& then = {});
 
 private:
     void askToBegin();
-    void askToFinish();
     void apply();
     void showDocks(bool visible) const;
 

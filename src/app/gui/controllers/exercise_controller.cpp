@@ -58,6 +58,7 @@ void ExerciseController::open(const QString& file) {
 }
 
 void ExerciseController::takeTooth() {
+    clock_.restart();
     clearTarget();
     active_ = exerciseOf(*model_.tooth());
     showActive();
@@ -173,15 +174,22 @@ void ExerciseController::collectTarget() {
 void ExerciseController::poll() {
     collectTarget();
     const LiveRunner* runner = model_.runner();
+    if (runner != nullptr && model_.log().workSeconds() == 0) clock_.restart();  // the tooth was put back
     if (runner == nullptr || target_.metrics == nullptr) return progress_.update(nullptr, 0);
     progress_.update(runner->feed().surface(), total(runner->feed().removed()));
 }
 
 void ExerciseController::showProgress() {
     if (model_.runner() == nullptr) return;
-    panels_.exercise->show(model_.log().workSeconds(), model_.runner()->feed().removed(),
-                           model_.runner()->feed().materials(), progress_.progress());
+    panels_.exercise->show(workSeconds(), model_.runner()->feed().removed(), model_.runner()->feed().materials(),
+                           progress_.progress());
 }
+
+double ExerciseController::workSeconds() const { return clock_.seconds(model_.log().workSeconds()); }
+
+void ExerciseController::stopClock() { clock_.stop(model_.log().workSeconds()); }
+
+void ExerciseController::continueClock() { clock_.goOn(model_.log().workSeconds()); }
 
 void ExerciseController::askForTarget() {
     files_.open(tr("Target: the ideal shape, in the frame of the tooth"),
@@ -204,7 +212,7 @@ void ExerciseController::exportReport(const QString& file) {
     files_.enterFolderOf(file);
     const std::string report = practiceReportCsv({.tooth = model_.tooth()->name,
                                                   .task = target_.name.toStdString(),
-                                                  .seconds = model_.log().workSeconds(),
+                                                  .seconds = workSeconds(),
                                                   .cavity = progress_.progress(),
                                                   .removed = model_.runner()->feed().removed(),
                                                   .materials = &model_.runner()->feed().materials(),

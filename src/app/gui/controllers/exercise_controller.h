@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/gui/controllers/window_panels.h"
+#include "app/gui/model/exercise_clock.h"
 #include "app/gui/model/progress_meter.h"
 #include "app/gui/model/target.h"
 #include "assessment/exercise.h"
@@ -61,6 +62,10 @@ public:
     /// Takes over what is ready and measures the progress. Call it after each step of the model.
     void poll();
     void showProgress();
+    /// The time of the exercise stands still until `continueClock`, or until another one begins.
+    void stopClock();
+    void continueClock();
+    [[nodiscard]] bool isClockStopped() const { return clock_.isStopped(); }
     /// Shows the target, unless an examination hides it.
     void showTarget();
 
@@ -74,6 +79,7 @@ private:
     void setTarget(Target target);
     void clearTarget();
     void collectTarget();
+    [[nodiscard]] double workSeconds() const;
     void askForTarget();
     void askForReportFile();
 
@@ -88,6 +94,7 @@ private:
     QString targetFile_;                      // of the user's own target, from the moment it is opened
     std::shared_ptr<const Exercise> active_;  // null: free practice
     ProgressMeter progress_;
+    ExerciseClock clock_;
 };
 
 }  // namespace tactooth

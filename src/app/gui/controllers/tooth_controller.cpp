@@ -27,8 +27,12 @@ bool isRecording(const std::filesystem::path& file) { return file.extension() ==
 namespace {
 
 MaterialVolumes removedNow(const SessionModel& model) {
-    return model.runner() != nullptr ? model.runner()->feed().removed() : MaterialVolumes{};
+    if (model.runner() != nullptr) return model.runner()->feed().removed();
+    return model.tooth() ? model.tooth()->piece->removed() : MaterialVolumes{};
 }
+
+/// The session stands still, and no thread works on the tooth.
+bool isStill(const SessionModel& model) { return model.tooth() && model.isPaused(); }
 
 }  // namespace
 
@@ -150,21 +154,25 @@ void ToothController::openBur(const QString& file) {
 }
 
 void ToothController::exportTooth(const QString& file) {
-    if (model_.runner() == nullptr) return;
+    if (model_.runner() == nullptr && !isStill(model_)) return;
     files_.enterFolderOf(file);
     const MaterialVolumes removed = removedNow(model_);
-    const Expected<void> written = writeStl(model_.runner()->feed().exported().mesh, file.toStdString());
+    const TaggedMesh surface =
+        model_.runner() != nullptr ? model_.runner()->feed().exported() : model_.tooth()->piece->exported();
+    const Expected<void> written = writeStl(surface.mesh, file.toStdString());
     if (!written) return messages_.showError(written.error());
     model_.markSaved(removed);
     messages_.setHint(tr("The tooth was written to %1").arg(file));
 }
 
 bool ToothController::saveTooth(const QString& file) {
-    if (model_.runner() == nullptr) return false;
+    if (model_.runner() == nullptr && !isStill(model_)) return false;
     files_.enterFolderOf(file);
     const MaterialVolumes removed = removedNow(model_);
     const std::string work = work_ ? workTextWithoutFolders(work_()) : std::string();
-    const auto bytes = model_.runner()->toothFile(savedNow(model_.tooth()->provenance), work);
+    const Provenance provenance = savedNow(model_.tooth()->provenance);
+    const auto bytes = model_.runner() != nullptr ? model_.runner()->toothFile(provenance, work)
+                                                  : toothFileBytes(*model_.tooth()->piece, provenance, work);
     const Expected<void> written = writeFile(file.toStdString(), bytes);
     if (!written) {
         messages_.showError(written.error());
@@ -205,8 +213,9 @@ void ToothController::askForExport() {
 
 /// While a recording is shown, there is no tooth on the bench to write. It tells the user.
 bool ToothController::isReplaying() const {
-    if (model_.isPaused()) messages_.setHint(tr("A recording is shown. Leave the replay to save the tooth."));
-    return model_.isPaused();
+    const bool shows = showsRecording_ && showsRecording_();
+    if (shows) messages_.setHint(tr("A recording is shown. Leave the replay to save the tooth."));
+    return shows;
 }
 
 void ToothController::askForSave(const std::function<void()>& saved) {

@@ -74,6 +74,8 @@ public:
     void setSource(ToothSource source) { source_ = std::move(source); }
     /// Tells what the user is doing, for a saved tooth.
     void setWork(std::function<SessionWork()> work) { work_ = std::move(work); }
+    /// Tells whether a recording is shown in place of the tooth.
+    void setShowsRecording(std::function<bool()> shows) { showsRecording_ = std::move(shows); }
     /// Files that the user has opened before: a saved tooth may need one of them.
     void setKnownFiles(std::vector<std::filesystem::path> files) { knownFiles_ = std::move(files); }
     [[nodiscard]] const std::vector<std::filesystem::path>& knownFiles() const { return knownFiles_; }
@@ -103,6 +105,7 @@ private:
     ScanImporter importer_;
     ToothSource source_;
     std::function<SessionWork()> work_;
+    std::function<bool()> showsRecording_;
     std::vector<std::filesystem::path> knownFiles_;
     MaterialVolumes importedAt_{};  // what was gone when the user agreed to import
 };

@@ -73,6 +73,7 @@ constexpr std::array kRows = {
     KeyRow{KeyId::Burs, "burs", "Ctrl+B", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyBurs},
     KeyRow{KeyId::Save, "save", "Ctrl+S", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeySave},
     KeyRow{KeyId::Export, "export", "Ctrl+Shift+S", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyExport},
+    KeyRow{KeyId::Finish, "finish", "Ctrl+E", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyFinish},
     KeyRow{KeyId::Dark, "dark", "Ctrl+D", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyDark},
     KeyRow{KeyId::Mute, "mute", "Ctrl+M", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyMute},
     KeyRow{KeyId::Help, "help", "F1", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyHelp},

@@ -71,6 +71,7 @@ enum class KeyId {
     Burs,
     Save,
     Export,
+    Finish,
     Dark,
     Mute,
     Help,

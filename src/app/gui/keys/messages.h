@@ -104,6 +104,8 @@ inline constexpr MessageText kKeyBurs{"key_burs",
 inline constexpr MessageText kKeySave{"key_save", "Save the tooth", "歯を保存する"};
 inline constexpr MessageText kKeyExport{"key_export", "Export the surface of the cut tooth",
                                         "削った歯の表面を書き出す"};
+inline constexpr MessageText kKeyFinish{"key_finish", "Finish the exercise, or go on with it",
+                                        "課題を終える、または続ける"};
 inline constexpr MessageText kKeyDark{"key_dark", "Dark colours", "暗い配色"};
 inline constexpr MessageText kKeyMute{"key_mute", "Mute", "消音"};
 inline constexpr MessageText kKeyHelp{"key_help", "Help", "ヘルプ"};

@@ -21,7 +21,11 @@ constexpr const char* kJapanese = ".ja.md";
 
 /// The first pages of the contents list; the others follow by their names.
 const QStringList& firstPages() {
-    static const QStringList kFirst = {"user/first-ten-minutes.md", kKeys, "user/examinations.md", "user/replay.md",
+    static const QStringList kFirst = {"user/first-ten-minutes.md",
+                                       kKeys,
+                                       "user/finish.md",
+                                       "user/examinations.md",
+                                       "user/replay.md",
                                        "user/metrics.md"};
     return kFirst;
 }

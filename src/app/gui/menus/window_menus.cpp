@@ -9,6 +9,7 @@
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
+#include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/sound_panel.h"
 #include "session/model/session_model.h"
@@ -69,6 +70,8 @@ void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     instruments_.addSpraySwitches(*menu);
     menu->addSeparator();
     menu->addActions({panels.drill->undoAction(), panels.drill->redoAction(), panels.drill->resetAction()});
+    menu->addSeparator();
+    menu->addAction(panels.exercise->finishAction());
 }
 
 void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {

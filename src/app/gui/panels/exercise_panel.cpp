@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/panels/exercise_panel.h"
 
+#include <QAction>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QStandardItemModel>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/icons/line_icon.h"
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/text/translation.h"
 #include "assessment/exercise.h"
 
@@ -47,12 +50,14 @@ ExercisePanel::ExercisePanel(QWidget* parent)
       exercises_(new QComboBox),
       task_(new QLabel),
       cleared_(new QProgressBar),
+      finish_(new QAction(this)),
       materials_(&builtinMaterials()) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 4, 2);
     row->setSpacing(16);
     row->addWidget(makeChoice(), 1);
     row->addWidget(makeNumbers(), 1);
+    showFinish({}, false);
     show(nullptr);
     show(0, {}, *materials_, {});
 }
@@ -76,6 +81,7 @@ QWidget* ExercisePanel::makeChoice() {
     connect(again_, &QToolButton::clicked, this, &ExercisePanel::restartRequested);
     connect(report_, &QToolButton::clicked, this, &ExercisePanel::exportRequested);
     auto* buttons = new QHBoxLayout;
+    buttons->addWidget(makeFinishButton());
     buttons->addWidget(again_);
     buttons->addWidget(report_);
     buttons->addWidget(open);
@@ -87,6 +93,32 @@ QWidget* ExercisePanel::makeChoice() {
     column->addWidget(task_, 1);
     column->addLayout(buttons);
     return choice;
+}
+
+/// The largest button of the panel.
+QToolButton* ExercisePanel::makeFinishButton() {
+    finish_->setObjectName("finishExercise");
+    setLineIcon(*finish_, "finish");
+    bindKey(*finish_, KeyId::Finish);
+    auto* result = new QToolButton;
+    result->setObjectName("finish");
+    result->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    result->setDefaultAction(finish_);
+    QFont bold = font();
+    bold.setBold(true);
+    result->setFont(bold);
+    constexpr double kTall = 1.9;  // lines of text
+    result->setMinimumHeight(static_cast<int>(kTall * fontMetrics().height()));
+    return result;
+}
+
+void ExercisePanel::showFinish(const QString& obstacle, bool isStopped) {
+    finish_->setText(isStopped ? tr("&Continue exercise") : tr("&Finish exercise"));
+    finish_->setIconText(isStopped ? tr("Continue") : tr("Finish"));
+    finish_->setEnabled(obstacle.isEmpty());
+    const QString what = isStopped ? tr("The time of the exercise goes on")
+                                   : tr("The time stops, and the report shows the mark and what it is made of");
+    finish_->setToolTip(QString("%1 (%2)").arg(obstacle.isEmpty() ? what : obstacle, keyOf(*finish_)));
 }
 
 void ExercisePanel::addToList(const std::shared_ptr<const Exercise>& exercise) {

@@ -14,6 +14,7 @@
 #include "assessment/metric_table.h"
 #include "tooth/volume/cut_volume.h"
 
+class QAction;
 class QGridLayout;
 class QToolButton;
 
@@ -40,6 +41,10 @@ public:
     void setShowsNumbers(bool shows);
     /// Whether the whole tooth can be had again.
     void setAllowsRestart(bool allows);
+    /// Finishes the exercise, or goes on with one that is finished; its button is in the panel.
+    [[nodiscard]] QAction* finishAction() const { return finish_; }
+    /// `obstacle`: why nothing can be finished; empty: it can. `isStopped`: the exercise is finished, and can go on.
+    void showFinish(const QString& obstacle, bool isStopped);
 
 signals:
     /// Null: free practice.
@@ -51,6 +56,7 @@ signals:
 
 private:
     [[nodiscard]] QWidget* makeChoice();
+    [[nodiscard]] QToolButton* makeFinishButton();
     [[nodiscard]] QWidget* makeNumbers();
     QLabel* addFact(QGridLayout& grid, int row, const QString& title, const QString& tip);
     [[nodiscard]] QString number(double value, int digits) const;
@@ -65,6 +71,7 @@ private:
     QComboBox* exercises_;
     QLabel* task_;
     QProgressBar* cleared_;
+    QAction* finish_;
     QToolButton* again_ = nullptr;
     QToolButton* report_ = nullptr;
     QLabel* time_ = nullptr;

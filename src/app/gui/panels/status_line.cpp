@@ -38,11 +38,9 @@ StatusLine::StatusLine(QWidget* parent)
     hint_->setObjectName("hint");
     addWidget(hint_, 1);  // in a small window the numbers keep their space
     progress_->setObjectName("loadProgress");
-    progress_->setAccessibleName(tr("Loading"));
     progress_->setMaximumWidth(kBarWidth);
     cancel_->setObjectName("cancelLoading");
     cancel_->setText(tr("Cancel"));
-    cancel_->setToolTip(tr("Keeps the present tooth; what is being loaded is dropped"));
     cancel_->setAutoRaise(true);
     for (QWidget* part : std::initializer_list<QWidget*>{progress_, cancel_}) {
         part->setMaximumHeight(fontMetrics().height());  // else the panels would jump when they come and go
@@ -57,6 +55,18 @@ StatusLine::StatusLine(QWidget* parent)
 }
 
 bool StatusLine::showLoading(bool isLoading, const std::optional<double>& share, bool canCancel) {
+    progress_->setAccessibleName(tr("Loading"));
+    cancel_->setToolTip(tr("Keeps the present tooth; what is being loaded is dropped"));
+    return showBar(isLoading, share, canCancel);
+}
+
+bool StatusLine::showAssessing(double share) {
+    progress_->setAccessibleName(tr("Assessing"));
+    cancel_->setToolTip(tr("The work goes on as if you had not finished it"));
+    return showBar(true, share, true);
+}
+
+bool StatusLine::showBar(bool isLoading, const std::optional<double>& share, bool canCancel) {
     if (!isLoading) {
         loadingSince_.invalidate();
     } else if (!loadingSince_.isValid()) {

@@ -30,6 +30,8 @@ public:
     /// than a moment has a bar and a button that cancels it. `canCancel`: there is a tooth to go back to. Returns
     /// whether the bar is visible.
     bool showLoading(bool isLoading, const std::optional<double>& share, bool canCancel);
+    /// The same while a work is assessed.
+    bool showAssessing(double share);
     /// Whether it says how much was removed.
     void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
 
@@ -37,6 +39,7 @@ signals:
     void loadingCancelled();
 
 private:
+    bool showBar(bool isBusy, const std::optional<double>& share, bool canCancel);
     void showPace(double percentLate, const QString& details);
 
     ElidedLabel* hint_;

@@ -66,8 +66,9 @@ void ReplayController::askForRecording() {
                 [this](const QString& file) { open(file); });
 }
 
-void ReplayController::open(const QString& file) {
+void ReplayController::openAt(const QString& file, double time) {
     if (!mode_.allowsReplay()) return messages_.setHint(tr("Recordings can be opened when the examination is over"));
+    openedAt_ = time;
     files_.enterFolderOf(file);
     messages_.setHint(tr("Opening recording %1…").arg(file));
     opening_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
@@ -92,6 +93,7 @@ void ReplayController::pollOpening() {
         } else {
             messages_.setHint({});
             messages_.showError(opened->error());
+            if (!isActive()) emit left();
         }
     }
     if (auto opened = openingGhost_.poll(); opened && isActive()) {
@@ -134,6 +136,7 @@ void ReplayController::enter(Opened source) {
     if (!isActive()) {
         panels_.tour->stop();
         bench_ = model_.tooth() ? model_.tooth()->piece : nullptr;
+        wasPaused_ = model_.isPaused();
         model_.setPaused(true);
         updater_.setReplaying(true);
         setLocked(true);
@@ -141,6 +144,7 @@ void ReplayController::enter(Opened source) {
     removeGhost();
     source_ = std::move(source);
     cursor_.emplace(source_->track());
+    cursor_->jumpTo(openedAt_);
     shownEvents_ = 0;
     reportedEnd_ = false;
     heardBur_.reset();
@@ -164,8 +168,9 @@ void ReplayController::leave() {
     bench_.reset();
     setLocked(false);
     updater_.setReplaying(false);
-    model_.setPaused(false);
+    model_.setPaused(wasPaused_);
     messages_.setHint(tr("The tooth is as you left it."));
+    emit left();
 }
 
 /// What would change the tooth on the bench, or the force.

@@ -39,7 +39,9 @@ public:
     ~ReplayController() override;
 
     void askForRecording();
-    void open(const QString& file);
+    void open(const QString& file) { openAt(file, 0); }
+    /// Shows the recording from this time on, s.
+    void openAt(const QString& file, double time);
     /// Shows another recording as a ghost in this one.
     void openGhost(const QString& file);
     void removeGhost();
@@ -58,6 +60,8 @@ public:
 signals:
     /// The panel is there; it is made for the first recording.
     void panelMade();
+    /// No recording is shown any more, or it could not be opened.
+    void left();
 
 private:
     using Opened = std::shared_ptr<ReplaySource>;
@@ -93,6 +97,8 @@ private:
     Opened source_, ghost_;
     std::optional<ReplayCursor> cursor_;
     std::shared_ptr<CutModel> bench_;  // the tooth on the bench when the replay began
+    bool wasPaused_ = false;           // the simulation, before the replay began
+    double openedAt_ = 0;              // s: where the replay of the recording that is being opened begins
     std::size_t shownEvents_ = 0;
     bool reportedEnd_ = false;
     std::shared_ptr<const TrackBur> heardBur_;

@@ -52,11 +52,13 @@ MainWindow::MainWindow(SoundOutput& sound)
       history_(model_, examination_, panels_, menus_.instruments()),
       updater_(model_, panels_, sound),
       loop_(model_),
-      replay_(*this, model_, examination_, panels_, messages_, files_, updater_, sound) {
+      replay_(*this, model_, examination_, panels_, messages_, files_, updater_, sound),
+      finish_({*this, model_, examination_, examinations_, panels_, messages_, files_, teeth_, exercise_, replay_}) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
     teeth_.setWork([this] { return currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString()); });
+    teeth_.setShowsRecording([this] { return replay_.isActive(); });
     connectDrill();
     connectView();
     connectLoop();
@@ -133,16 +135,20 @@ void MainWindow::connectLoop() {
         devices_.followButtons();
         sounds_.poll();
         exercise_.poll();
+        finish_.poll();
+        const bool isLoading = teeth_.isBusy() || !finish_.isAssessing();
         const bool hasBar =
-            panels_.status->showLoading(teeth_.isBusy(), teeth_.loadedShare(), model_.tooth().has_value());
+            isLoading ? panels_.status->showLoading(teeth_.isBusy(), teeth_.loadedShare(), model_.tooth().has_value())
+                      : panels_.status->showAssessing(finish_.assessedShare());
         updater_.showStep(!hasBar && (isBusy() || teeth_.isImporting() || replay_.isLoading()));
-        loop_.setBusy(isBusy() || restorer_.isBusy());
+        loop_.setBusy(isBusy() || restorer_.isBusy() || finish_.isAssessing());
         unsaved_.showState();
     });
 }
 
 void MainWindow::connectNumbers() {
-    connect(panels_.status, &StatusLine::loadingCancelled, &teeth_, &ToothController::cancelLoading);
+    connect(panels_.status, &StatusLine::loadingCancelled, this,
+            [this] { teeth_.isBusy() || !finish_.isAssessing() ? teeth_.cancelLoading() : finish_.cancel(); });
     connect(&loop_, &StepLoop::statusDue, &updater_, &PanelUpdater::showStatus);
     connect(&loop_, &StepLoop::statusDue, &recordings_, &RecordingController::update);
     connect(&loop_, &StepLoop::numbersDue, this, [this] {

@@ -22,6 +22,7 @@
 #include "app/gui/controllers/unsaved_work.h"
 #include "app/gui/controllers/window_hints.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/finish/finish_controller.h"
 #include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
 #include "app/gui/model/examination_mode.h"
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] ExaminationMode& examination() { return examination_; }
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] ReplayController& replay() { return replay_; }
+    [[nodiscard]] FinishController& finish() { return finish_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
     [[nodiscard]] ManualController& manual() { return manual_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
@@ -137,6 +139,7 @@ private:
     PanelUpdater updater_;
     StepLoop loop_;
     ReplayController replay_;
+    FinishController finish_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
     bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet
