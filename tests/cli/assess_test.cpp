@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/motion_files.h"
 #include "geometry/mesh/subdivide.h"
@@ -99,6 +101,64 @@ TEST_F(AssessCommand, SaysWhoseWorkItIsAndWhatToDoNext) {
     EXPECT_THAT(html, HasSubstr("Student: Ann &lt;Lee&gt;"));
     EXPECT_THAT(html, HasSubstr("Well done.\nMind the depth &amp; stop."));
     EXPECT_THAT(html, HasSubstr(json["next"][0].get<std::string>()));
+}
+
+/// A page without its style and its tags.
+std::string textOf(const std::string& html) {
+    std::string text;
+    for (std::size_t at = html.find("</style>"); at < html.size();) {
+        const std::size_t tag = std::min(html.find('<', at), html.size());
+        text += html.substr(at, tag - at) + ' ';
+        at = std::min(html.find('>', tag), html.size() - 1) + 1;
+    }
+    return text;
+}
+
+/// The words in Latin letters that are no unit and no name.
+std::vector<std::string> latinWords(const std::string& text) {
+    static const std::set<std::string> known = {"mm",  "RMS", "Dice", "SPARC",  "LDLJ",           "Hz", "SD", "UTC",
+                                                "TOC", "stl", "ann",  "expert", "Balasubramanian"};
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : text + ' ') {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+            word += c;
+        } else {
+            if (word.size() > 1 && !known.contains(word)) words.push_back(word);
+            word.clear();
+        }
+    }
+    return words;
+}
+
+TEST_F(AssessCommand, WritesThePagesInJapanese) {
+    std::filesystem::create_directory(file("class"));
+    (void)cavity("class/ann.stl", 0.4);
+    (void)text("class/ben.stl", "junk\n");
+    ASSERT_EQ(assess(file("class"), {"--language", "ja"}).exitCode, 2);
+    const std::string table = readText(file("out") + "/class.html");
+    EXPECT_THAT(table, AllOf(HasSubstr("<html lang=\"ja\">"), HasSubstr("クラスの評価"), HasSubstr("1 件中 1 件合格")));
+    EXPECT_THAT(readText(file("out") + "/class.csv"), HasSubstr("ben.stl,,not assessed,"));
+    const std::string out = file("out") + "/ann/";
+    const std::string html = readText(out + "report.html");
+    const std::string words = textOf(html);
+    EXPECT_THAT(latinWords(words.substr(0, words.find("作成："))), IsEmpty());  // then the program's name follows
+    EXPECT_THAT(html, AllOf(HasSubstr("理想の壁を 0.40 mm"), HasSubstr("遠心から近心への断面")));
+    EXPECT_THAT(readText(out + "report.pdf"), StartsWith("%PDF-"));
+    const std::string json = readText(out + "report.json");
+    ASSERT_EQ(assess(file("class"), {"--language", "en"}).exitCode, 2);
+    EXPECT_EQ(readText(out + "report.json"), json) << "programs read one language";
+    EXPECT_THAT(readText(out + "report.html"), HasSubstr("beyond the ideal wall"));
+    expectRefused(assess(file("class"), {"--language", "de"}), "{en,ja}");
+}
+
+TEST_F(AssessCommand, NeedsAFontForJapanese) {
+    const std::string fonts = text("fonts.conf", "<?xml version=\"1.0\"?><fontconfig></fontconfig>\n");
+    const ProgramRun run = runTactooth({"assess", cavity("deep.stl", 0.3), "--expert", expert(), "--original", block(),
+                                        "--language", "ja", "--out", file("out")},
+                                       {{"FONTCONFIG_FILE", fonts}});
+    expectRefused(run, "install the package fonts-ipafont-gothic");
+    EXPECT_FALSE(std::filesystem::exists(file("out")));
 }
 
 TEST_F(AssessCommand, WritesTheReportToTheOutputToo) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/table_text.h"
 #include "geometry/util/number_text.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4 landscape; margin: 12mm }
-body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, sans-serif; color: #1d2730; margin: 6mm }
+body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
+    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 6mm }
 h1 { font-size: 17pt; margin: 0 0 2mm }
 table { border-collapse: collapse } tr { page-break-inside: avoid }
 th { text-align: left; vertical-align: bottom; font-weight: 600; font-size: 8.5pt; color: #55636f }
@@ -59,6 +61,22 @@ std::string cellOf(const CriterionScore& each) {
     return fmt::format("<td class=\"n\" style=\"color:{}\">{:.0f}</td>", levelColour(*each.level), *each.score);
 }
 
+/// The page down to the first row of its table.
+std::string headOf(const Rubric& rubric, Language language) {
+    const std::string_view title = msg::kClassTitle.in(language);
+    std::string text =
+        fmt::format("<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n",
+                    languageCode(language), title);
+    text += fmt::format("<style>{}</style></head><body>\n<h1>{}</h1>\n", kStyle, title);
+    const Message columns(msg::kClassColumns, rubric.nameIn(language), fmt::format("{:.0f}", rubric.passMark));
+    text += "<p>" + htmlText(columns.in(language)) + "</p>\n<table><thead><tr>";
+    text += fmt::format("<th>{}</th><th class=\"n\">{}</th><th>{}</th>", msg::kFactWork.in(language),
+                        msg::kHeadMark.in(language), msg::kHeadResult.in(language));
+    for (const Criterion& each : rubric.criteria)
+        text += "<th class=\"n\">" + htmlText(each.titleIn(language)) + "</th>";
+    return text + "</tr></thead><tbody>\n";
+}
+
 }  // namespace
 
 std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric) {
@@ -76,29 +94,20 @@ std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric) {
         } else {
             text += ",not assessed" + std::string(2 * rubric.criteria.size(), ',');
         }
-        text += ',' + csvCell(row.fault) + '\n';
+        text += ',' + csvCell(row.fault.in(Language::English)) + '\n';
     }
     return text;
 }
 
-std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric) {
-    std::string text =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment of a "
-        "class</title>\n<style>";
-    text += std::string(kStyle) + "</style></head><body>\n<h1>Assessment of a class</h1>\n";
-    text +=
-        fmt::format("<p>Rubric: {}, pass mark {:.0f}. The columns show the score of each criterion, 0 to 100.</p>\n",
-                    htmlText(rubric.name), rubric.passMark);
-    text += "<table><thead><tr><th>Work</th><th class=\"n\">Mark</th><th>Result</th>";
-    for (const Criterion& each : rubric.criteria) text += "<th class=\"n\">" + htmlText(each.title) + "</th>";
-    text += "</tr></thead><tbody>\n";
+std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric, Language language) {
+    std::string text = headOf(rubric, language);
     MeanOf marks;
     std::vector<MeanOf> scores(rubric.criteria.size());
     std::size_t passed = 0;
     for (const ClassRow& row : rows) {
         if (!row.mark) {
             text += fmt::format("<tr><td>{}</td><td class=\"n\">–</td><td colspan=\"{}\">{}</td></tr>\n",
-                                htmlText(row.work), 1 + rubric.criteria.size(), htmlText(row.fault));
+                                htmlText(row.work), 1 + rubric.criteria.size(), htmlText(row.fault.in(language)));
             continue;
         }
         const bool passes = row.mark->passes;
@@ -106,7 +115,8 @@ std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric) {
         marks.add(*row.mark->value);
         text += fmt::format("<tr><td><a href=\"{}/report.html\">{}</a></td><td class=\"n\">{:.1f}</td>",
                             inAddress(row.folder), htmlText(row.work), *row.mark->value);
-        text += passes ? "<td class=\"passed\">passed</td>" : "<td class=\"failed\">failed</td>";
+        text += fmt::format("<td class=\"{}\">{}</td>", passes ? "passed" : "failed",
+                            (passes ? msg::kPassed : msg::kFailed).in(language));
         for (std::size_t i = 0; i < row.mark->criteria.size(); ++i) {
             const CriterionScore& each = row.mark->criteria[i];
             if (each.score) scores[i].add(*each.score);
@@ -114,11 +124,12 @@ std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric) {
         }
         text += "</tr>\n";
     }
-    text += fmt::format("</tbody><tfoot><tr><td>Mean ± s.d.</td><td class=\"n\">{}</td><td>{} of {} passed</td>",
-                        marks.text(), passed, marks.count);
+    text += fmt::format("</tbody><tfoot><tr><td>{}</td><td class=\"n\">{}</td><td>{}</td>",
+                        msg::kMeanAndSpread.in(language), marks.text(),
+                        Message(msg::kPassedOfAll, passed, marks.count).in(language));
     for (const MeanOf& each : scores) text += "<td class=\"n\">" + each.text() + "</td>";
-    return text +
-           "</tr></tfoot></table>\n<p class=\"small\">One trial says little; look at several.</p>\n</body></html>\n";
+    return text + fmt::format("</tr></tfoot></table>\n<p class=\"small\">{}</p>\n</body></html>\n",
+                              msg::kOneTrial.in(language));
 }
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/rubric/rubric.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -15,13 +16,13 @@ struct ClassRow {
     std::string work;               ///< name of the file
     std::string folder;             ///< of its report, beside the table
     std::optional<Mark> mark = {};  ///< by the rubric of the table; nothing: it could not be assessed
-    std::string fault = {};         ///< why not
+    Message fault = {};             ///< why not
 };
 
 /// One row for each work: mark, result, and the value and the score of each criterion.
 [[nodiscard]] std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric);
 
 /// The same as a page with links to the reports, and with the mean of each column.
-[[nodiscard]] std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric);
+[[nodiscard]] std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric, Language language);
 
 }  // namespace tactooth

@@ -57,7 +57,7 @@ Expected<AssessmentReport> assessOne(const std::filesystem::path& work, const st
     if (!assessed) return Unexpected{assessed.error()};
     assessed->name = displayFileName(work.stem());
     assessed->comment = options.comment;
-    Expected<AssessmentReport> report = makeReport(*assessed, source.rubric());
+    Expected<AssessmentReport> report = makeReport(*assessed, source.rubric(), options.language);
     if (!report) return report;
     if (auto written = writeReport(folder, *report); !written) return Unexpected{written.error()};
     if (auto named = files.commit(); !named) return Unexpected{named.error()};
@@ -84,7 +84,7 @@ ClassRow rowOf(const std::string& work, const std::string& folder, const Expecte
     if (report) {
         row.mark = report->mark;
     } else {
-        row.fault = report.error().message();
+        row.fault = report.error();
     }
     return row;
 }
@@ -94,7 +94,7 @@ void printRow(const ClassRow& row) {
     if (row.mark) {
         print("{:<32} {:5.1f}  {}\n", name, *row.mark->value, row.mark->passes ? "passed" : "failed");
     } else {
-        print("{:<32}     –  {}\n", name, row.fault);
+        print("{:<32}     –  {}\n", name, row.fault.in(Language::English));
     }
 }
 
@@ -106,7 +106,7 @@ Json jsonOf(const std::vector<ClassRow>& rows) {
                         {"folder", row.folder},
                         {"mark", row.mark ? Json(*row.mark->value) : Json()},
                         {"pass", row.mark ? Json(row.mark->passes) : Json()},
-                        {"fault", row.fault.empty() ? Json() : Json(row.fault)}});
+                        {"fault", row.fault.empty() ? Json() : Json(row.fault.in(Language::English))}});
     }
     return json;
 }
@@ -144,7 +144,8 @@ int runAssessClass(const AssessOptions& options, const AssessSource& source) {
     if (const auto opened = openTable(options.out, files); !opened) return reportError(opened.error());
     if (const auto done = writeFile(options.out / "class.csv", classCsv(rows, source.rubric())); !done)
         return reportError(done.error());
-    if (const auto done = writeFile(options.out / "class.html", classHtml(rows, source.rubric())); !done)
+    if (const auto done = writeFile(options.out / "class.html", classHtml(rows, source.rubric(), options.language));
+        !done)
         return reportError(done.error());
     if (const auto named = files.commit(); !named) return reportError(named.error());
     if (options.json) {

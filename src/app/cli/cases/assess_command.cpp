@@ -35,7 +35,7 @@ Expected<AssessmentReport> assess(const AssessOptions& options, const AssessSour
     printImportNotes(notes);
     work->name = options.name;
     work->comment = options.comment;
-    return makeReport(*work, source.rubric());
+    return makeReport(*work, source.rubric(), options.language);
 }
 
 void printSummary(const AssessOptions& options, const AssessmentReport& report) {
@@ -48,7 +48,8 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
             print("  {:<40}  not measurable: {}\n", title, each.measured.reason->english);
             continue;
         }
-        std::string where = each.measured.place ? ", " + placeText(report, *each.measured.place) : std::string();
+        std::string where =
+            each.measured.place ? ", " + placeText(report, *each.measured.place, Language::English) : std::string();
         if (each.measured.moment) where += ", cut at " + momentText(*each.measured.moment);
         print("  {:<40} {:>12} {:4.0f}  {}{}\n", title, valueText(*each.criterion->metric, *each.measured.value),
               *each.score, levelText(*each.level).english, where);

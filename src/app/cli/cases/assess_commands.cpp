@@ -52,6 +52,15 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
     command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
         ->required()
         ->type_name("DIR");
+    command
+        ->add_option_function<std::string>(
+            "--language",
+            [options](const std::string& name) {
+                options->language = name == "ja" ? Language::Japanese : Language::English;
+            },
+            "Language of the pages and the PDF (default: en)")
+        ->check(CLI::IsMember({"en", "ja"}))
+        ->type_name("LANGUAGE");
     command->add_flag("--json", options->json, "Also writes report.json to the standard output");
 }
 

@@ -17,8 +17,12 @@ const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
 
 }  // namespace
 
-PdfPages::PdfPages(QPdfWriter& writer, const QString& footer)
-    : writer_(writer), painter_(&writer), footer_(footer), perMm_(writer.resolution() / kMillimetresPerInch) {
+PdfPages::PdfPages(QPdfWriter& writer, const QString& footer, const QString& family)
+    : writer_(writer),
+      painter_(&writer),
+      footer_(footer),
+      family_(family),
+      perMm_(writer.resolution() / kMillimetresPerInch) {
     drawFooter();
 }
 
@@ -27,7 +31,7 @@ QRectF PdfPages::dots(const QRectF& box) const {
 }
 
 void PdfPages::use(const Font& font) {
-    QFont shown(QStringLiteral("Noto Sans"));
+    QFont shown(family_);
     shown.setStyleHint(QFont::SansSerif);
     shown.setPointSizeF(font.points);
     shown.setBold(font.isBold);

@@ -37,8 +37,8 @@ public:
         QColor barColour = {};
     };
 
-    /// `footer`: stands on each page, with its number. The writer outlives the pages.
-    PdfPages(QPdfWriter& writer, const QString& footer);
+    /// `footer`: stands on each page, with its number. The writer outlives the pages. `family`: of the font.
+    PdfPages(QPdfWriter& writer, const QString& footer, const QString& family = QStringLiteral("Noto Sans"));
     PdfPages(const PdfPages&) = delete;
     PdfPages& operator=(const PdfPages&) = delete;
     ~PdfPages() = default;
@@ -73,7 +73,7 @@ private:
 
     QPdfWriter& writer_;
     QPainter painter_;
-    QString footer_;
+    QString footer_, family_;
     double perMm_;
     double y_ = 0;
     int page_ = 1;
