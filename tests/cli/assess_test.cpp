@@ -279,6 +279,56 @@ TEST_F(AssessCommand, AssessesAClassWithARowForEach) {
     expectRefused(assess(file("class")), "there is no work in this folder");
 }
 
+TEST_F(AssessCommand, ShowsTheTrendOverEarlierTrials) {
+    const std::string student = cavity("deep.stl", 0.3);
+    const auto trial = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"assess",     student, "--expert", expert(),
+                                        "--original", block(), "--out",    file("all/" + name)};
+        all.insert(all.end(), more.begin(), more.end());
+        return runTactooth(all);
+    };
+    (void)trial("t1", {});
+    const std::string alone = readText(file("all/t1/report.html"));
+    EXPECT_THAT(alone, Not(HasSubstr("Trials of this exercise")));
+    (void)trial("strict", {"--rubric", "near-ideal-strict"});
+    const ProgramRun run = trial("t2", {"--earlier", file("all")});
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("strict"), HasSubstr("is left out: its rubric is")));
+    const Json json = Json::parse(readText(file("all/t2/report.json")));
+    ASSERT_EQ(json["trend"]["marks"].size(), 2U);
+    EXPECT_EQ(json["trend"]["marks"][1], json["mark"]);
+    EXPECT_TRUE(json["trend"]["interval"].is_null()) << "two are too few";
+    EXPECT_THAT(readText(file("all/t2/report.html")), HasSubstr("Trials of this exercise"));
+    (void)trial("t2", {"--earlier", file("all")});
+    EXPECT_EQ(Json::parse(readText(file("all/t2/report.json"))), json) << "its own old report does not count";
+    std::filesystem::create_directory(file("none"));
+    EXPECT_THAT(trial("t3", {"--earlier", file("none")}).err, HasSubstr("There is no earlier trial"));
+    expectRefused(trial("t3", {"--earlier", missing()}), "cannot be read");
+    (void)text("none/report.json", "{}");
+    expectRefused(trial("t3", {"--earlier", file("none")}), "this is no report of an assessment");
+}
+
+TEST_F(AssessCommand, PutsTheTrialsOfAStudentTogether) {
+    std::filesystem::create_directories(file("class/ann"));
+    (void)cavity("class/ann/2.stl", 0.3);
+    (void)cavity("class/ann/10.stl", 0.05);
+    (void)cavity("class/ben.stl", 0.1);
+    const ProgramRun run = assess(file("class"));
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    const std::string out = file("out") + "/";
+    const Json last = Json::parse(readText(out + "ann/10/report.json"));
+    EXPECT_EQ(last["name"], "ann");
+    ASSERT_EQ(last["trend"]["marks"].size(), 2U) << "10 comes after 2";
+    EXPECT_TRUE(Json::parse(readText(out + "ann/2/report.json"))["trend"].is_null());
+    EXPECT_THAT(readText(out + "ann/student.html"),
+                AllOf(HasSubstr("Trials of ann"), HasSubstr("href=\"10/report.html\""), HasSubstr("<svg")));
+    EXPECT_THAT(readText(out + "class.html"),
+                AllOf(HasSubstr("href=\"ann/student.html\""), HasSubstr("href=\"ann/10/report.html\""),
+                      HasSubstr("href=\"ben/report.html\"")));
+    EXPECT_THAT(readText(out + "class.csv"), AllOf(HasSubstr("\nann/2.stl,"), HasSubstr("\nben.stl,")));
+    expectRefused(assess(file("class"), {"--earlier", file("out")}), "give each student a folder");
+}
+
 /// Ten works of five students, each deeper than the one before; the teachers mark by the depth.
 TEST_F(AssessCommand, CalibratesARubricToTheMarksOfTeachers) {
     std::filesystem::create_directory(file("class"));

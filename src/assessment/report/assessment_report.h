@@ -10,6 +10,7 @@
 #include "assessment/preparation/scan_alignment.h"
 #include "assessment/process/work_strip.h"
 #include "assessment/report/report_section.h"
+#include "assessment/report/trial_trend.h"
 #include "assessment/rubric/rubric.h"
 
 namespace tactooth {
@@ -45,6 +46,7 @@ struct AssessmentReport {
     std::string noPictures = {};  ///< why there are none
     std::vector<ReportSection> sections = {};
     std::optional<WorkStrip> strip = {};    ///< nothing without a session
+    std::optional<TrialTrend> trend = {};   ///< nothing without earlier trials
     std::string program = {};               ///< version and commit
     Language language = Language::English;  ///< of the pages; JSON and CSV are in English
 };

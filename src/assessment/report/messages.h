@@ -105,7 +105,35 @@ inline constexpr MessageText kMoreIsIdeal{"more_is_ideal", "Work on this: %1. It
 inline constexpr MessageText kLessIsIdeal{"less_is_ideal", "Work on this: %1. It is %2; less would be ideal.",
                                           "「%1」を改善しましょう。現在は %2 で、もっと小さいほうが理想的です。"};
 
+// Trials of one student.
+inline constexpr MessageText kReportTrend{"report_trend", "Trials of this exercise", "この課題のこれまでの結果"};
+inline constexpr MessageText kTrendInterval{
+    "trend_interval",
+    "Median mark of the last %1 trials: %2, with 95 % confidence between %3 and %4 (blue). Dashed: the pass mark. On "
+    "the "
+    "right: the criteria that cost most.",
+    "直近 %1 回の評点の中央値：%2、95 % 信頼区間 %3 から %4（青）。破線：合格点。右：減点の多い評価項目。"};
+inline constexpr MessageText kTrendRange{"trend_range",
+                                         "Median mark of the last %1 trials: %2, from %3 to %4. That is too few trials "
+                                         "for a confidence interval, which needs "
+                                         "six. Dashed: the pass mark. On the right: the criteria that cost most.",
+                                         "直近 %1 回の評点の中央値：%2（%3 から %4）。信頼区間には 6 "
+                                         "回必要で、まだ回数が足りません。破線：合格点。右：減点の多い評価項目。"};
+inline constexpr MessageText kNotAReport{
+    "not_a_report",
+    "%1: this is no report of an assessment; expected a report.json that 'tactooth assess' has written.",
+    "%1：評価の結果ではありません。'tactooth assess' が書いた report.json が必要です。"};
+inline constexpr MessageText kComparedWithOther{"compared_with_other",
+                                                "%1 is left out: its work was compared with %2, not with %3.",
+                                                "%1 は除外しました。作品の比較の対象が %3 ではなく %2 です。"};
+inline constexpr MessageText kMarkedByOther{"marked_by_other", "%1 is left out: its rubric is %2, not %3.",
+                                            "%1 は除外しました。評価基準表が %3 ではなく %2 です。"};
+inline constexpr MessageText kRubricHasChanged{
+    "rubric_has_changed", "%1 is left out: the rubric %2 has changed since; assess its work again.",
+    "%1 は除外しました。評価基準表 %2 がその後変わっています。作品をもう一度評価してください。"};
+
 // Tables of a class.
+inline constexpr MessageText kStudentPage{"student_page", "Trials of %1", "%1 の結果"};
 inline constexpr MessageText kClassTitle{"class_title", "Assessment of a class", "クラスの評価"};
 inline constexpr MessageText kClassColumns{
     "class_columns", "Rubric: %1, pass mark %2. The columns show the score of each criterion, 0 to 100.",

@@ -103,6 +103,16 @@ std::string madeOf(const AssessmentReport& report) {
     return text;
 }
 
+std::string trend(const AssessmentReport& report) {
+    if (!report.trend) return {};
+    constexpr double kWidth = 182, kHeight = 36;  // mm
+    std::string text = h2(report, msg::kReportTrend);
+    text += trendSvg(*report.trend, *report.rubric, kWidth, kHeight, report.language);
+    for (const std::string& each : trendTexts(*report.trend, report.language))
+        text += "<p class=\"small\">" + htmlText(each) + "</p>\n";
+    return text;
+}
+
 std::string pictures(const AssessmentReport& report) {
     std::string text = h2(report, msg::kReportDistance);
     if (report.pictures.empty()) return text + "<p class=\"none\">" + htmlText(report.noPictures) + "</p>\n";
@@ -172,8 +182,8 @@ std::string reportHtml(const AssessmentReport& report) {
         "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n",
         languageCode(report.language), htmlText(Message(msg::kReportPage, report.student).in(report.language)));
     text += "<style>" + std::string(kStyle) + "</style></head><body>\n";
-    text += head(report) + madeOf(report) + advice(report) + pictures(report) + sections(report) + strip(report) +
-            allMetrics(report);
+    text += head(report) + madeOf(report) + advice(report) + trend(report) + pictures(report) + sections(report) +
+            strip(report) + allMetrics(report);
     text += "<p class=\"small\">" + htmlText(footerText(report)) + "</p>\n</body></html>\n";
     return text;
 }

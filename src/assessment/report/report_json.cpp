@@ -49,6 +49,15 @@ Json criterionJson(const AssessmentReport& report, const CriterionScore& each) {
     return json;
 }
 
+Json trendJson(const TrialTrend& trend) {
+    const RecentMarks recent = recentMarks(trend);
+    Json marks = Json::array();
+    for (const TrialTrend::Trial& each : trend.trials) marks.push_back(each.mark);
+    Json json = {{"marks", std::move(marks)}, {"recent", recent.trials}, {"median", recent.median}};
+    json["interval"] = recent.interval ? Json{recent.interval->low, recent.interval->high} : Json();
+    return json;
+}
+
 }  // namespace
 
 std::string reportJson(const AssessmentReport& report) {
@@ -71,6 +80,7 @@ std::string reportJson(const AssessmentReport& report) {
     json["fit"] = report.fit ? Json{{"residual", report.fit->residual}, {"used_share", report.fit->usedShare}} : Json();
     json["next"] = nextSteps(report, Language::English);
     json["comment"] = orNull(report.comment);
+    json["trend"] = report.trend ? trendJson(*report.trend) : Json();
     json["criteria"] = Json::array();
     for (const CriterionScore& each : report.mark.criteria) json["criteria"].push_back(criterionJson(report, each));
     json["metrics"] = Json::array();

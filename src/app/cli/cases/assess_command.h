@@ -23,6 +23,7 @@ struct AssessOptions {
     ComparisonOptions with;
     std::string name;                       ///< of the student, for the report; empty: not known
     std::string comment;                    ///< of the teacher, for the report; empty: none
+    std::filesystem::path earlier;          ///< folder with reports of earlier trials; empty: none
     std::filesystem::path out;              ///< folder
     bool json = false;                      ///< also to the standard output
     Language language = Language::English;  ///< of the pages

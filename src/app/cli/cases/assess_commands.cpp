@@ -31,6 +31,17 @@ void addComparison(CLI::App& command, ComparisonOptions& options) {
     command.add_flag("--align", options.align, "Lays scans on the uncut tooth first, by what is not prepared");
 }
 
+/// The language of pages. `language` outlives the command line.
+void addLanguage(CLI::App& command, Language& language) {
+    command
+        .add_option_function<std::string>(
+            "--language",
+            [&language](const std::string& name) { language = name == "ja" ? Language::Japanese : Language::English; },
+            "Language of pages and PDF (default: en)")
+        ->check(CLI::IsMember({"en", "ja"}))
+        ->type_name("LANGUAGE");
+}
+
 }  // namespace
 
 void addAssessCommand(CLI::App& program, CommandAction& chosen) {
@@ -42,25 +53,21 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
     command
         ->add_option(
             "STUDENT", options->student,
-            "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm); or a folder of them: a "
-            "report for each, and a table of all")
+            "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm); or a folder of them, "
+            "or of a folder for each student: a report for each, and a table of all")
         ->required()
         ->type_name("");
     addComparison(*command, options->with);
     command->add_option("--name", options->name, "Name of the student, for the report")->type_name("TEXT");
     command->add_option("--comment", options->comment, "The teacher's comment, for the report")->type_name("TEXT");
+    command
+        ->add_option("--earlier", options->earlier,
+                     "Folder with reports of earlier trials, at any depth: the report shows how the mark went")
+        ->type_name("DIR");
     command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
         ->required()
         ->type_name("DIR");
-    command
-        ->add_option_function<std::string>(
-            "--language",
-            [options](const std::string& name) {
-                options->language = name == "ja" ? Language::Japanese : Language::English;
-            },
-            "Language of the pages and the PDF (default: en)")
-        ->check(CLI::IsMember({"en", "ja"}))
-        ->type_name("LANGUAGE");
+    addLanguage(*command, options->language);
     command->add_flag("--json", options->json, "Also writes report.json to the standard output");
 }
 

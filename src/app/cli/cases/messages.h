@@ -55,6 +55,16 @@ inline constexpr MessageText kNoWorkHasAMark{
     "no_work_has_a_mark", "%1: none of the works has a mark; the column 'work' must have the names of their files.",
     "%1：どの作業結果にも点数がありません。'work' の列には、ファイルの名前を書いてください。"};
 
+inline constexpr MessageText kEarlierForAFolder{
+    "earlier_for_a_folder",
+    "--earlier is for the work of one student; in a folder of works, give each student a folder with all the trials.",
+    "--earlier "
+    "は一人の学生の作品に使います。作品のフォルダーでは、学生ごとのフォルダーにすべての回の作品を入れてください。"};
+inline constexpr MessageText kNoEarlierTrial{
+    "no_earlier_trial",
+    "There is no earlier trial of the same exercise by the same rubric, so the report has no trend.",
+    "同じ課題で同じ評価基準表による以前の結果がないため、推移は示されません。"};
+
 inline constexpr MessageText kNameForAFolder{
     "name_for_a_folder",
     "--name is the name of one student, and a folder has many works; name the files by their students.",

@@ -28,7 +28,8 @@ public:
         double width = 0;
         Qt::Alignment align = Qt::AlignLeft;
     };
-    /// A line of a table; a bar as long as `share` of its column may stand in one of them.
+    /// A line of a table; a bar as long as `share` of its column may stand in one of them, below its text if it has
+    /// one.
     struct Row {
         QStringList cells;
         Font font;

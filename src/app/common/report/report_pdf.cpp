@@ -55,6 +55,7 @@ QStringList cellsOf(const AssessmentReport& report, const CriterionScore& each) 
                                   : shown(report, msg::kNotMeasurable));
     cells << (each.score ? QString::number(*each.score, 'f', 0) : QStringLiteral("–"));
     cells << (each.level ? shown(report, levelText(*each.level)) : QString());
+    cells << QString();  // the bar
     cells << (criterion.weight > 0 ? QString::number(criterion.weight) : shown(report, msg::kOnlyLimit));
     cells << (each.lost > 0 ? QStringLiteral("−") + QString::number(each.lost, 'f', 1) : QString());
     cells << shown(placeAndMomentText(report, each.measured));
@@ -62,20 +63,21 @@ QStringList cellsOf(const AssessmentReport& report, const CriterionScore& each) 
 }
 
 void drawCriteria(PdfPages& pages, const AssessmentReport& report) {
-    constexpr int kLevelColumn = 3;
-    const std::vector<PdfPages::Column> columns = {
-        {50}, {28, Qt::AlignRight}, {14, Qt::AlignRight}, {26}, {15, Qt::AlignRight}, {14, Qt::AlignRight}, {35}};
+    constexpr int kBarColumn = 4;
+    const std::vector<PdfPages::Column> columns = {{44}, {26, Qt::AlignRight}, {13, Qt::AlignRight}, {25},
+                                                   {18}, {13, Qt::AlignRight}, {12, Qt::AlignRight}, {31}};
     pages.heading(shown(report, msg::kReportMadeOf), 20);
     QStringList heads;
     for (const MessageText* head : {&msg::kHeadCriterion, &msg::kHeadMeasured, &msg::kHeadScore, &msg::kHeadLevel,
                                     &msg::kHeadWeight, &msg::kHeadLost, &msg::kHeadWhere}) {
         heads << shown(report, *head);
+        if (head == &msg::kHeadLevel) heads << QString();
     }
     pages.row(columns, {heads, {8, true, PdfPages::kFaint}});
     for (const CriterionScore& each : report.mark.criteria) {
         PdfPages::Row row{cellsOf(report, each), {8.5}};
         if (each.score && each.level) {
-            row.barColumn = kLevelColumn;
+            row.barColumn = kBarColumn;
             row.share = *each.score / 100;
             row.barColour = QColor(shown(levelColour(*each.level)));
         }
@@ -109,6 +111,16 @@ void drawPictures(PdfPages& pages, const AssessmentReport& report) {
 void drawAdvice(PdfPages& pages, const AssessmentReport& report) {
     pages.heading(shown(report, msg::kReportNext), 8);
     for (const std::string& step : nextSteps(report)) pages.paragraph("•  " + shown(step), {9});
+}
+
+void drawTrend(PdfPages& pages, const AssessmentReport& report) {
+    if (!report.trend) return;
+    constexpr double kHeight = 27;  // mm
+    pages.heading(shown(report, msg::kReportTrend), kHeight + 7);
+    const std::string svg = trendSvg(*report.trend, *report.rubric, PdfPages::kWidth, kHeight, report.language);
+    pages.drawings({{{}, svg, PdfPages::kWidth, kHeight}});
+    for (const std::string& each : trendTexts(*report.trend, report.language))
+        pages.paragraph(shown(each), {7.5, false, PdfPages::kFaint});
 }
 
 void drawComment(PdfPages& pages, const AssessmentReport& report) {
@@ -194,6 +206,7 @@ std::string reportPdf(const AssessmentReport& report) {
         drawCriteria(pages, report);
         drawAdvice(pages, report);
         drawComment(pages, report);
+        drawTrend(pages, report);
         drawPictures(pages, report);
         pages.beginPage();
         drawSections(pages, report);
