@@ -327,6 +327,28 @@ TEST_F(AssessCommand, PutsTheTrialsOfAStudentTogether) {
                       HasSubstr("href=\"ben/report.html\"")));
     EXPECT_THAT(readText(out + "class.csv"), AllOf(HasSubstr("\nann/2.stl,"), HasSubstr("\nben.stl,")));
     expectRefused(assess(file("class"), {"--earlier", file("out")}), "give each student a folder");
+    const auto learned = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"learned", file("out"), "--out", file("learned")};
+        all.insert(all.end(), more.begin(), more.end());
+        return runTactooth(all);
+    };
+    const ProgramRun tested = learned({"--json"});
+    EXPECT_EQ(tested.exitCode, 1) << tested.err;
+    const Json result = Json::parse(tested.out);
+    ASSERT_EQ(result["students"].size(), 2U);
+    EXPECT_EQ(result["students"][0]["name"], "ann");
+    EXPECT_EQ(result["students"][0]["trials"].size(), 2U);
+    EXPECT_THAT(readText(file("learned/learned.html")), HasSubstr("Has it been learnt?"));
+    EXPECT_THAT(learned({"--language", "ja"}).out, HasSubstr("more passed trials"));
+    EXPECT_THAT(readText(file("learned/learned.html")), HasSubstr("習得できたか"));
+    // With rates that lie far apart, two passed trials can be enough: 0.1 squared is 1 %.
+    EXPECT_EQ(learned({"--adequate", "0.01", "--inadequate", "0.9", "--trials", "2"}).exitCode, 1) << "ben has but one";
+    std::filesystem::remove_all(file("out") + "/ben");
+    EXPECT_EQ(learned({"--adequate", "0.01", "--inadequate", "0.9", "--trials", "2"}).exitCode, 0);
+    expectRefused(learned({"--trials", "1", "--adequate", "0.001", "--inadequate", "0.999"}), "give at least so many");
+    expectRefused(learned({"--adequate", "0.5", "--inadequate", "0.4"}), "cannot be told apart");
+    expectRefused(learned({"--acceptable", "0.5", "--unacceptable", "0.4"}), "are not in order");
+    expectRefused(runTactooth({"learned", file("class"), "--out", file("learned")}), "there is no report.json");
 }
 
 /// Ten works of five students, each deeper than the one before; the teachers mark by the depth.

@@ -132,6 +132,46 @@ inline constexpr MessageText kRubricHasChanged{
     "rubric_has_changed", "%1 is left out: the rubric %2 has changed since; assess its work again.",
     "%1 は除外しました。評価基準表 %2 がその後変わっています。作品をもう一度評価してください。"};
 
+// Whether an exercise has been learnt.
+inline constexpr MessageText kLearningTitle{"learning_title", "Has it been learnt?", "習得できたか"};
+inline constexpr MessageText kLearningPlan{
+    "learning_plan",
+    "LC-CUSUM: a student who can do it fails %1 % of the trials, and one who cannot %2 %. One who cannot reaches the "
+    "limit "
+    "of %3 within %4 trials with a probability of at most %5 %.",
+    "LC-CUSUM：できる学生の不合格率を %1 %、できない学生の不合格率を %2 % とします。できない学生が %4 回以内に限度 %3 "
+    "に達する確率は、%5 % 以下です。"};
+inline constexpr MessageText kCusumPlan{
+    "cusum_plan",
+    "CUSUM: %1 % failed trials are acceptable, %2 % are not. The risk of either wrong decision is %3 %. A sum of %4 "
+    "says "
+    "that the rate of failures is not acceptable, one of %5 that it is; then the count begins at 0 again.",
+    "CUSUM：不合格率 %1 % は許容でき、%2 % は許容できません。判定を誤る確率はどちらも %3 % です。和が %4 "
+    "に達すると許容できない、%5 に達すると許容できると判定し、また 0 から数えます。"};
+inline constexpr MessageText kLearningPoints{"learning_points",
+                                             "Each point is a trial: green passed, red failed. The limits are dashed.",
+                                             "点は各回の結果です（緑：合格、赤：不合格）。破線は限度です。"};
+inline constexpr MessageText kLearningChart{"learning_chart", "LC-CUSUM: has it been learnt?",
+                                            "LC-CUSUM：習得できたか"};
+inline constexpr MessageText kCusumChart{"cusum_chart", "CUSUM: is the rate of failures acceptable?",
+                                         "CUSUM：不合格率は許容できるか"};
+inline constexpr MessageText kStudentAndExercise{"student_and_exercise", "%1: %2", "%1：%2"};
+inline constexpr MessageText kNoName{"no_name", "(no name)", "（名前なし）"};
+inline constexpr MessageText kLearntAt{"learnt_at", "Learnt: trial %1 reached the limit (%3 of %2 trials passed).",
+                                       "習得しました：%1 回目で限度に達しました（%2 回中 %3 回合格）。"};
+inline constexpr MessageText kNotYetLearnt{
+    "not_yet_learnt", "Not yet shown (%2 of %1 trials passed): it needs at least %3 more passed trials.",
+    "まだ示されていません（%1 回中 %2 回合格）：少なくともあと %3 回の合格が必要です。"};
+inline constexpr MessageText kCusumAcceptable{"cusum_acceptable",
+                                              "The rate of failures is acceptable; trial %1 has decided it.",
+                                              "不合格率は許容できます（%1 回目に判定）。"};
+inline constexpr MessageText kCusumUnacceptable{"cusum_unacceptable",
+                                                "The rate of failures is not acceptable; trial %1 has decided it.",
+                                                "不合格率は許容できません（%1 回目に判定）。"};
+inline constexpr MessageText kCusumOpen{"cusum_open",
+                                        "The trials do not tell yet whether the rate of failures is acceptable.",
+                                        "不合格率が許容できるかどうかは、まだ判定できません。"};
+
 // Tables of a class.
 inline constexpr MessageText kStudentPage{"student_page", "Trials of %1", "%1 の結果"};
 inline constexpr MessageText kClassTitle{"class_title", "Assessment of a class", "クラスの評価"};

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_command.h"
 #include "app/cli/cases/calibrate_command.h"
+#include "app/cli/cases/learned_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
 namespace {
@@ -40,6 +42,11 @@ void addLanguage(CLI::App& command, Language& language) {
             "Language of pages and PDF (default: en)")
         ->check(CLI::IsMember({"en", "ja"}))
         ->type_name("LANGUAGE");
+}
+
+/// A rate of failed trials.
+void addRate(CLI::App& command, const std::string& name, double& rate, const std::string& meaning) {
+    command.add_option(name, rate, meaning)->transform(numberFrom(0.001, 0.999))->type_name("RATE:0.001 to 0.999");
 }
 
 }  // namespace
@@ -88,6 +95,29 @@ void addCalibrateCommand(CLI::App& program, CommandAction& chosen) {
     addComparison(*command, options->with);
     command->add_option("--out", options->out, "File (*.toml) for the fitted rubric")->required()->type_name("FILE");
     command->add_flag("--json", options->json, "Prints the result as JSON");
+}
+
+void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
+    const auto options = std::make_shared<LearnedOptions>();
+    CLI::App* command = addCommand(program, chosen, "learned",
+                                   "Tells from the reports of a student's trials whether an exercise has been learnt.",
+                                   options, runLearned);
+    command->add_option("REPORTS", options->folder, "Folder with reports of 'assess', at any depth")
+        ->required()
+        ->type_name("");
+    command->add_option("--out", options->out, "Folder for learned.html and learned.json")
+        ->required()
+        ->type_name("DIR");
+    addRate(*command, "--adequate", options->adequate, "Share of trials that who can do it fails (default: 0.1)");
+    addRate(*command, "--inadequate", options->inadequate,
+            "Share of trials that who cannot do it fails (default: 0.3)");
+    command->add_option("--trials", options->trials, "Number of trials that are planned (default: 50)")
+        ->transform(wholeNumberFrom(1, 1000))
+        ->type_name("N:1 to 1000");
+    addRate(*command, "--acceptable", options->acceptable, "Share of failed trials that is acceptable (default: 0.05)");
+    addRate(*command, "--unacceptable", options->unacceptable, "Share that is not acceptable (default: 0.15)");
+    addLanguage(*command, options->language);
+    command->add_flag("--json", options->json, "Writes learned.json to the standard output, too");
 }
 
 }  // namespace tactooth
