@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+
+#include "assessment/preparation/preparation_metrics.h"
 
 namespace tactooth {
 namespace {
@@ -31,6 +34,23 @@ TEST(MetricTable, HasUniqueKeysAndCompleteRows) {
             !each.titleEn.empty() + !each.titleJa.empty() + !each.tipEn.empty() + !each.tipJa.empty();
         EXPECT_TRUE(texts == 0 || texts == 4) << "a row of the panel has both languages";
         EXPECT_EQ(each.compute(CavityProgress{}), 0) << "without a cavity";
+    }
+}
+
+/// Of a metric of a finished preparation: reports have its title and its definition in both languages.
+TEST(PreparationMetrics, HaveBothLanguages) {
+    const auto isJapanese = [](std::string_view text) {
+        return std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0xE3; });
+    };
+    std::set<std::string_view> titles;
+    for (const PreparationMetric& each : preparationMetrics()) {
+        SCOPED_TRACE(each.id);
+        EXPECT_TRUE(isJapanese(each.titleIn(Language::Japanese)));
+        EXPECT_TRUE(titles.insert(each.titleIn(Language::Japanese)).second) << "two have the same title";
+        EXPECT_TRUE(isJapanese(each.definitionIn(Language::Japanese)));
+        EXPECT_TRUE(each.definitionIn(Language::Japanese).ends_with("。"));
+        EXPECT_EQ(each.titleIn(Language::English), each.title);
+        EXPECT_FALSE(isJapanese(each.title));
     }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli/motion_files.h"
 #include "geometry/mesh/subdivide.h"
@@ -99,6 +101,64 @@ TEST_F(AssessCommand, SaysWhoseWorkItIsAndWhatToDoNext) {
     EXPECT_THAT(html, HasSubstr("Student: Ann &lt;Lee&gt;"));
     EXPECT_THAT(html, HasSubstr("Well done.\nMind the depth &amp; stop."));
     EXPECT_THAT(html, HasSubstr(json["next"][0].get<std::string>()));
+}
+
+/// A page without its style and its tags.
+std::string textOf(const std::string& html) {
+    std::string text;
+    for (std::size_t at = html.find("</style>"); at < html.size();) {
+        const std::size_t tag = std::min(html.find('<', at), html.size());
+        text += html.substr(at, tag - at) + ' ';
+        at = std::min(html.find('>', tag), html.size() - 1) + 1;
+    }
+    return text;
+}
+
+/// The words in Latin letters that are no unit and no name.
+std::vector<std::string> latinWords(const std::string& text) {
+    static const std::set<std::string> known = {"mm",  "RMS", "Dice", "SPARC",  "LDLJ",           "Hz", "SD", "UTC",
+                                                "TOC", "stl", "ann",  "expert", "Balasubramanian"};
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : text + ' ') {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+            word += c;
+        } else {
+            if (word.size() > 1 && !known.contains(word)) words.push_back(word);
+            word.clear();
+        }
+    }
+    return words;
+}
+
+TEST_F(AssessCommand, WritesThePagesInJapanese) {
+    std::filesystem::create_directory(file("class"));
+    (void)cavity("class/ann.stl", 0.4);
+    (void)text("class/ben.stl", "junk\n");
+    ASSERT_EQ(assess(file("class"), {"--language", "ja"}).exitCode, 2);
+    const std::string table = readText(file("out") + "/class.html");
+    EXPECT_THAT(table, AllOf(HasSubstr("<html lang=\"ja\">"), HasSubstr("クラスの評価"), HasSubstr("1 件中 1 件合格")));
+    EXPECT_THAT(readText(file("out") + "/class.csv"), HasSubstr("ben.stl,,not assessed,"));
+    const std::string out = file("out") + "/ann/";
+    const std::string html = readText(out + "report.html");
+    const std::string words = textOf(html);
+    EXPECT_THAT(latinWords(words.substr(0, words.find("作成："))), IsEmpty());  // then the program's name follows
+    EXPECT_THAT(html, AllOf(HasSubstr("理想の壁を 0.40 mm"), HasSubstr("遠心から近心への断面")));
+    EXPECT_THAT(readText(out + "report.pdf"), StartsWith("%PDF-"));
+    const std::string json = readText(out + "report.json");
+    ASSERT_EQ(assess(file("class"), {"--language", "en"}).exitCode, 2);
+    EXPECT_EQ(readText(out + "report.json"), json) << "programs read one language";
+    EXPECT_THAT(readText(out + "report.html"), HasSubstr("beyond the ideal wall"));
+    expectRefused(assess(file("class"), {"--language", "de"}), "{en,ja}");
+}
+
+TEST_F(AssessCommand, NeedsAFontForJapanese) {
+    const std::string fonts = text("fonts.conf", "<?xml version=\"1.0\"?><fontconfig></fontconfig>\n");
+    const ProgramRun run = runTactooth({"assess", cavity("deep.stl", 0.3), "--expert", expert(), "--original", block(),
+                                        "--language", "ja", "--out", file("out")},
+                                       {{"FONTCONFIG_FILE", fonts}});
+    expectRefused(run, "install the package fonts-ipafont-gothic");
+    EXPECT_FALSE(std::filesystem::exists(file("out")));
 }
 
 TEST_F(AssessCommand, WritesTheReportToTheOutputToo) {
@@ -217,6 +277,78 @@ TEST_F(AssessCommand, AssessesAClassWithARowForEach) {
     EXPECT_TRUE(std::filesystem::exists(file("out") + "/class.html.stl/report.html")) << "beside the table";
     std::filesystem::remove(file("class/class.html.stl"));
     expectRefused(assess(file("class")), "there is no work in this folder");
+}
+
+TEST_F(AssessCommand, ShowsTheTrendOverEarlierTrials) {
+    const std::string student = cavity("deep.stl", 0.3);
+    const auto trial = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"assess",     student, "--expert", expert(),
+                                        "--original", block(), "--out",    file("all/" + name)};
+        all.insert(all.end(), more.begin(), more.end());
+        return runTactooth(all);
+    };
+    (void)trial("t1", {});
+    const std::string alone = readText(file("all/t1/report.html"));
+    EXPECT_THAT(alone, Not(HasSubstr("Trials of this exercise")));
+    (void)trial("strict", {"--rubric", "near-ideal-strict"});
+    const ProgramRun run = trial("t2", {"--earlier", file("all")});
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    EXPECT_THAT(run.err, AllOf(HasSubstr("strict"), HasSubstr("is left out: its rubric is")));
+    const Json json = Json::parse(readText(file("all/t2/report.json")));
+    ASSERT_EQ(json["trend"]["marks"].size(), 2U);
+    EXPECT_EQ(json["trend"]["marks"][1], json["mark"]);
+    EXPECT_TRUE(json["trend"]["interval"].is_null()) << "two are too few";
+    EXPECT_THAT(readText(file("all/t2/report.html")), HasSubstr("Trials of this exercise"));
+    (void)trial("t2", {"--earlier", file("all")});
+    EXPECT_EQ(Json::parse(readText(file("all/t2/report.json"))), json) << "its own old report does not count";
+    std::filesystem::create_directory(file("none"));
+    EXPECT_THAT(trial("t3", {"--earlier", file("none")}).err, HasSubstr("There is no earlier trial"));
+    expectRefused(trial("t3", {"--earlier", missing()}), "cannot be read");
+    (void)text("none/report.json", "{}");
+    expectRefused(trial("t3", {"--earlier", file("none")}), "this is no report of an assessment");
+}
+
+TEST_F(AssessCommand, PutsTheTrialsOfAStudentTogether) {
+    std::filesystem::create_directories(file("class/ann"));
+    (void)cavity("class/ann/2.stl", 0.3);
+    (void)cavity("class/ann/10.stl", 0.05);
+    (void)cavity("class/ben.stl", 0.1);
+    const ProgramRun run = assess(file("class"));
+    EXPECT_NE(run.exitCode, 2) << run.err;
+    const std::string out = file("out") + "/";
+    const Json last = Json::parse(readText(out + "ann/10/report.json"));
+    EXPECT_EQ(last["name"], "ann");
+    ASSERT_EQ(last["trend"]["marks"].size(), 2U) << "10 comes after 2";
+    EXPECT_TRUE(Json::parse(readText(out + "ann/2/report.json"))["trend"].is_null());
+    EXPECT_THAT(readText(out + "ann/student.html"),
+                AllOf(HasSubstr("Trials of ann"), HasSubstr("href=\"10/report.html\""), HasSubstr("<svg")));
+    EXPECT_THAT(readText(out + "class.html"),
+                AllOf(HasSubstr("href=\"ann/student.html\""), HasSubstr("href=\"ann/10/report.html\""),
+                      HasSubstr("href=\"ben/report.html\"")));
+    EXPECT_THAT(readText(out + "class.csv"), AllOf(HasSubstr("\nann/2.stl,"), HasSubstr("\nben.stl,")));
+    expectRefused(assess(file("class"), {"--earlier", file("out")}), "give each student a folder");
+    const auto learned = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = {"learned", file("out"), "--out", file("learned")};
+        all.insert(all.end(), more.begin(), more.end());
+        return runTactooth(all);
+    };
+    const ProgramRun tested = learned({"--json"});
+    EXPECT_EQ(tested.exitCode, 1) << tested.err;
+    const Json result = Json::parse(tested.out);
+    ASSERT_EQ(result["students"].size(), 2U);
+    EXPECT_EQ(result["students"][0]["name"], "ann");
+    EXPECT_EQ(result["students"][0]["trials"].size(), 2U);
+    EXPECT_THAT(readText(file("learned/learned.html")), HasSubstr("Has it been learnt?"));
+    EXPECT_THAT(learned({"--language", "ja"}).out, HasSubstr("more passed trials"));
+    EXPECT_THAT(readText(file("learned/learned.html")), HasSubstr("習得できたか"));
+    // With rates that lie far apart, two passed trials can be enough: 0.1 squared is 1 %.
+    EXPECT_EQ(learned({"--adequate", "0.01", "--inadequate", "0.9", "--trials", "2"}).exitCode, 1) << "ben has but one";
+    std::filesystem::remove_all(file("out") + "/ben");
+    EXPECT_EQ(learned({"--adequate", "0.01", "--inadequate", "0.9", "--trials", "2"}).exitCode, 0);
+    expectRefused(learned({"--trials", "1", "--adequate", "0.001", "--inadequate", "0.999"}), "give at least so many");
+    expectRefused(learned({"--adequate", "0.5", "--inadequate", "0.4"}), "cannot be told apart");
+    expectRefused(learned({"--acceptable", "0.5", "--unacceptable", "0.4"}), "are not in order");
+    expectRefused(runTactooth({"learned", file("class"), "--out", file("learned")}), "there is no report.json");
 }
 
 /// Ten works of five students, each deeper than the one before; the teachers mark by the depth.

@@ -420,6 +420,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addScore(program, chosen);
     addAssessCommand(program, chosen);
     addCalibrateCommand(program, chosen);
+    addLearnedCommand(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
     addSessionCommands(program, chosen);

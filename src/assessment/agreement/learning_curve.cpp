@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kStudents = 50'000;  // a false alarm of 5 % is then known to 0.1 %
 constexpr std::size_t kMostTrials = 1000;
 constexpr std::uint64_t kPlanSeed = 5;
+constexpr double kRounding = 1e-9;  // of a sum that reaches a limit exactly
 
 bool areRates(double better, double worse) { return better > 0 && better < worse && worse < 1; }
 
@@ -63,8 +64,8 @@ std::vector<CusumPoint> cusumOf(const CusumPlan& plan, std::span<const Trial> tr
     for (const Trial trial : trials) {
         sum += trial == Trial::Passed ? -plan.step : 1 - plan.step;
         CusumDecision decision = CusumDecision::None;
-        if (sum <= -plan.lower) decision = CusumDecision::Acceptable;
-        if (sum >= plan.upper) decision = CusumDecision::Unacceptable;
+        if (sum <= -plan.lower + kRounding) decision = CusumDecision::Acceptable;
+        if (sum >= plan.upper - kRounding) decision = CusumDecision::Unacceptable;
         points.push_back({sum, decision});
         if (decision != CusumDecision::None) sum = 0;
     }

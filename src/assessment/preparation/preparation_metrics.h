@@ -55,7 +55,15 @@ struct PreparationMetric {
     Better better;
     Measured (*measure)(const PreparationMeasures& measures);
     std::string_view definition;  ///< for the documentation, with the source if it has one
+    std::string_view titleJa, definitionJa;
     ValueForm form = ValueForm::Measure;
+
+    [[nodiscard]] std::string_view titleIn(Language language) const {
+        return language == Language::English ? title : titleJa;
+    }
+    [[nodiscard]] std::string_view definitionIn(Language language) const {
+        return language == Language::English ? definition : definitionJa;
+    }
 };
 
 /// In the order of the report.

@@ -17,8 +17,8 @@ constexpr std::size_t kDepthsPerColumn = 2;
 
 }  // namespace
 
-WorkStrip workStrip(const SessionTrack& track, const SurfacePart& original, std::size_t columns,
-                    std::size_t mostMarks) {
+WorkStrip workStrip(const SessionTrack& track, const SurfacePart& original, std::size_t columns, std::size_t mostMarks,
+                    Language language) {
     TACTOOTH_ASSERT(columns > 0);
     WorkStrip strip{.seconds = track.seconds()};
     strip.columns.resize(columns);
@@ -51,7 +51,8 @@ WorkStrip workStrip(const SessionTrack& track, const SurfacePart& original, std:
     std::set<std::string_view> kinds;
     for (const TrackEvent& event : track.events()) {
         if (strip.marks.size() == mostMarks) break;
-        if (kinds.insert(event.text->id).second) strip.marks.push_back({event.time, std::string(event.text->english)});
+        if (kinds.insert(event.text->id).second)
+            strip.marks.push_back({event.time, std::string(event.text->in(language))});
     }
     return strip;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/bvh/surface.h"
+#include "geometry/util/message.h"
 #include "session/track/session_track.h"
 
 namespace tactooth {
@@ -29,6 +30,6 @@ struct WorkStrip {
 /// `columns`: number of them, at least 1. The marks are the first of each kind of event of the track, `mostMarks` of
 /// them at most.
 [[nodiscard]] WorkStrip workStrip(const SessionTrack& track, const SurfacePart& original, std::size_t columns,
-                                  std::size_t mostMarks);
+                                  std::size_t mostMarks, Language language = Language::English);
 
 }  // namespace tactooth

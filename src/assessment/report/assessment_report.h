@@ -10,6 +10,7 @@
 #include "assessment/preparation/scan_alignment.h"
 #include "assessment/process/work_strip.h"
 #include "assessment/report/report_section.h"
+#include "assessment/report/trial_trend.h"
 #include "assessment/rubric/rubric.h"
 
 namespace tactooth {
@@ -25,13 +26,14 @@ struct ReportPicture {
 
 /// The results of an assessment, for files that people and programs read.
 struct AssessmentReport {
-    std::string student;             ///< name of the file
-    std::string expert;              ///< name of the file, or of the exercise
-    std::string task = {};           ///< of the exercise; empty: there is none
-    std::string name = {};           ///< of the student; empty: not known
-    std::string date = {};           ///< of the work; empty: not known
-    std::string comment = {};        ///< of the teacher; empty: there is none
-    const Rubric* rubric = nullptr;  ///< not null
+    std::string student;                                 ///< name of the file
+    std::string expert;                                  ///< name of the file, or of the exercise
+    std::string task = {};                               ///< of the exercise; empty: there is none
+    std::string japaneseExpert = {}, japaneseTask = {};  ///< empty: the same as these
+    std::string name = {};                               ///< of the student; empty: not known
+    std::string date = {};                               ///< of the work; empty: not known
+    std::string comment = {};                            ///< of the teacher; empty: there is none
+    const Rubric* rubric = nullptr;                      ///< not null
     Mark mark = {};
     std::vector<MetricResult> metrics = {};
     Vec3 middle = Vec3::Zero();  ///< of the preparation, mm
@@ -43,18 +45,30 @@ struct AssessmentReport {
     std::vector<ReportPicture> pictures = {};
     std::string noPictures = {};  ///< why there are none
     std::vector<ReportSection> sections = {};
-    std::optional<WorkStrip> strip = {};  ///< nothing without a session
-    std::string program = {};             ///< version and commit
+    std::optional<WorkStrip> strip = {};    ///< nothing without a session
+    std::optional<TrialTrend> trend = {};   ///< nothing without earlier trials
+    std::string program = {};               ///< version and commit
+    Language language = Language::English;  ///< of the pages; JSON and CSV are in English
 };
 
+// Without a language, the texts are in that of the report.
+
 /// In words: "mesiobuccal".
-[[nodiscard]] std::string placeText(const AssessmentReport& report, const Vec3& place);
+[[nodiscard]] std::string placeText(const AssessmentReport& report, const Vec3& place, Language language);
+[[nodiscard]] inline std::string placeText(const AssessmentReport& report, const Vec3& place) {
+    return placeText(report, place, report.language);
+}
 /// "2:14"
 [[nodiscard]] std::string momentText(double seconds);
 /// "distobuccal, 2:14", whichever of both there is.
-[[nodiscard]] std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured);
+[[nodiscard]] std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured,
+                                             Language language);
+[[nodiscard]] inline std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured) {
+    return placeAndMomentText(report, measured, report.language);
+}
 /// "0.42 mm"; a share of 0 to 1 in %.
-[[nodiscard]] std::string valueText(const PreparationMetric& metric, double value);
+[[nodiscard]] std::string valueText(const PreparationMetric& metric, double value,
+                                    Language language = Language::English);
 
 /// A line over the report: "Task", "Follow the central fissure".
 struct ReportFact {
@@ -64,7 +78,11 @@ struct ReportFact {
 /// The first two are the work and what it is compared with.
 [[nodiscard]] std::vector<ReportFact> reportFacts(const AssessmentReport& report);
 /// A sentence.
-[[nodiscard]] std::string weightedMeanText(const Mark& mark);
+[[nodiscard]] std::string weightedMeanText(const Mark& mark, Language language = Language::English);
+/// "The mark is limited by: Pulp"
+[[nodiscard]] std::string limitedByText(const AssessmentReport& report, const Criterion& criterion);
+/// "Pulp (critical)"
+[[nodiscard]] std::string criterionText(const AssessmentReport& report, const Criterion& criterion);
 /// "passed, pass mark 65"
 [[nodiscard]] std::string resultText(const AssessmentReport& report);
 /// What the colours of the pictures mean, in a sentence.
@@ -77,7 +95,7 @@ struct ReportFact {
 /// "#2f7d4f"
 [[nodiscard]] std::string_view levelColour(Level level);
 
-// Three of the four forms; docs/assessment.md describes them. In English.
+// Three of the four forms; docs/assessment.md describes them.
 [[nodiscard]] std::string reportJson(const AssessmentReport& report);
 [[nodiscard]] std::string reportCsv(const AssessmentReport& report);
 /// One page without other files or scripts.

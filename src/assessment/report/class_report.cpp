@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/table_text.h"
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -15,7 +17,8 @@ namespace {
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4 landscape; margin: 12mm }
-body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, sans-serif; color: #1d2730; margin: 6mm }
+body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
+    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 6mm }
 h1 { font-size: 17pt; margin: 0 0 2mm }
 table { border-collapse: collapse } tr { page-break-inside: avoid }
 th { text-align: left; vertical-align: bottom; font-weight: 600; font-size: 8.5pt; color: #55636f }
@@ -59,14 +62,80 @@ std::string cellOf(const CriterionScore& each) {
     return fmt::format("<td class=\"n\" style=\"color:{}\">{:.0f}</td>", levelColour(*each.level), *each.score);
 }
 
+/// The page down to what follows its heading.
+std::string headOf(const std::string& title, const Rubric& rubric, Language language) {
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n<style>{}</style>"
+        "</head><body>\n<h1>{}</h1>\n",
+        languageCode(language), htmlText(title), kStyle, htmlText(title));
+    const Message columns(msg::kClassColumns, rubric.nameIn(language), fmt::format("{:.0f}", rubric.passMark));
+    return text + "<p>" + htmlText(columns.in(language)) + "</p>\n";
+}
+
+std::string linkTo(const std::string& address, const std::string& words) {
+    return fmt::format("<a href=\"{}\">{}</a>", address, htmlText(words));
+}
+
+/// The work, with links to its report and to the page of its student. `isOfStudent`: the page is that of the student.
+std::string workCell(const ClassRow& row, bool isOfStudent) {
+    const bool hasPage = !row.student.empty() && !isOfStudent;
+    const std::string folder = hasPage ? inAddress(row.student) + "/" : std::string();
+    std::string cell = hasPage ? linkTo(folder + "student.html", row.student) + " / " : std::string();
+    if (!row.mark) return "<td>" + cell + htmlText(row.work) + "</td>";
+    return "<td>" + cell + linkTo(folder + inAddress(row.folder) + "/report.html", row.work) + "</td>";
+}
+
+/// The table with a row for each work, and the means.
+std::string tableOf(const std::vector<ClassRow>& rows, const Rubric& rubric, bool isOfStudent, Language language) {
+    std::string text =
+        fmt::format("<table><thead><tr><th>{}</th><th class=\"n\">{}</th><th>{}</th>", msg::kFactWork.in(language),
+                    msg::kHeadMark.in(language), msg::kHeadResult.in(language));
+    for (const Criterion& each : rubric.criteria)
+        text += "<th class=\"n\">" + htmlText(each.titleIn(language)) + "</th>";
+    text += "</tr></thead><tbody>\n";
+    MeanOf marks;
+    std::vector<MeanOf> scores(rubric.criteria.size());
+    std::size_t passed = 0;
+    for (const ClassRow& row : rows) {
+        text += "<tr>" + workCell(row, isOfStudent);
+        if (!row.mark) {
+            text += fmt::format("<td class=\"n\">–</td><td colspan=\"{}\">{}</td></tr>\n", 1 + rubric.criteria.size(),
+                                htmlText(row.fault.in(language)));
+            continue;
+        }
+        const bool passes = row.mark->passes;
+        passed += passes ? 1 : 0;
+        marks.add(*row.mark->value);
+        text += fmt::format("<td class=\"n\">{:.1f}</td><td class=\"{}\">{}</td>", *row.mark->value,
+                            passes ? "passed" : "failed", (passes ? msg::kPassed : msg::kFailed).in(language));
+        for (std::size_t i = 0; i < row.mark->criteria.size(); ++i) {
+            const CriterionScore& each = row.mark->criteria[i];
+            if (each.score) scores[i].add(*each.score);
+            text += cellOf(each);
+        }
+        text += "</tr>\n";
+    }
+    text += fmt::format("</tbody><tfoot><tr><td>{}</td><td class=\"n\">{}</td><td>{}</td>",
+                        msg::kMeanAndSpread.in(language), marks.text(),
+                        Message(msg::kPassedOfAll, passed, marks.count).in(language));
+    for (const MeanOf& each : scores) text += "<td class=\"n\">" + each.text() + "</td>";
+    return text + "</tr></tfoot></table>\n";
+}
+
+std::string endOf(Language language) {
+    return fmt::format("<p class=\"small\">{}</p>\n</body></html>\n", msg::kOneTrial.in(language));
+}
+
 }  // namespace
+
+std::string workOf(const ClassRow& row) { return row.student.empty() ? row.work : row.student + "/" + row.work; }
 
 std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric) {
     std::string text = "work,mark,result";
     for (const Criterion& each : rubric.criteria) text += fmt::format(",{0},{0}_score", each.metric->id);
     text += ",note\n";
     for (const ClassRow& row : rows) {
-        text += csvCell(row.work) + ',';
+        text += csvCell(workOf(row)) + ',';
         if (row.mark) {
             text += numberText(*row.mark->value) + (row.mark->passes ? ",passed" : ",failed");
             for (const CriterionScore& each : row.mark->criteria) {
@@ -76,49 +145,25 @@ std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric) {
         } else {
             text += ",not assessed" + std::string(2 * rubric.criteria.size(), ',');
         }
-        text += ',' + csvCell(row.fault) + '\n';
+        text += ',' + csvCell(row.fault.in(Language::English)) + '\n';
     }
     return text;
 }
 
-std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric) {
-    std::string text =
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment of a "
-        "class</title>\n<style>";
-    text += std::string(kStyle) + "</style></head><body>\n<h1>Assessment of a class</h1>\n";
-    text +=
-        fmt::format("<p>Rubric: {}, pass mark {:.0f}. The columns show the score of each criterion, 0 to 100.</p>\n",
-                    htmlText(rubric.name), rubric.passMark);
-    text += "<table><thead><tr><th>Work</th><th class=\"n\">Mark</th><th>Result</th>";
-    for (const Criterion& each : rubric.criteria) text += "<th class=\"n\">" + htmlText(each.title) + "</th>";
-    text += "</tr></thead><tbody>\n";
-    MeanOf marks;
-    std::vector<MeanOf> scores(rubric.criteria.size());
-    std::size_t passed = 0;
-    for (const ClassRow& row : rows) {
-        if (!row.mark) {
-            text += fmt::format("<tr><td>{}</td><td class=\"n\">–</td><td colspan=\"{}\">{}</td></tr>\n",
-                                htmlText(row.work), 1 + rubric.criteria.size(), htmlText(row.fault));
-            continue;
-        }
-        const bool passes = row.mark->passes;
-        passed += passes ? 1 : 0;
-        marks.add(*row.mark->value);
-        text += fmt::format("<tr><td><a href=\"{}/report.html\">{}</a></td><td class=\"n\">{:.1f}</td>",
-                            inAddress(row.folder), htmlText(row.work), *row.mark->value);
-        text += passes ? "<td class=\"passed\">passed</td>" : "<td class=\"failed\">failed</td>";
-        for (std::size_t i = 0; i < row.mark->criteria.size(); ++i) {
-            const CriterionScore& each = row.mark->criteria[i];
-            if (each.score) scores[i].add(*each.score);
-            text += cellOf(each);
-        }
-        text += "</tr>\n";
+std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric, Language language) {
+    return headOf(std::string(msg::kClassTitle.in(language)), rubric, language) +
+           tableOf(rows, rubric, false, language) + endOf(language);
+}
+
+std::string studentHtml(const std::string& student, const std::vector<ClassRow>& rows, const Rubric& rubric,
+                        const TrialTrend* trend, Language language) {
+    constexpr double kWidth = 182, kHeight = 40;  // mm
+    std::string text = headOf(Message(msg::kStudentPage, displayText(student)).in(language), rubric, language);
+    if (trend != nullptr) {
+        text += trendSvg(*trend, rubric, kWidth, kHeight, language);
+        for (const std::string& each : trendTexts(*trend, language)) text += "<p>" + htmlText(each) + "</p>\n";
     }
-    text += fmt::format("</tbody><tfoot><tr><td>Mean ± s.d.</td><td class=\"n\">{}</td><td>{} of {} passed</td>",
-                        marks.text(), passed, marks.count);
-    for (const MeanOf& each : scores) text += "<td class=\"n\">" + each.text() + "</td>";
-    return text +
-           "</tr></tfoot></table>\n<p class=\"small\">One trial says little; look at several.</p>\n</body></html>\n";
+    return text + tableOf(rows, rubric, true, language) + endOf(language);
 }
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/next_steps.h"
 #include "assessment/report/strip_svg.h"
 #include "assessment/report/table_text.h"
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4; margin: 14mm }
-body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, sans-serif; color: #1d2730; margin: 0 auto;
+body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
+    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 0 auto;
   max-width: 182mm; padding: 6mm }
 h1 { font-size: 17pt; margin: 0 0 1mm }
 h2 { font-size: 11.5pt; margin: 6mm 0 2mm; border-bottom: 0.3mm solid #c9d2d9; padding-bottom: 1mm }
@@ -38,62 +40,81 @@ figure img { width: 100%; display: block } figcaption { font-size: 8.5pt; color:
 .small { font-size: 8.5pt; color: #55636f }
 )css";
 
+/// A heading.
+std::string h2(const AssessmentReport& report, const MessageText& title) {
+    return fmt::format("<h2>{}</h2>\n", htmlText(title.in(report.language)));
+}
+
+/// The head of a table; `isNumber`: its column is set to the right.
+std::string th(const AssessmentReport& report, const MessageText& title, bool isNumber = false) {
+    return fmt::format("<th{}>{}</th>", isNumber ? " class=\"n\"" : "", title.in(report.language));
+}
+
 std::string head(const AssessmentReport& report) {
     const Mark& mark = report.mark;
-    std::string text = "<div class=\"head\"><div><h1>Assessment of a preparation</h1>\n";
-    text += "<p>";
+    std::string text =
+        "<div class=\"head\"><div><h1>" + std::string(msg::kReportTitle.in(report.language)) + "</h1>\n<p>";
     const std::vector<ReportFact> facts = reportFacts(report);
     for (std::size_t i = 0; i < facts.size(); ++i) {
         const std::string value = i < 2 ? "<b>" + htmlText(facts[i].value) + "</b>" : htmlText(facts[i].value);
         text += (i > 0 ? "<br>" : "") + std::string(facts[i].title) + ": " + value;
     }
     text += "</p></div>\n";
-    text += fmt::format("<div class=\"mark {}\"><b>{}</b>of 100<br>{}</div></div>\n", mark.passes ? "passed" : "failed",
-                        mark.value ? fmt::format("{:.1f}", *mark.value) : "–", resultText(report));
+    text += fmt::format("<div class=\"mark {}\"><b>{}</b>{}<br>{}</div></div>\n", mark.passes ? "passed" : "failed",
+                        mark.value ? fmt::format("{:.1f}", *mark.value) : "–", msg::kOfHundred.in(report.language),
+                        resultText(report));
     return text;
 }
 
-std::string scoreCell(const CriterionScore& each) {
+std::string scoreCell(const AssessmentReport& report, const CriterionScore& each) {
     if (!each.score) return "<td class=\"n none\">–</td><td></td>";
     return fmt::format(
         "<td class=\"n\">{:.0f}</td><td>{}<div class=\"bar\"><i style=\"width:{:.0f}%;background:{}\"></i></div></td>",
-        *each.score, levelText(*each.level).english, std::max(2.0, *each.score), levelColour(*each.level));
+        *each.score, levelText(*each.level).in(report.language), std::max(2.0, *each.score), levelColour(*each.level));
 }
 
 std::string criterionRow(const AssessmentReport& report, const CriterionScore& each) {
     const Criterion& criterion = *each.criterion;
-    std::string text = "<tr><td>" + htmlText(criterion.title);
-    if (criterion.critical) text += " <span class=\"small\">(critical)</span>";
-    text += "</td>";
+    std::string text = "<tr><td>" + htmlText(criterionText(report, criterion)) + "</td>";
     if (each.measured.value) {
-        text += "<td class=\"n\">" + valueText(*criterion.metric, *each.measured.value) + "</td>";
+        text += "<td class=\"n\">" + valueText(*criterion.metric, *each.measured.value, report.language) + "</td>";
     } else {
-        text += "<td class=\"n none\">not measurable</td>";
+        text += fmt::format("<td class=\"n none\">{}</td>", msg::kNotMeasurable.in(report.language));
     }
-    text += scoreCell(each);
+    text += scoreCell(report, each);
     text += criterion.weight > 0 ? fmt::format("<td class=\"n\">{:g}</td>", criterion.weight)
-                                 : std::string("<td class=\"n\">limit</td>");
+                                 : fmt::format("<td class=\"n\">{}</td>", msg::kOnlyLimit.in(report.language));
     text += each.lost > 0 ? fmt::format("<td class=\"n\">−{:.1f}</td>", each.lost) : "<td></td>";
     return text + "<td>" + placeAndMomentText(report, each.measured) + "</td></tr>\n";
 }
 
 std::string madeOf(const AssessmentReport& report) {
     const Mark& mark = report.mark;
-    std::string text =
-        "<h2>What the mark is made of</h2>\n<table><thead><tr><th>Criterion</th><th class=\"n\">Measured</th>"
-        "<th class=\"n\">Score</th><th>Level</th><th class=\"n\">Weight</th><th class=\"n\">Lost</th>"
-        "<th>Where, when</th></tr></thead><tbody>\n";
+    std::string text = h2(report, msg::kReportMadeOf) + "<table><thead><tr>" + th(report, msg::kHeadCriterion);
+    text += th(report, msg::kHeadMeasured, true) + th(report, msg::kHeadScore, true) + th(report, msg::kHeadLevel);
+    text += th(report, msg::kHeadWeight, true) + th(report, msg::kHeadLost, true) + th(report, msg::kHeadWhere);
+    text += "</tr></thead><tbody>\n";
     for (const CriterionScore& each : mark.criteria) text += criterionRow(report, each);
     text += "</tbody></table>\n";
-    text += "<p>" + weightedMeanText(mark) + "</p>\n";
+    text += "<p>" + weightedMeanText(mark, report.language) + "</p>\n";
     for (const Criterion* each : mark.limitedBy) {
-        text += "<p><b>The mark is limited by: " + htmlText(each->title) + "</b></p>\n";
+        text += "<p><b>" + htmlText(limitedByText(report, *each)) + "</b></p>\n";
     }
     return text;
 }
 
+std::string trend(const AssessmentReport& report) {
+    if (!report.trend) return {};
+    constexpr double kWidth = 182, kHeight = 36;  // mm
+    std::string text = h2(report, msg::kReportTrend);
+    text += trendSvg(*report.trend, *report.rubric, kWidth, kHeight, report.language);
+    for (const std::string& each : trendTexts(*report.trend, report.language))
+        text += "<p class=\"small\">" + htmlText(each) + "</p>\n";
+    return text;
+}
+
 std::string pictures(const AssessmentReport& report) {
-    std::string text = "<h2>Distance to the ideal preparation</h2>\n";
+    std::string text = h2(report, msg::kReportDistance);
     if (report.pictures.empty()) return text + "<p class=\"none\">" + htmlText(report.noPictures) + "</p>\n";
     text += "<p class=\"small\">" + coloursText(report) + "</p>\n<div class=\"pictures\">\n";
     for (const ReportPicture& each : report.pictures) {
@@ -104,9 +125,9 @@ std::string pictures(const AssessmentReport& report) {
 }
 
 std::string advice(const AssessmentReport& report) {
-    std::string text = "<h2>What to do next</h2>\n<ul>";
+    std::string text = h2(report, msg::kReportNext) + "<ul>";
     for (const std::string& step : nextSteps(report)) text += "<li>" + htmlText(step) + "</li>";
-    text += "</ul>\n<h2>The teacher's comment</h2>\n<div class=\"comment\">";
+    text += "</ul>\n" + h2(report, msg::kReportComment) + "<div class=\"comment\">";
     std::string_view rest = report.comment;
     while (!rest.empty()) {  // lines stay lines
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -119,10 +140,10 @@ std::string advice(const AssessmentReport& report) {
 std::string sections(const AssessmentReport& report) {
     if (report.sections.empty()) return {};
     constexpr double kWidth = 86;  // mm
-    std::string text = "<h2>Sections</h2>\n<div class=\"sections\">\n";
+    std::string text = h2(report, msg::kReportSections) + "<div class=\"sections\">\n";
     for (const ReportSection& each : report.sections) {
-        text += "<figure style=\"width:86mm\">" + sectionSvg(each, kWidth) + "<figcaption>" + htmlText(each.title) +
-                "</figcaption></figure>\n";
+        text += "<figure style=\"width:86mm\">" + sectionSvg(each, kWidth, report.language) + "<figcaption>" +
+                htmlText(each.title) + "</figcaption></figure>\n";
     }
     return text + "</div>\n";
 }
@@ -130,7 +151,7 @@ std::string sections(const AssessmentReport& report) {
 std::string strip(const AssessmentReport& report) {
     if (!report.strip) return {};
     constexpr double kWidth = 182, kHeight = 46;  // mm
-    std::string text = "<h2>Force and depth during the session</h2>\n" + stripSvg(*report.strip, kWidth, kHeight);
+    std::string text = h2(report, msg::kReportStrip) + stripSvg(*report.strip, kWidth, kHeight, report.language);
     text += "<p class=\"small\">";
     for (std::size_t i = 0; i < report.strip->marks.size(); ++i) {
         text += (i > 0 ? "<br>" : "") + htmlText(markText(i + 1, report.strip->marks[i]));
@@ -139,15 +160,15 @@ std::string strip(const AssessmentReport& report) {
 }
 
 std::string allMetrics(const AssessmentReport& report) {
-    std::string text =
-        "<h2>All measures</h2>\n<table><thead><tr><th>Measure</th><th class=\"n\">Value</th><th>Where, when</th>"
-        "<th>Definition</th></tr></thead><tbody>\n";
+    std::string text = h2(report, msg::kReportMeasures) + "<table><thead><tr>" + th(report, msg::kHeadMeasure);
+    text += th(report, msg::kHeadValue, true) + th(report, msg::kHeadWhere) + th(report, msg::kHeadDefinition);
+    text += "</tr></thead><tbody>\n";
     for (const auto& [metric, measured] : report.metrics) {
         if (!measured.value) continue;
-        text += "<tr><td>" + htmlText(metric->title) + "</td>";
-        text += "<td class=\"n\">" + valueText(*metric, *measured.value) + "</td>";
+        text += "<tr><td>" + htmlText(metric->titleIn(report.language)) + "</td>";
+        text += "<td class=\"n\">" + valueText(*metric, *measured.value, report.language) + "</td>";
         text += "<td>" + placeAndMomentText(report, measured) + "</td><td class=\"small\">" +
-                htmlText(metric->definition) + "</td></tr>\n";
+                htmlText(metric->definitionIn(report.language)) + "</td></tr>\n";
     }
     text += "</tbody></table>\n";
     for (const std::string& each : notMeasuredTexts(report)) text += "<p class=\"small\">" + htmlText(each) + "</p>\n";
@@ -157,10 +178,12 @@ std::string allMetrics(const AssessmentReport& report) {
 }  // namespace
 
 std::string reportHtml(const AssessmentReport& report) {
-    std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Assessment: ";
-    text += htmlText(report.student) + "</title>\n<style>" + std::string(kStyle) + "</style></head><body>\n";
-    text += head(report) + madeOf(report) + advice(report) + pictures(report) + sections(report) + strip(report) +
-            allMetrics(report);
+    std::string text = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n",
+        languageCode(report.language), htmlText(Message(msg::kReportPage, report.student).in(report.language)));
+    text += "<style>" + std::string(kStyle) + "</style></head><body>\n";
+    text += head(report) + madeOf(report) + advice(report) + trend(report) + pictures(report) + sections(report) +
+            strip(report) + allMetrics(report);
     text += "<p class=\"small\">" + htmlText(footerText(report)) + "</p>\n</body></html>\n";
     return text;
 }

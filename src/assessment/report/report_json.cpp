@@ -17,7 +17,7 @@ Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text)
 Json placeJson(const AssessmentReport& report, const Measured& measured) {
     if (!measured.place) return {};
     const Vec3& at = *measured.place;
-    return {{"x", at.x()}, {"y", at.y()}, {"z", at.z()}, {"name", placeText(report, at)}};
+    return {{"x", at.x()}, {"y", at.y()}, {"z", at.z()}, {"name", placeText(report, at, Language::English)}};
 }
 
 /// Adds what was measured to the object of a metric or of a criterion.
@@ -49,6 +49,15 @@ Json criterionJson(const AssessmentReport& report, const CriterionScore& each) {
     return json;
 }
 
+Json trendJson(const TrialTrend& trend) {
+    const RecentMarks recent = recentMarks(trend);
+    Json marks = Json::array();
+    for (const TrialTrend::Trial& each : trend.trials) marks.push_back(each.mark);
+    Json json = {{"marks", std::move(marks)}, {"recent", recent.trials}, {"median", recent.median}};
+    json["interval"] = recent.interval ? Json{recent.interval->low, recent.interval->high} : Json();
+    return json;
+}
+
 }  // namespace
 
 std::string reportJson(const AssessmentReport& report) {
@@ -69,8 +78,9 @@ std::string reportJson(const AssessmentReport& report) {
                  {"seconds", orNull(report.seconds)}};
     for (const Criterion* each : report.mark.limitedBy) json["limited_by"].push_back(each->metric->id);
     json["fit"] = report.fit ? Json{{"residual", report.fit->residual}, {"used_share", report.fit->usedShare}} : Json();
-    json["next"] = nextSteps(report);
+    json["next"] = nextSteps(report, Language::English);
     json["comment"] = orNull(report.comment);
+    json["trend"] = report.trend ? trendJson(*report.trend) : Json();
     json["criteria"] = Json::array();
     for (const CriterionScore& each : report.mark.criteria) json["criteria"].push_back(criterionJson(report, each));
     json["metrics"] = Json::array();

@@ -9,6 +9,7 @@
 
 #include "assessment/messages.h"
 #include "assessment/preparation/place_name.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/svg_text.h"
 #include "collision/bvh/closest_point.h"
 
@@ -21,12 +22,12 @@ constexpr double kAspect = 0.55;    // height to width
 constexpr double kLegend = 8.5;     // mm below a drawing, on paper
 
 /// The direction in words: "mesial".
-std::string nameOf(const Vec3& direction, double mesialX) {
+std::string nameOf(const Vec3& direction, double mesialX, Language language) {
     if (std::abs(direction.z()) > 0.8) {
-        return std::string((direction.z() > 0 ? msg::kPlaceOcclusal : msg::kPlaceGingival).english);
+        return std::string((direction.z() > 0 ? msg::kPlaceOcclusal : msg::kPlaceGingival).in(language));
     }
     const DentalDirections fromAbove(Vec3::UnitZ(), mesialX);
-    return std::string(placeName(5 * direction, Vec3::Zero(), fromAbove).english);
+    return std::string(placeName(5 * direction, Vec3::Zero(), fromAbove).in(language));
 }
 
 /// Whether a section shows how far `place` lies from the ideal surface. A section along a wall does not.
@@ -37,10 +38,11 @@ bool isSeenIn(const SectionPlane& plane, const Vec3& place, const SurfacePart& i
     return std::abs((nearest->point - place).dot(plane.normal())) < kAcross * nearest->distance;
 }
 
-ReportSection sectionIn(const SectionPlane& plane, const Preparation& preparation, const CutSurfaces& surfaces) {
+ReportSection sectionIn(const SectionPlane& plane, const Preparation& preparation, const CutSurfaces& surfaces,
+                        Language language) {
     ReportSection section;
-    section.left = nameOf(-plane.right, preparation.mesialX);
-    section.right = nameOf(plane.right, preparation.mesialX);
+    section.left = nameOf(-plane.right, preparation.mesialX, language);
+    section.right = nameOf(plane.right, preparation.mesialX, language);
     Eigen::AlignedBox2d box;
     for (const TriangleMesh* mesh : {&surfaces.cut.mesh, &surfaces.idealCut.mesh}) {
         for (const SectionLine& line : planeSection(*mesh, plane)) {
@@ -106,35 +108,36 @@ constexpr std::string_view kIdeal = "stroke=\"#1c66b8\" stroke-width=\"0.35\"";
 constexpr std::string_view kPulp = "stroke=\"#b23a24\" stroke-width=\"0.25\"";
 
 /// What the lines mean, from `x` on.
-std::string legend(double y, bool hasPulp) {
+std::string legend(double y, bool hasPulp, Language language) {
     std::string legend;
     double x = 0;
-    const auto add = [&](std::string_view style, std::string_view words, double width) {
+    const auto add = [&](std::string_view style, const MessageText& words, double width) {
         legend += svgLine(x, y - 0.9, x + 5, y - 0.9, style);
-        legend += svgText(x + 6, y, "start", words);
+        legend += svgText(x + 6, y, "start", words.in(language));
         x += width;
     };
-    add(kPrepared, "prepared", 21);
-    add(kIdeal, "ideal", 16);
-    add(kUncut, "uncut", 17);
-    if (hasPulp) add(kPulp, "pulp", 15);
+    add(kPrepared, msg::kLinePrepared, 21);
+    add(kIdeal, msg::kLineIdeal, 16);
+    add(kUncut, msg::kLineUncut, 17);
+    if (hasPulp) add(kPulp, msg::kLinePulp, 15);
     return legend;
 }
 
 }  // namespace
 
 std::vector<ReportSection> reportSections(const Preparation& preparation, const CutSurfaces& surfaces,
-                                          const std::optional<Vec3>& worst) {
+                                          const std::optional<Vec3>& worst, Language language) {
     const DentalDirections to(preparation.axis, preparation.mesialX);
     const Vec3 along = to.hasMesial ? to.mesial : to.buccal;
     std::vector<ReportSection> sections;
     for (const Vec3& right : {along, Vec3(preparation.axis.cross(along))}) {
         SectionPlane plane{surfaces.middle, right, preparation.axis};
         if (worst && isSeenIn(plane, *worst, *preparation.ideal)) plane.origin = *worst;
-        sections.push_back(sectionIn(plane, preparation, surfaces));
+        sections.push_back(sectionIn(plane, preparation, surfaces, language));
         ReportSection& section = sections.back();
-        section.title = fmt::format("Section from {} to {}", section.left, section.right);
-        if (plane.origin != surfaces.middle) section.title += ", at the deepest error";
+        Message title(msg::kSectionFromTo, section.left, section.right);
+        if (plane.origin != surfaces.middle) title = Message(msg::kSectionAtError, title);
+        section.title = title.in(language);
     }
     return sections;
 }
@@ -143,7 +146,7 @@ double sectionHeight(const ReportSection& section, double width) {
     return width * section.box.sizes().y() / section.box.sizes().x() + kLegend;
 }
 
-std::string sectionSvg(const ReportSection& section, double width) {
+std::string sectionSvg(const ReportSection& section, double width, Language language) {
     const Drawing drawing(section, width);
     const double height = sectionHeight(section, width), bottom = height - kLegend;
     std::string svg = svgHead(width, height);
@@ -153,7 +156,7 @@ std::string sectionSvg(const ReportSection& section, double width) {
     const double row = bottom + 3.4, scaleBar = drawing.onPaper(1), middle = width / 2;
     svg += svgText(0, row, "start", section.left) + svgText(width, row, "end", section.right);
     svg += svgLine(middle - scaleBar, row - 0.9, middle, row - 0.9, "stroke=\"#1d2730\" stroke-width=\"0.5\"");
-    svg += svgText(middle + 1, row, "start", "1 mm") + legend(row + 4, !section.pulp.empty());
+    svg += svgText(middle + 1, row, "start", "1 mm") + legend(row + 4, !section.pulp.empty(), language);
     return svg + "</svg>\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "assessment/preparation/preparation.h"
 #include "geometry/mesh/plane_section.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
@@ -23,10 +24,11 @@ struct ReportSection {
 /// over-preparation, mm, if there is one: a section that shows its depth goes through it, the other one through the
 /// middle of the preparation.
 [[nodiscard]] std::vector<ReportSection> reportSections(const Preparation& preparation, const CutSurfaces& surfaces,
-                                                        const std::optional<Vec3>& worst);
+                                                        const std::optional<Vec3>& worst,
+                                                        Language language = Language::English);
 
 /// A drawing (SVG) of this width, mm.
-[[nodiscard]] std::string sectionSvg(const ReportSection& section, double width);
+[[nodiscard]] std::string sectionSvg(const ReportSection& section, double width, Language language = Language::English);
 /// Its height, mm.
 [[nodiscard]] double sectionHeight(const ReportSection& section, double width);
 

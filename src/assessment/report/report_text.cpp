@@ -9,6 +9,7 @@
 
 #include "assessment/preparation/place_name.h"
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/table_text.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
@@ -35,16 +36,35 @@ double tidy(double value, int decimals) {
 }
 
 /// "2026-11-27 16:21 UTC" for "2026-11-27T16:21:29Z"; another text stays as it is.
-std::string dateText(const std::string& date) {
-    constexpr std::size_t kDay = 10, kMinutes = 16, kWhole = 20;
+std::string dateText(const std::string& date, Language language) {
+    constexpr std::size_t kDay = 10, kWhole = 20;
     if (date.size() != kWhole || date[kDay] != 'T' || date.back() != 'Z') return date;
-    return date.substr(0, kDay) + ' ' + date.substr(kDay + 1, kMinutes - kDay - 1) + " UTC";
+    return Message(msg::kReportDay, date.substr(0, 4), date.substr(5, 2), date.substr(8, 2), date.substr(kDay + 1, 5))
+        .in(language);
 }
+
+std::string number(double value, int decimals) { return fmt::format("{:.{}f}", value, decimals); }
+
+/// What stands before or after a value in a language: a unit.
+struct Unit {
+    std::string_view unit, english, japanese;
+    int decimals;
+};
+constexpr std::array kUnits = {Unit{"1", "", "", 2},
+                               Unit{"mm", " mm", " mm", 2},
+                               Unit{"mm^2", " mm²", " mm²", 2},
+                               Unit{"mm^3", " mm³", " mm³", 2},
+                               Unit{"deg", "°", "°", 1},
+                               Unit{"s", " s", " 秒", 1},
+                               Unit{"N", " N", " N", 2},
+                               Unit{"N*s", " N·s", " N·s", 1},
+                               Unit{"Hz", " Hz", " Hz", 1},
+                               Unit{"mm^3/s", " mm³/s", " mm³/s", 3}};
 
 }  // namespace
 
-std::string placeText(const AssessmentReport& report, const Vec3& place) {
-    return std::string(placeName(place, report.middle, DentalDirections(report.axis, report.mesialX)).english);
+std::string placeText(const AssessmentReport& report, const Vec3& place, Language language) {
+    return std::string(placeName(place, report.middle, DentalDirections(report.axis, report.mesialX)).in(language));
 }
 
 std::string momentText(double seconds) {
@@ -52,46 +72,60 @@ std::string momentText(double seconds) {
     return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured) {
-    std::string text;
-    if (measured.place) text = placeText(report, *measured.place);
-    if (measured.moment) text += (text.empty() ? "" : ", ") + momentText(*measured.moment);
-    return text;
+std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured, Language language) {
+    const std::string place = measured.place ? placeText(report, *measured.place, language) : std::string();
+    if (!measured.moment) return place;
+    if (place.empty()) return momentText(*measured.moment);
+    return Message(msg::kPlaceAndMoment, place, momentText(*measured.moment)).in(language);
 }
 
 std::vector<ReportFact> reportFacts(const AssessmentReport& report) {
-    std::vector<ReportFact> facts = {{"Work", report.student}, {"Compared with", report.expert}};
-    if (!report.name.empty()) facts.push_back({"Student", report.name});
-    if (!report.date.empty()) facts.push_back({"Date", dateText(report.date)});
-    if (!report.task.empty()) facts.push_back({"Task", report.task});
-    facts.push_back({"Rubric", report.rubric->name});
-    if (report.seconds) facts.push_back({"Length of the session", momentText(*report.seconds) + " min"});
+    const Language language = report.language;
+    const bool isJapanese = language == Language::Japanese;
+    std::vector<ReportFact> facts;
+    const auto add = [&](const MessageText& title, std::string value) {
+        if (!value.empty()) facts.push_back({title.in(language), std::move(value)});
+    };
+    add(msg::kFactWork, report.student);
+    add(msg::kFactComparedWith, isJapanese && !report.japaneseExpert.empty() ? report.japaneseExpert : report.expert);
+    add(msg::kFactStudent, report.name);
+    add(msg::kFactDate, dateText(report.date, language));
+    add(msg::kFactTask, isJapanese && !report.japaneseTask.empty() ? report.japaneseTask : report.task);
+    add(msg::kFactRubric, report.rubric->nameIn(language));
+    if (report.seconds) add(msg::kFactLength, Message(msg::kFactMinutes, momentText(*report.seconds)).in(language));
     if (report.fit) {
-        facts.push_back(
-            {"Fit of the surface on the uncut tooth",
-             fmt::format("{:.3f} mm RMS over {:.0f} % of it", report.fit->residual, 100 * report.fit->usedShare)});
+        add(msg::kFactFit,
+            Message(msg::kFactFitValue, number(report.fit->residual, 3), number(100 * report.fit->usedShare, 0))
+                .in(language));
     }
     return facts;
 }
 
-std::string weightedMeanText(const Mark& mark) {
-    if (!mark.weighted) return "No criterion with a weight could be measured, so there is no mark.";
-    std::string text = fmt::format("Weighted mean of the scores: {:.1f}", *mark.weighted);
-    if (mark.judgedShare < 1) {
-        text += fmt::format(" (of {:.0f} % of the weights; the rest could not be measured)", 100 * mark.judgedShare);
-    }
-    return text + ".";
+std::string weightedMeanText(const Mark& mark, Language language) {
+    if (!mark.weighted) return std::string(msg::kNoMark.in(language));
+    const std::string mean = number(*mark.weighted, 1);
+    if (mark.judgedShare == 1) return Message(msg::kWeightedMean, mean).in(language);
+    return Message(msg::kWeightedMeanOfPart, mean, number(100 * mark.judgedShare, 0)).in(language);
+}
+
+std::string limitedByText(const AssessmentReport& report, const Criterion& criterion) {
+    return Message(msg::kMarkLimitedBy, criterion.titleIn(report.language)).in(report.language);
+}
+
+std::string criterionText(const AssessmentReport& report, const Criterion& criterion) {
+    const std::string& title = criterion.titleIn(report.language);
+    return criterion.critical ? Message(msg::kCriticalCriterion, title).in(report.language) : title;
 }
 
 std::string resultText(const AssessmentReport& report) {
-    return fmt::format("{}, pass mark {:.0f}", report.mark.passes ? "passed" : "failed", report.rubric->passMark);
+    return Message(msg::kResultOfPassMark, report.mark.passes ? msg::kPassed : msg::kFailed,
+                   number(report.rubric->passMark, 0))
+        .in(report.language);
 }
 
 std::string coloursText(const AssessmentReport& report) {
-    return fmt::format(
-        "White: within {:g} mm of the ideal preparation, or not to be cut. Blue: still to be cut. Orange: "
-        "cut too deep. The colours are full from {:g} mm on.",
-        report.tolerance, kColourRange);
+    return Message(msg::kPictureColours, fmt::format("{:g}", report.tolerance), fmt::format("{:g}", kColourRange))
+        .in(report.language);
 }
 
 std::string markText(std::size_t number, const WorkStrip::Mark& mark) {
@@ -99,26 +133,27 @@ std::string markText(std::size_t number, const WorkStrip::Mark& mark) {
 }
 
 std::vector<std::string> notMeasuredTexts(const AssessmentReport& report) {
+    const Language language = report.language;
     std::vector<std::pair<const MessageText*, std::string>> reasons;
     for (const auto& [metric, measured] : report.metrics) {
         if (measured.value) continue;
         const auto known =
             std::ranges::find(reasons, measured.reason, &std::pair<const MessageText*, std::string>::first);
         if (known == reasons.end()) {
-            reasons.emplace_back(measured.reason, metric->title);
+            reasons.emplace_back(measured.reason, metric->titleIn(language));
         } else {
-            known->second += fmt::format("; {}", metric->title);
+            known->second = Message(msg::kTwoOfList, known->second, metric->titleIn(language)).in(language);
         }
     }
     std::vector<std::string> texts;
     for (const auto& [reason, titles] : reasons) {
-        texts.push_back(fmt::format("Not measurable, because {}: {}.", reason->english, titles));
+        texts.push_back(Message(msg::kNotMeasured, *reason, titles).in(language));
     }
     return texts;
 }
 
 std::string footerText(const AssessmentReport& report) {
-    return "Measures and limits support a teacher's judgement; they do not replace it. Made by " + report.program + ".";
+    return Message(msg::kReportFooter, report.program).in(report.language);
 }
 
 std::string_view levelColour(Level level) {
@@ -126,20 +161,13 @@ std::string_view levelColour(Level level) {
     return kColours[static_cast<std::size_t>(level)];
 }
 
-std::string valueText(const PreparationMetric& metric, double value) {
+std::string valueText(const PreparationMetric& metric, double value, Language language) {
     if (metric.form == ValueForm::Share) return fmt::format("{:.1f} %", tidy(100 * value, 1));
     if (metric.form == ValueForm::Count) return fmt::format("{:.0f}", tidy(value, 0));
-    struct Unit {
-        std::string_view unit, text;
-        int decimals;
-    };
-    constexpr std::array kUnits = {Unit{"1", "", 2},           Unit{"mm", " mm", 2},   Unit{"mm^2", " mm²", 2},
-                                   Unit{"mm^3", " mm³", 2},    Unit{"deg", "°", 1},    Unit{"s", " s", 1},
-                                   Unit{"N", " N", 2},         Unit{"N*s", " N·s", 1}, Unit{"Hz", " Hz", 1},
-                                   Unit{"mm^3/s", " mm³/s", 3}};
     const auto* const unit = std::ranges::find(kUnits, metric.unit, &Unit::unit);
     TACTOOTH_ASSERT(unit != kUnits.end());
-    return fmt::format("{:.{}f}{}", tidy(value, unit->decimals), unit->decimals, unit->text);
+    return fmt::format("{:.{}f}{}", tidy(value, unit->decimals), unit->decimals,
+                       language == Language::English ? unit->english : unit->japanese);
 }
 
 std::string reportCsv(const AssessmentReport& report) {

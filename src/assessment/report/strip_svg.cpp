@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "assessment/report/assessment_report.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/svg_text.h"
 
 namespace tactooth {
@@ -76,7 +77,7 @@ double mostOf(const std::vector<WorkStrip::Column>& columns, double WorkStrip::C
 
 }  // namespace
 
-std::string stripSvg(const WorkStrip& strip, double width, double height) {
+std::string stripSvg(const WorkStrip& strip, double width, double height, Language language) {
     std::string svg = svgHead(width, height);
     const double right = width - 2, each = (height - kTop - kBottom - kGap) / 2;
     const Plot force{.left = kLeft,
@@ -86,7 +87,7 @@ std::string stripSvg(const WorkStrip& strip, double width, double height) {
                      .most = mostOf(strip.columns, &WorkStrip::Column::force, kLeastForce),
                      .isDownward = false,
                      .colour = "#5d83a8",
-                     .title = "force, N"};
+                     .title = msg::kStripForce.in(language)};
     const Plot depth{.left = kLeft,
                      .right = right,
                      .top = kTop + each + kGap,
@@ -94,7 +95,7 @@ std::string stripSvg(const WorkStrip& strip, double width, double height) {
                      .most = mostOf(strip.columns, &WorkStrip::Column::depth, kLeastDepth),
                      .isDownward = true,
                      .colour = "#b79a63",
-                     .title = "depth, mm"};
+                     .title = msg::kStripDepth.in(language)};
     svg += force.drawn(strip.columns, &WorkStrip::Column::force);
     svg += depth.drawn(strip.columns, &WorkStrip::Column::depth);
     const auto xOf = [&](double time) { return kLeft + (right - kLeft) * std::clamp(time / strip.seconds, 0.0, 1.0); };

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "assessment/process/work_strip.h"
+#include "geometry/util/message.h"
 
 namespace tactooth {
 
 /// A drawing (SVG) of this size, mm. The marks have their numbers, from 1.
-[[nodiscard]] std::string stripSvg(const WorkStrip& strip, double width, double height);
+[[nodiscard]] std::string stripSvg(const WorkStrip& strip, double width, double height,
+                                   Language language = Language::English);
 
 }  // namespace tactooth

@@ -9,7 +9,7 @@ namespace tactooth {
 std::string svgHead(double width, double height) {
     return fmt::format(
         "<svg width=\"{0:.1f}mm\" height=\"{1:.1f}mm\" viewBox=\"0 0 {0:.1f} {1:.1f}\" font-family=\"Noto Sans, Arial, "
-        "sans-serif\" font-weight=\"normal\">\n",
+        "Hiragino Sans, Yu Gothic, Noto Sans CJK JP, IPAexGothic, IPAGothic, sans-serif\" font-weight=\"normal\">\n",
         width, height);
 }
 

@@ -47,8 +47,13 @@ struct Criterion {
     const PreparationMetric* metric;  ///< not null
     double weight = 0;
     LevelRanges levels;
-    bool critical = false;    ///< a score of 0 limits the mark to Rubric::criticalMark
-    bool limitsMark = false;  ///< the mark is not better than this score
+    bool critical = false;           ///< a score of 0 limits the mark to Rubric::criticalMark
+    bool limitsMark = false;         ///< the mark is not better than this score
+    std::string japaneseTitle = {};  ///< empty: the same as `title`
+
+    [[nodiscard]] const std::string& titleIn(Language language) const {
+        return language == Language::Japanese && !japaneseTitle.empty() ? japaneseTitle : title;
+    }
 };
 
 /// How a preparation is marked.
@@ -57,6 +62,11 @@ struct Rubric {
     double passMark = 65;      ///< 0..100
     double criticalMark = 40;  ///< the best mark after a critical error; less than passMark
     std::vector<Criterion> criteria;
+    std::string japaneseName = {};  ///< empty: the same as `name`
+
+    [[nodiscard]] const std::string& nameIn(Language language) const {
+        return language == Language::Japanese && !japaneseName.empty() ? japaneseName : name;
+    }
 };
 
 /// How good a preparation is by one criterion.

@@ -33,8 +33,9 @@ public:
 
 private:
     void readAll(const toml::table& root) {
-        toml_.allow(root, msg::kARubric, {"name", "pass", "critical_mark", "criterion"});
+        toml_.allow(root, msg::kARubric, {"name", "japanese", "pass", "critical_mark", "criterion"});
         rubric_.name = toml_.text(root, "name", true);
+        rubric_.japaneseName = readJapanese(root, "name");
         rubric_.passMark = toml_.number(root, "pass", rubric_.passMark, 1, 100);
         rubric_.criticalMark = toml_.number(root, "critical_mark", rubric_.criticalMark, 0, 100);
         if (rubric_.criticalMark >= rubric_.passMark) toml_.fail(root, msg::kCriticalMarkPasses);
@@ -50,9 +51,18 @@ private:
         if (weight <= 0) toml_.fail(root, msg::kNoWeight);
     }
 
+    /// The same word in Japanese; empty without one.
+    std::string readJapanese(const toml::table& table, std::string_view key) {
+        const toml::table* japanese = toml_.table(table, "japanese");
+        if (japanese == nullptr) return {};
+        toml_.allow(*japanese, msg::kJapaneseWords, {key});
+        return toml_.text(*japanese, key, true);
+    }
+
     void readCriterion(const toml::table& table) {
         toml_.allow(table, msg::kACriterion,
-                    {"title", "metric", "weight", "ideal", "acceptable", "correct", "zero", "critical", "limits_mark"});
+                    {"title", "japanese", "metric", "weight", "ideal", "acceptable", "correct", "zero", "critical",
+                     "limits_mark"});
         const std::string id = toml_.text(table, "metric", true);
         const PreparationMetric* metric = findPreparationMetric(id);
         if (metric == nullptr) {
@@ -60,7 +70,11 @@ private:
             return toml_.fail(node != nullptr ? *node : table, {msg::kMetricUnknown, quotedWord(id)});
         }
         std::string title = toml_.text(table, "title", false);
-        if (title.empty()) title = metric->title;
+        std::string japanese = readJapanese(table, "title");
+        if (title.empty()) {
+            title = metric->title;
+            if (japanese.empty()) japanese = metric->titleJa;
+        }
         const std::array<LevelRanges::Range, 4> ranges = readRanges(table);
         if (toml_.error()) return;
         if (!LevelRanges::areNested(ranges)) return toml_.fail(table, {msg::kRangesNotNested, title});
@@ -68,6 +82,7 @@ private:
         criterion.weight = toml_.number(table, "weight", 0, 0, kMostWeight);
         criterion.critical = toml_.flag(table, "critical", false);
         criterion.limitsMark = toml_.flag(table, "limits_mark", false);
+        criterion.japaneseTitle = std::move(japanese);
         if (criterion.weight == 0 && !criterion.critical && !criterion.limitsMark) {
             return toml_.fail(table, {msg::kCriterionWithoutEffect, criterion.title});
         }

@@ -28,10 +28,16 @@ std::string rangeLine(std::string_view key, const LevelRanges::Range& range) {
     return fmt::format("{} = [{}, {}]\n", key, numberText(range.low), numberText(range.high));
 }
 
+std::string japaneseLine(std::string_view key, const std::string& words) {
+    return words.empty() ? words : fmt::format("japanese.{} = {}\n", key, tomlString(words));
+}
+
 std::string criterionText(const Criterion& criterion) {
     const auto& ranges = criterion.levels.ranges();
     std::string text = "\n[[criterion]]\n";
-    text += fmt::format("title = {}\nmetric = {}\n", tomlString(criterion.title), tomlString(criterion.metric->id));
+    text += fmt::format("title = {}\n", tomlString(criterion.title));
+    text += japaneseLine("title", criterion.japaneseTitle);
+    text += fmt::format("metric = {}\n", tomlString(criterion.metric->id));
     if (criterion.weight != 0) text += fmt::format("weight = {}\n", numberText(criterion.weight));
     if (criterion.critical) text += "critical = true\n";
     if (criterion.limitsMark) text += "limits_mark = true\n";
@@ -42,8 +48,9 @@ std::string criterionText(const Criterion& criterion) {
 }  // namespace
 
 std::string rubricText(const Rubric& rubric) {
-    std::string text = fmt::format("name = {}\npass = {}\ncritical_mark = {}\n", tomlString(rubric.name),
-                                   numberText(rubric.passMark), numberText(rubric.criticalMark));
+    std::string text = fmt::format("name = {}\n", tomlString(rubric.name)) + japaneseLine("name", rubric.japaneseName);
+    text +=
+        fmt::format("pass = {}\ncritical_mark = {}\n", numberText(rubric.passMark), numberText(rubric.criticalMark));
     for (const Criterion& each : rubric.criteria) text += criterionText(each);
     return text;
 }

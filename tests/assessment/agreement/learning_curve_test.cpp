@@ -56,6 +56,13 @@ TEST(Cusum, RisesWithFailuresAndStartsAnewAfterADecision) {
     EXPECT_NEAR(points[4].sum, -plan->step, 1e-12);
 }
 
+/// Each failure is worth ln 3 of a limit of ln 9, in the same unit.
+TEST(Cusum, DecidesWhereALimitIsReachedExactly) {
+    const auto plan = planCusum({0.05, 0.15});
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(cusumOf(*plan, trials("ff"))[1].decision, CusumDecision::Unacceptable);
+}
+
 TEST(Cusum, RefusesRatesThatCannotBeToldApart) {
     EXPECT_FALSE(planCusum({0.15, 0.05}));
     EXPECT_FALSE(planCusum({0.1, 0.1}));

@@ -71,6 +71,14 @@ TEST_F(NextSteps, NameThePlaceAndTheMoment) {
     EXPECT_THAT(steps(), ElementsAre(HasSubstr("0.40 mm (buccal, 2:14)")));
 }
 
+TEST_F(NextSteps, SpeakJapanese) {
+    addOver(0.4);
+    results_[0].measured = Measured::at(0.4, Vec3(0, 2, 0));
+    results_[0].measured.moment = 134;
+    report_.language = Language::Japanese;
+    EXPECT_THAT(steps(), ElementsAre(HasSubstr("理想の壁を 0.40 mm（頬側、2:14） 越えました。")));
+}
+
 /// Each criterion of each built-in rubric has advice of its own, on the side on which it can be off.
 TEST(NextStepsOfRubrics, HaveWordsForEachCriterion) {
     for (const char* name : {"near-ideal", "near-ideal-strict", "class-1", "class-3", "class-5", "endodontic-access"}) {
@@ -86,6 +94,8 @@ TEST(NextStepsOfRubrics, HaveWordsForEachCriterion) {
                 report.mark = markOf(one, {{criterion.metric, Measured::of(low ? zero.low : zero.high)}});
                 EXPECT_THAT(nextSteps(report).front(), testing::Not(StartsWith("Work on this")))
                     << name << ", " << criterion.metric->id << (low ? " low" : " high");
+                const std::string japanese = nextSteps(report, Language::Japanese).front();
+                EXPECT_THAT(japanese, testing::AllOf(testing::EndsWith("。"), testing::Not(StartsWith("「"))));
             }
         }
     }

@@ -66,6 +66,16 @@ TEST(ReportSection, AreDrawnAsWellFormedLines) {
     EXPECT_GT(sectionHeight(section, 80), 30);
 }
 
+TEST(ReportSection, AreInJapaneseToo) {
+    const Preparation preparation = wide();
+    const auto sections = reportSections(preparation, CutSurfaces(preparation), Vec3(1.2, 1.9, 4), Language::Japanese);
+    EXPECT_EQ(sections[0].title, "遠心から近心への断面");
+    EXPECT_EQ(sections[1].title, "舌側から頬側への断面（最も深い誤りの位置）");
+    const std::string svg = sectionSvg(sections[0], 80, Language::Japanese);
+    for (const char* words : {"遠心", "近心", "形成後", "理想", "形成前"}) EXPECT_THAT(svg, HasSubstr(words));
+    EXPECT_THAT(svg, Not(HasSubstr("prepared")));
+}
+
 TEST(ReportSection, OfAnUncutToothShowTheIdealAlone) {
     const Preparation preparation =
         test::blockPreparation(test::blockWithBox(-2, 2, -1.5, 1.5, 5), test::blockWithBox(-2, 2, -1.5, 1.5, 3));

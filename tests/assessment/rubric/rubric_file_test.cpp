@@ -39,6 +39,22 @@ TEST(RubricFile, IsRead) {
     EXPECT_EQ(rubric->criteria[0].levels.scoreOf(2.5), 65);
 }
 
+TEST(RubricFile, MayHaveItsWordsInJapanese) {
+    const auto own = parseRubric(rubricWith(), "mine.toml");
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own->nameIn(Language::Japanese), "Mine") << "its own text without others";
+    EXPECT_EQ(own->criteria[0].titleIn(Language::Japanese), "Depth");
+    const auto given = parseRubric(rubricWith("weight = 2", "weight = 2\njapanese.title = \"深さ\""), "mine.toml");
+    ASSERT_TRUE(given) << given.error().message();
+    EXPECT_EQ(given->criteria[0].titleIn(Language::Japanese), "深さ");
+    EXPECT_EQ(given->criteria[0].titleIn(Language::English), "Depth");
+    const auto named = parseRubric("[japanese]\nname = \"x\"\n", "mine.toml");
+    EXPECT_THAT(named.error().message(), HasSubstr("'name' is missing"));
+    const auto untitled = parseRubric(rubricWith("title = \"Depth\"\n", ""), "mine.toml");
+    ASSERT_TRUE(untitled);
+    EXPECT_EQ(untitled->criteria[0].titleIn(Language::Japanese), "窩底の深さ（中央値）") << "that of the metric";
+}
+
 TEST(RubricFile, MayLeaveOutTheAcceptableRange) {
     const auto rubric = parseRubric(rubricWith("acceptable = [1.3, 2.2]\n", ""), "mine.toml");
     ASSERT_TRUE(rubric) << rubric.error().message();
@@ -65,6 +81,8 @@ TEST(RubricFile, IsRefusedWithASentenceThatNamesTheLine) {
         {"zero = [0.5, 3]\n", "", "line 4: the key 'zero' is missing"},
         {"[[criterion]]", "[criterion]", "begin each"},
         {"ideal = [1.5, 2]", "ideal = [[[", "line 9: this is not TOML"},
+        {"weight = 2", "japanese = 2", "'japanese'"},
+        {"weight = 2", "japanese.name = 'x'", "line 7: a table 'japanese' has no key 'name'"},
     };
     for (const auto& [line, change, sentence] : mistakes) {
         const auto rubric = parseRubric(rubricWith(line, change), "mine.toml");
@@ -78,19 +96,24 @@ TEST(RubricFile, ReadsEachThatIsBuiltIn) {
     EXPECT_GE(builtinRubricTexts().size(), 5U);
     for (const BuiltinRubricText& each : builtinRubricTexts()) {
         const auto rubric = findRubric(each.name);
-        EXPECT_TRUE(rubric) << rubric.error().message();
+        ASSERT_TRUE(rubric) << rubric.error().message();
+        EXPECT_FALSE(rubric->japaneseName.empty()) << each.name;
+        for (const Criterion& criterion : rubric->criteria)
+            EXPECT_FALSE(criterion.japaneseTitle.empty()) << each.name << ": " << criterion.title;
     }
     EXPECT_TRUE(findRubric(std::string(kUsualRubric)));
 }
 
 void expectSame(const Rubric& written, const Rubric& read) {
     EXPECT_EQ(written.name, read.name);
+    EXPECT_EQ(written.japaneseName, read.japaneseName);
     EXPECT_EQ(written.passMark, read.passMark);
     EXPECT_EQ(written.criticalMark, read.criticalMark);
     ASSERT_EQ(written.criteria.size(), read.criteria.size());
     for (std::size_t i = 0; i < written.criteria.size(); ++i) {
         const Criterion &a = written.criteria[i], &b = read.criteria[i];
         EXPECT_EQ(a.title, b.title);
+        EXPECT_EQ(a.japaneseTitle, b.japaneseTitle);
         EXPECT_EQ(a.metric, b.metric);
         EXPECT_EQ(a.weight, b.weight);
         EXPECT_EQ(a.levels.ranges(), b.levels.ranges());

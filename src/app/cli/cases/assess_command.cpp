@@ -5,6 +5,7 @@
 #include "app/cli/cases/assess_class.h"
 #include "app/cli/cases/assess_source.h"
 #include "app/cli/cases/messages.h"
+#include "app/cli/cases/stored_reports.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
@@ -20,6 +21,7 @@ namespace {
 /// Opens the files before the work starts, so that an obstacle is reported at once.
 Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
     files.reads(options.student);
+    files.reads(options.earlier);
     addInputs(files, options.with);
     if (auto made = files.makeFolder(options.out); !made) return made;
     for (const char* name : kReportFiles) {
@@ -28,14 +30,31 @@ Expected<void> openFiles(const AssessOptions& options, FileTransaction& files) {
     return {};
 }
 
+/// Adds the trials before this one, of the reports of a folder.
+void addTrend(AssessmentReport& report, std::vector<StoredReport> reports) {
+    const StoredReport present = storedReport(report);
+    std::vector<StoredReport> trials = earlierTrials(std::move(reports), present);
+    if (trials.empty()) return print(stderr, "{}\n", msg::kNoEarlierTrial.english);
+    trials.push_back(present);
+    report.trend = trialTrend(trials);
+}
+
 Expected<AssessmentReport> assess(const AssessOptions& options, const AssessSource& source) {
+    std::vector<StoredReport> reports;
+    if (!options.earlier.empty()) {
+        auto read = storedReportsIn(options.earlier, options.out / "report.json");
+        if (!read) return Unexpected{read.error()};
+        reports = std::move(*read);
+    }
     std::vector<ImportNote> notes = source.importNotes();
     Expected<AssessedWork> work = source.workOf(options.student, notes);
     if (!work) return Unexpected{work.error()};
     printImportNotes(notes);
     work->name = options.name;
     work->comment = options.comment;
-    return makeReport(*work, source.rubric());
+    Expected<AssessmentReport> report = makeReport(*work, source.rubric(), options.language);
+    if (report && !options.earlier.empty()) addTrend(*report, std::move(reports));
+    return report;
 }
 
 void printSummary(const AssessOptions& options, const AssessmentReport& report) {
@@ -48,7 +67,8 @@ void printSummary(const AssessOptions& options, const AssessmentReport& report) 
             print("  {:<40}  not measurable: {}\n", title, each.measured.reason->english);
             continue;
         }
-        std::string where = each.measured.place ? ", " + placeText(report, *each.measured.place) : std::string();
+        std::string where =
+            each.measured.place ? ", " + placeText(report, *each.measured.place, Language::English) : std::string();
         if (each.measured.moment) where += ", cut at " + momentText(*each.measured.moment);
         print("  {:<40} {:>12} {:4.0f}  {}{}\n", title, valueText(*each.criterion->metric, *each.measured.value),
               *each.score, levelText(*each.level).english, where);
@@ -64,6 +84,7 @@ int runAssess(const AssessOptions& options) {
     std::error_code fault;
     if (std::filesystem::is_directory(options.student, fault)) {
         if (!options.name.empty()) return reportError(Error(Message(msg::kNameForAFolder)));
+        if (!options.earlier.empty()) return reportError(Error(Message(msg::kEarlierForAFolder)));
         const Expected<AssessSource> source = AssessSource::load(options.with);
         if (!source) return reportError(source.error());
         printImportNotes(source->importNotes());

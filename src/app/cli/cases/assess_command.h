@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "geometry/util/message.h"
+
 namespace tactooth {
 
 /// What works are compared with.
@@ -19,10 +21,12 @@ struct ComparisonOptions {
 struct AssessOptions {
     std::filesystem::path student;  ///< a recording, a saved tooth or a surface, or a folder of them
     ComparisonOptions with;
-    std::string name;           ///< of the student, for the report; empty: not known
-    std::string comment;        ///< of the teacher, for the report; empty: none
-    std::filesystem::path out;  ///< folder
-    bool json = false;          ///< also to the standard output
+    std::string name;                       ///< of the student, for the report; empty: not known
+    std::string comment;                    ///< of the teacher, for the report; empty: none
+    std::filesystem::path earlier;          ///< folder with reports of earlier trials; empty: none
+    std::filesystem::path out;              ///< folder
+    bool json = false;                      ///< also to the standard output
+    Language language = Language::English;  ///< of the pages
 };
 
 /// Measures and marks a student's work, or each work of a folder, and writes the report. Returns kExitOk if it passes

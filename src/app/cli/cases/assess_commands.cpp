@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/cases/assess_command.h"
 #include "app/cli/cases/calibrate_command.h"
+#include "app/cli/cases/learned_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
 namespace {
@@ -31,6 +33,22 @@ void addComparison(CLI::App& command, ComparisonOptions& options) {
     command.add_flag("--align", options.align, "Lays scans on the uncut tooth first, by what is not prepared");
 }
 
+/// The language of pages. `language` outlives the command line.
+void addLanguage(CLI::App& command, Language& language) {
+    command
+        .add_option_function<std::string>(
+            "--language",
+            [&language](const std::string& name) { language = name == "ja" ? Language::Japanese : Language::English; },
+            "Language of pages and PDF (default: en)")
+        ->check(CLI::IsMember({"en", "ja"}))
+        ->type_name("LANGUAGE");
+}
+
+/// A rate of failed trials.
+void addRate(CLI::App& command, const std::string& name, double& rate, const std::string& meaning) {
+    command.add_option(name, rate, meaning)->transform(numberFrom(0.001, 0.999))->type_name("RATE:0.001 to 0.999");
+}
+
 }  // namespace
 
 void addAssessCommand(CLI::App& program, CommandAction& chosen) {
@@ -42,16 +60,21 @@ void addAssessCommand(CLI::App& program, CommandAction& chosen) {
     command
         ->add_option(
             "STUDENT", options->student,
-            "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm); or a folder of them: a "
-            "report for each, and a table of all")
+            "The work: a recorded session, a saved tooth, or a surface (STL, OBJ, PLY; mm); or a folder of them, "
+            "or of a folder for each student: a report for each, and a table of all")
         ->required()
         ->type_name("");
     addComparison(*command, options->with);
     command->add_option("--name", options->name, "Name of the student, for the report")->type_name("TEXT");
     command->add_option("--comment", options->comment, "The teacher's comment, for the report")->type_name("TEXT");
+    command
+        ->add_option("--earlier", options->earlier,
+                     "Folder with reports of earlier trials, at any depth: the report shows how the mark went")
+        ->type_name("DIR");
     command->add_option("--out", options->out, "Folder for report.html, report.pdf, report.json and report.csv")
         ->required()
         ->type_name("DIR");
+    addLanguage(*command, options->language);
     command->add_flag("--json", options->json, "Also writes report.json to the standard output");
 }
 
@@ -72,6 +95,29 @@ void addCalibrateCommand(CLI::App& program, CommandAction& chosen) {
     addComparison(*command, options->with);
     command->add_option("--out", options->out, "File (*.toml) for the fitted rubric")->required()->type_name("FILE");
     command->add_flag("--json", options->json, "Prints the result as JSON");
+}
+
+void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
+    const auto options = std::make_shared<LearnedOptions>();
+    CLI::App* command = addCommand(program, chosen, "learned",
+                                   "Tells from the reports of a student's trials whether an exercise has been learnt.",
+                                   options, runLearned);
+    command->add_option("REPORTS", options->folder, "Folder with reports of 'assess', at any depth")
+        ->required()
+        ->type_name("");
+    command->add_option("--out", options->out, "Folder for learned.html and learned.json")
+        ->required()
+        ->type_name("DIR");
+    addRate(*command, "--adequate", options->adequate, "Share of trials that who can do it fails (default: 0.1)");
+    addRate(*command, "--inadequate", options->inadequate,
+            "Share of trials that who cannot do it fails (default: 0.3)");
+    command->add_option("--trials", options->trials, "Number of trials that are planned (default: 50)")
+        ->transform(wholeNumberFrom(1, 1000))
+        ->type_name("N:1 to 1000");
+    addRate(*command, "--acceptable", options->acceptable, "Share of failed trials that is acceptable (default: 0.05)");
+    addRate(*command, "--unacceptable", options->unacceptable, "Share that is not acceptable (default: 0.15)");
+    addLanguage(*command, options->language);
+    command->add_flag("--json", options->json, "Writes learned.json to the standard output, too");
 }
 
 }  // namespace tactooth

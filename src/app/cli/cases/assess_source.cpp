@@ -78,6 +78,8 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
         preparation.ideal = ideal_;
         work.expert = exercise_->name;
         work.task = exercise_->task;
+        work.japaneseExpert = exercise_->japanese.name;
+        work.japaneseTask = exercise_->japanese.task;
         work.tolerance = exercise_->tolerance;
     } else {
         GivenTooth expert = *expert_;

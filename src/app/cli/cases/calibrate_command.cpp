@@ -11,8 +11,8 @@
 #include <optional>
 #include <system_error>
 
-#include "app/cli/cases/assess_class.h"
 #include "app/cli/cases/assess_source.h"
+#include "app/cli/cases/class_works.h"
 #include "app/cli/cases/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"

@@ -55,6 +55,33 @@ inline constexpr MessageText kNoWorkHasAMark{
     "no_work_has_a_mark", "%1: none of the works has a mark; the column 'work' must have the names of their files.",
     "%1：どの作業結果にも点数がありません。'work' の列には、ファイルの名前を書いてください。"};
 
+inline constexpr MessageText kEarlierForAFolder{
+    "earlier_for_a_folder",
+    "--earlier is for the work of one student; in a folder of works, give each student a folder with all the trials.",
+    "--earlier "
+    "は一人の学生の作品に使います。作品のフォルダーでは、学生ごとのフォルダーにすべての回の作品を入れてください。"};
+inline constexpr MessageText kNoEarlierTrial{
+    "no_earlier_trial",
+    "There is no earlier trial of the same exercise by the same rubric, so the report has no trend.",
+    "同じ課題で同じ評価基準表による以前の結果がないため、推移は示されません。"};
+
+inline constexpr MessageText kNoReportsInFolder{
+    "no_reports_in_folder", "%1: there is no report.json in this folder; 'tactooth assess' leaves one for each work.",
+    "%1：このフォルダーには report.json がありません。'tactooth assess' が作品ごとに書きます。"};
+inline constexpr MessageText kTrialsExceedPlan{
+    "trials_exceed_plan", "%1 has %2 trials, but %3 are planned; give at least so many by --trials.",
+    "%1 の結果は %2 回分ありますが、計画は %3 回です。--trials でそれ以上の回数を指定してください。"};
+inline constexpr MessageText kNotToldApart{
+    "not_told_apart",
+    "rates of %1 and %2 cannot be told apart within %3 trials with a false alarm of %4; give rates farther apart with "
+    "the lower one first, or more trials.",
+    "%1 と %2 の率は、%3 回では誤警報 %4 で区別できません。低いほうを先にして差の大きい率を指定するか、"
+    "回数を増やしてください。"};
+inline constexpr MessageText kCusumNotToldApart{
+    "cusum_not_told_apart",
+    "rates of %1 and %2 are not in order; the acceptable one must be less than the unacceptable one.",
+    "%1 と %2 の率の順序が逆です。許容できる率は、許容できない率より小さくしてください。"};
+
 inline constexpr MessageText kNameForAFolder{
     "name_for_a_folder",
     "--name is the name of one student, and a folder has many works; name the files by their students.",

@@ -35,6 +35,7 @@ void addSessionCommands(CLI::App& program, CommandAction& chosen);
 /// The assessment of a student's work.
 void addAssessCommand(CLI::App& program, CommandAction& chosen);
 void addCalibrateCommand(CLI::App& program, CommandAction& chosen);
+void addLearnedCommand(CLI::App& program, CommandAction& chosen);
 /// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// Changes to surfaces.

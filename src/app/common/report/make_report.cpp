@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/report/make_report.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "app/common/messages.h"
+#include "app/common/report/report_font.h"
 #include "app/common/report/report_pdf.h"
 #include "app/common/report/report_pictures.h"
 #include "assessment/preparation/removal_moment.h"
+#include "assessment/report/messages.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/util/display_text.h"
 #include "session/io/commit.h"
@@ -20,15 +20,14 @@ namespace {
 /// Force and depth over time, with the events and the moments at which points were lost.
 WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
     constexpr std::size_t kColumns = 360, kEvents = 8, kErrors = 4;
-    WorkStrip strip = workStrip(*work.track, *work.preparation.original, kColumns, kEvents);
+    WorkStrip strip = workStrip(*work.track, *work.preparation.original, kColumns, kEvents, report.language);
     std::size_t errors = 0;
     for (const CriterionScore& each : report.mark.criteria) {
         if (!each.measured.moment || each.lost <= 0 || ++errors > kErrors) continue;
-        const std::string value = valueText(*each.criterion->metric, *each.measured.value);
-        strip.marks.push_back({*each.measured.moment,
-                               fmt::format("{}: {}, {}", displayText(each.criterion->title), value,
-                                           placeText(report, *each.measured.place)),
-                               true});
+        const Message text(msg::kErrorAt, displayText(each.criterion->titleIn(report.language)),
+                           valueText(*each.criterion->metric, *each.measured.value, report.language),
+                           placeText(report, *each.measured.place));
+        strip.marks.push_back({*each.measured.moment, text.in(report.language), true});
     }
     std::ranges::stable_sort(strip.marks, {}, &WorkStrip::Mark::time);
     return strip;
@@ -36,11 +35,13 @@ WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
 
 }  // namespace
 
-Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, const ReportProgress& progress) {
+Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language,
+                                      const ReportProgress& progress) {
     constexpr double kMeasured = 0.5, kMarked = 0.75;  // about these shares of the time
     const auto show = [&](double share) {
         if (progress) progress(share);
     };
+    if (const auto font = reportFont(language); !font) return Unexpected{font.error()};
     const PreparationMeasures measures(work.preparation, work.track.get());
     show(kMeasured);
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
@@ -49,12 +50,15 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     AssessmentReport report{.student = work.student,
                             .expert = work.expert,
                             .task = work.task,
+                            .japaneseExpert = work.japaneseExpert,
+                            .japaneseTask = work.japaneseTask,
                             .name = work.name,
                             .date = work.date,
                             .comment = work.comment,
                             .rubric = &rubric,
                             .mark = markOf(rubric, results)};
     if (!report.mark.value) return unexpected(msg::kNothingToJudge, displayText(rubric.name), work.student);
+    report.language = language;
     report.metrics = std::move(results);
     report.middle = measures.surfaces.middle;
     report.axis = work.preparation.axis;
@@ -67,14 +71,16 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     }
     const Measured& overMax = measures.deviation.overMax;
     const bool isOver = overMax.value.value_or(0) > work.tolerance;
-    report.sections = reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt);
+    report.sections =
+        reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt, language);
     show(kMarked);
     report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
-    Expected<std::vector<ReportPicture>> pictures = reportPictures(work.preparation, measures.surfaces, work.tolerance);
+    Expected<std::vector<ReportPicture>> pictures =
+        reportPictures(work.preparation, measures.surfaces, work.tolerance, language);
     if (pictures) {
         report.pictures = std::move(*pictures);
     } else {
-        report.noPictures = Message(msg::kNoPictures, pictures.error()).in(Language::English);
+        report.noPictures = Message(msg::kNoPictures, pictures.error()).in(language);
     }
     return report;
 }

@@ -19,11 +19,12 @@ namespace tactooth {
 /// A work that is assessed, and what it is compared with.
 struct AssessedWork {
     Preparation preparation;
-    std::string student, expert;      ///< for people: the work, and what it is compared with
-    std::string task = {};            ///< of the exercise; empty: there is none
-    std::string name = {};            ///< of the student; empty: not known
-    std::string date = {};            ///< of the work; empty: not known
-    std::string comment = {};         ///< of the teacher; empty: there is none
+    std::string student, expert;                         ///< for people: the work, and what it is compared with
+    std::string task = {};                               ///< of the exercise; empty: there is none
+    std::string japaneseExpert = {}, japaneseTask = {};  ///< empty: the same as these
+    std::string name = {};                               ///< of the student; empty: not known
+    std::string date = {};                               ///< of the work; empty: not known
+    std::string comment = {};                            ///< of the teacher; empty: there is none
     double tolerance = 0.3;           ///< mm: of the exercise, else as teachers allow (docs/assessment.md)
     std::optional<ScanFit> fit = {};  ///< of a surface from a file
     std::shared_ptr<const SessionTrack> track = {};  ///< the finished session; null: not known
@@ -33,8 +34,10 @@ struct AssessedWork {
 using ReportProgress = std::function<void(double share)>;
 
 /// Measures and marks a work, and draws its pictures. Takes some seconds. `rubric` outlives the report. Fails with one
-/// sentence if there is nothing to compare with or to judge. Without OpenGL the report has no pictures.
+/// sentence if there is nothing to compare with or to judge, or no font for the language. Without OpenGL the report has
+/// no pictures. `language`: of its pages.
 [[nodiscard]] Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric,
+                                                    Language language = Language::English,
                                                     const ReportProgress& progress = {});
 
 /// The names of the files of a report.

@@ -13,11 +13,18 @@ constexpr double kCellGap = 2;                             // mm between two col
 constexpr double kRowGap = 0.7;                            // mm above and below the text of a row
 constexpr double kBarHeight = 2;                           // mm
 constexpr double kFooterAt = 264;                          // mm
+constexpr double kTextMiddle = 1.9;                        // mm: of a line of a table's text below its top
 const QColor kLine(214, 221, 227), kEmptyBar(227, 232, 236);
+
+/// Of the bar below the top of its row: below a text of this height, or beside the texts of the other columns.
+double barTop(const PdfPages::Row& row, double textHeight) {
+    return row.cells.value(row.barColumn).isEmpty() ? kTextMiddle - kBarHeight / 2 : textHeight + 0.5;
+}
 
 }  // namespace
 
-PdfPages::PdfPages(PageTarget& target, const QString& footer) : target_(target), footer_(footer) {
+PdfPages::PdfPages(PageTarget& target, const QString& footer, const QString& family)
+    : target_(target), footer_(footer), family_(family) {
     target_.beginPage(painter_);
     drawFooter();
 }
@@ -27,7 +34,7 @@ QRectF PdfPages::dots(const QRectF& box) const {
 }
 
 void PdfPages::use(const Font& font) {
-    QFont shown(QStringLiteral("Noto Sans"));
+    QFont shown(family_);
     shown.setStyleHint(QFont::SansSerif);
     shown.setPointSizeF(font.points);
     shown.setBold(font.isBold);
@@ -91,7 +98,7 @@ void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const double width = columns[i].width - kCellGap;
         double cell = heightOf(row.cells.value(static_cast<int>(i)), row.font, width);
-        if (static_cast<int>(i) == row.barColumn) cell += kBarHeight + 0.5;
+        if (static_cast<int>(i) == row.barColumn) cell = barTop(row, cell) + kBarHeight;
         height = std::max(height, cell);
     }
     makeRoom(height + 2 * kRowGap);
@@ -101,7 +108,8 @@ void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
         text({x, y_ + kRowGap, width, height + 1}, row.cells.value(static_cast<int>(i)), row.font,
              columns[i].align | Qt::AlignTop);
         if (static_cast<int>(i) == row.barColumn) {
-            const QRectF bar(x, y_ + kRowGap + height - kBarHeight, width, kBarHeight);
+            const double top = barTop(row, heightOf(row.cells.value(row.barColumn), row.font, width));
+            const QRectF bar(x, y_ + kRowGap + top, width, kBarHeight);
             painter_.fillRect(dots(bar), kEmptyBar);
             painter_.fillRect(dots({bar.x(), bar.y(), std::max(0.02, row.share) * width, bar.height()}), row.barColour);
         }

@@ -42,7 +42,8 @@ public:
         double width = 0;
         Qt::Alignment align = Qt::AlignLeft;
     };
-    /// A line of a table; a bar as long as `share` of its column may stand in one of them.
+    /// A line of a table; a bar as long as `share` of its column may stand in one of them, below its text if it has
+    /// one.
     struct Row {
         QStringList cells;
         Font font;
@@ -51,8 +52,8 @@ public:
         QColor barColour = {};
     };
 
-    /// `footer`: stands on each page, with its number. The target outlives the pages.
-    PdfPages(PageTarget& target, const QString& footer);
+    /// `footer`: stands on each page, with its number. The target outlives the pages. `family`: of the font.
+    PdfPages(PageTarget& target, const QString& footer, const QString& family = QStringLiteral("Noto Sans"));
     PdfPages(const PdfPages&) = delete;
     PdfPages& operator=(const PdfPages&) = delete;
     ~PdfPages() = default;
@@ -87,7 +88,7 @@ private:
 
     PageTarget& target_;
     QPainter painter_;
-    QString footer_;
+    QString footer_, family_;
     double y_ = 0;
     int page_ = 1;
 };

@@ -9,6 +9,8 @@
 
 #include "app/common/offscreen_application.h"
 #include "app/common/report/pdf_pages.h"
+#include "app/common/report/report_font.h"
+#include "assessment/report/messages.h"
 #include "assessment/report/next_steps.h"
 #include "assessment/report/strip_svg.h"
 #include "geometry/util/display_text.h"
@@ -20,6 +22,8 @@ constexpr double kPictureWidth = 58;  // mm at most: three side by side
 const QColor kPassed(23, 96, 58), kFailed(156, 43, 26);
 
 QString shown(std::string_view text) { return QString::fromStdString(displayText(std::string(text))); }
+
+QString shown(const AssessmentReport& report, const MessageText& words) { return shown(words.in(report.language)); }
 
 QString factsOf(const AssessmentReport& report) {
     QStringList lines;
@@ -35,9 +39,9 @@ void drawHead(PdfPages& pages, const AssessmentReport& report) {
     pages.frame(box, colour);
     const QString number = mark.value ? QString::number(*mark.value, 'f', 1) : QStringLiteral("–");
     pages.text(box.adjusted(0, 1, 0, 0), number, {26, true, colour}, Qt::AlignHCenter | Qt::AlignTop);
-    pages.text(box.adjusted(0, 14, 0, 0), "of 100\n" + shown(resultText(report)), {9, false, colour},
-               Qt::AlignHCenter | Qt::AlignTop);
-    pages.paragraph("Assessment of a preparation", {17, true}, box.x() - 5);
+    pages.text(box.adjusted(0, 14, 0, 0), shown(report, msg::kOfHundred) + "\n" + shown(resultText(report)),
+               {9, false, colour}, Qt::AlignHCenter | Qt::AlignTop);
+    pages.paragraph(shown(report, msg::kReportTitle), {17, true}, box.x() - 5);
     pages.skip(1);
     pages.paragraph(factsOf(report), {9.5}, box.x() - 5);
     if (pages.y() < kMarkHeight) pages.skip(kMarkHeight - pages.y());
@@ -46,37 +50,43 @@ void drawHead(PdfPages& pages, const AssessmentReport& report) {
 QStringList cellsOf(const AssessmentReport& report, const CriterionScore& each) {
     const Criterion& criterion = *each.criterion;
     QStringList cells;
-    cells << shown(criterion.title) + (criterion.critical ? " (critical)" : "");
-    cells << (each.measured.value ? shown(valueText(*criterion.metric, *each.measured.value))
-                                  : QStringLiteral("not measurable"));
+    cells << shown(criterionText(report, criterion));
+    cells << (each.measured.value ? shown(valueText(*criterion.metric, *each.measured.value, report.language))
+                                  : shown(report, msg::kNotMeasurable));
     cells << (each.score ? QString::number(*each.score, 'f', 0) : QStringLiteral("–"));
-    cells << (each.level ? shown(levelText(*each.level).english) : QString());
-    cells << (criterion.weight > 0 ? QString::number(criterion.weight) : QStringLiteral("limit"));
+    cells << (each.level ? shown(report, levelText(*each.level)) : QString());
+    cells << QString();  // the bar
+    cells << (criterion.weight > 0 ? QString::number(criterion.weight) : shown(report, msg::kOnlyLimit));
     cells << (each.lost > 0 ? QStringLiteral("−") + QString::number(each.lost, 'f', 1) : QString());
     cells << shown(placeAndMomentText(report, each.measured));
     return cells;
 }
 
 void drawCriteria(PdfPages& pages, const AssessmentReport& report) {
-    constexpr int kLevelColumn = 3;
-    const std::vector<PdfPages::Column> columns = {
-        {50}, {28, Qt::AlignRight}, {14, Qt::AlignRight}, {26}, {15, Qt::AlignRight}, {14, Qt::AlignRight}, {35}};
-    pages.heading("What the mark is made of", 20);
-    pages.row(columns, {{"Criterion", "Measured", "Score", "Level", "Weight", "Lost", "Where, when"},
-                        {8, true, PdfPages::kFaint}});
+    constexpr int kBarColumn = 4;
+    const std::vector<PdfPages::Column> columns = {{44}, {26, Qt::AlignRight}, {13, Qt::AlignRight}, {25},
+                                                   {18}, {13, Qt::AlignRight}, {12, Qt::AlignRight}, {31}};
+    pages.heading(shown(report, msg::kReportMadeOf), 20);
+    QStringList heads;
+    for (const MessageText* head : {&msg::kHeadCriterion, &msg::kHeadMeasured, &msg::kHeadScore, &msg::kHeadLevel,
+                                    &msg::kHeadWeight, &msg::kHeadLost, &msg::kHeadWhere}) {
+        heads << shown(report, *head);
+        if (head == &msg::kHeadLevel) heads << QString();
+    }
+    pages.row(columns, {heads, {8, true, PdfPages::kFaint}});
     for (const CriterionScore& each : report.mark.criteria) {
         PdfPages::Row row{cellsOf(report, each), {8.5}};
         if (each.score && each.level) {
-            row.barColumn = kLevelColumn;
+            row.barColumn = kBarColumn;
             row.share = *each.score / 100;
             row.barColour = QColor(shown(levelColour(*each.level)));
         }
         pages.row(columns, row);
     }
     pages.skip(1.5);
-    pages.paragraph(shown(weightedMeanText(report.mark)), {9});
+    pages.paragraph(shown(weightedMeanText(report.mark, report.language)), {9});
     for (const Criterion* each : report.mark.limitedBy) {
-        pages.paragraph("The mark is limited by: " + shown(each->title), {9, true});
+        pages.paragraph(shown(limitedByText(report, *each)), {9, true});
     }
 }
 
@@ -86,7 +96,7 @@ void drawPictures(PdfPages& pages, const AssessmentReport& report) {
     const double room = (PdfPages::kHeight - pages.y() - kHeading) / 2 - kTitle;
     const bool isOneRow = room / kAspect < kLeast;
     const double width = isOneRow ? kSmall : std::min(room / kAspect, kPictureWidth);
-    pages.heading("Distance to the ideal preparation", (isOneRow ? 1 : 2) * (kAspect * width + kTitle));
+    pages.heading(shown(report, msg::kReportDistance), (isOneRow ? 1 : 2) * (kAspect * width + kTitle));
     if (report.pictures.empty()) return pages.paragraph(shown(report.noPictures), {9, false, PdfPages::kFaint});
     std::vector<std::pair<QString, QImage>> pictures;
     for (const ReportPicture& each : report.pictures) {
@@ -99,15 +109,23 @@ void drawPictures(PdfPages& pages, const AssessmentReport& report) {
 }
 
 void drawAdvice(PdfPages& pages, const AssessmentReport& report) {
-    pages.heading("What to do next", 8);
+    pages.heading(shown(report, msg::kReportNext), 8);
     for (const std::string& step : nextSteps(report)) pages.paragraph("•  " + shown(step), {9});
 }
 
-constexpr auto kCommentTitle = "The teacher's comment";
+void drawTrend(PdfPages& pages, const AssessmentReport& report) {
+    if (!report.trend) return;
+    constexpr double kHeight = 27;  // mm
+    pages.heading(shown(report, msg::kReportTrend), kHeight + 7);
+    const std::string svg = trendSvg(*report.trend, *report.rubric, PdfPages::kWidth, kHeight, report.language);
+    pages.drawings({{{}, svg, PdfPages::kWidth, kHeight}});
+    for (const std::string& each : trendTexts(*report.trend, report.language))
+        pages.paragraph(shown(each), {7.5, false, PdfPages::kFaint});
+}
 
 void drawComment(PdfPages& pages, const AssessmentReport& report) {
     if (report.comment.empty()) return;
-    pages.heading(kCommentTitle, 8);
+    pages.heading(shown(report, msg::kReportComment), 8);
     for (const QString& line : QString::fromStdString(report.comment).split('\n')) {
         pages.paragraph(shown(line.toStdString()), {9});
     }
@@ -116,25 +134,28 @@ void drawComment(PdfPages& pages, const AssessmentReport& report) {
 /// Room for a comment by hand, where there is some.
 void drawRoomForComment(PdfPages& pages, const AssessmentReport& report) {
     constexpr double kLeast = 22;  // mm, with the heading
-    if (report.comment.empty() && PdfPages::kHeight - pages.y() >= kLeast) pages.heading(kCommentTitle, 0);
+    if (report.comment.empty() && PdfPages::kHeight - pages.y() >= kLeast)
+        pages.heading(shown(report, msg::kReportComment), 0);
 }
 
 void drawSections(PdfPages& pages, const AssessmentReport& report) {
     constexpr double kWidth = 86;  // mm
     std::vector<PdfPages::Drawing> drawings;
     for (const ReportSection& each : report.sections) {
-        drawings.push_back({shown(each.title), sectionSvg(each, kWidth), kWidth, sectionHeight(each, kWidth)});
+        drawings.push_back(
+            {shown(each.title), sectionSvg(each, kWidth, report.language), kWidth, sectionHeight(each, kWidth)});
     }
     if (drawings.empty()) return;
-    pages.heading("Sections", drawings.front().height);
+    pages.heading(shown(report, msg::kReportSections), drawings.front().height);
     pages.drawings(drawings);
 }
 
 void drawStrip(PdfPages& pages, const AssessmentReport& report) {
     if (!report.strip) return;
     constexpr double kHeight = 36;  // mm
-    pages.heading("Force and depth during the session", kHeight);
-    pages.drawings({{{}, stripSvg(*report.strip, PdfPages::kWidth, kHeight), PdfPages::kWidth, kHeight}});
+    pages.heading(shown(report, msg::kReportStrip), kHeight);
+    pages.drawings(
+        {{{}, stripSvg(*report.strip, PdfPages::kWidth, kHeight, report.language), PdfPages::kWidth, kHeight}});
     QStringList marks;
     for (std::size_t i = 0; i < report.strip->marks.size(); ++i)
         marks << shown(markText(i + 1, report.strip->marks[i]));
@@ -144,11 +165,12 @@ void drawStrip(PdfPages& pages, const AssessmentReport& report) {
 /// In two columns. The definitions are left out: docs/assessment.md has them, and the page in HTML.
 void drawMetrics(PdfPages& pages, const AssessmentReport& report) {
     const std::vector<PdfPages::Column> columns = {{43}, {19, Qt::AlignRight}, {29}, {43}, {19, Qt::AlignRight}, {29}};
-    pages.heading("All measures", 20);
+    pages.heading(shown(report, msg::kReportMeasures), 20);
     std::vector<QStringList> measures;
     for (const auto& [metric, measured] : report.metrics) {
         if (!measured.value) continue;
-        measures.push_back({shown(metric->title), shown(valueText(*metric, *measured.value)),
+        measures.push_back({shown(metric->titleIn(report.language)),
+                            shown(valueText(*metric, *measured.value, report.language)),
                             shown(placeAndMomentText(report, measured))});
     }
     const std::size_t half = (measures.size() + 1) / 2;
@@ -182,11 +204,13 @@ private:
 }  // namespace
 
 void drawReport(PageTarget& target, const AssessmentReport& report) {
-    PdfPages pages(target, shown(footerText(report)));
+    const Expected<QString> font = reportFont(report.language);
+    PdfPages pages(target, shown(footerText(report)), font ? *font : QString());
     drawHead(pages, report);
     drawCriteria(pages, report);
     drawAdvice(pages, report);
     drawComment(pages, report);
+    drawTrend(pages, report);
     drawPictures(pages, report);
     pages.beginPage();
     drawSections(pages, report);
@@ -206,7 +230,7 @@ std::string reportPdf(const AssessmentReport& report) {
         writer.setPageSize(QPageSize(QPageSize::A4));
         constexpr double kMargin = PageTarget::kMargin;
         writer.setPageMargins(QMarginsF(kMargin, kMargin, kMargin, kMargin), QPageLayout::Millimeter);
-        writer.setTitle("Assessment: " + shown(report.student));
+        writer.setTitle(shown(Message(msg::kReportPage, report.student).in(report.language)));
         writer.setCreator(shown(report.program));
         PdfTarget target(writer);
         drawReport(target, report);

@@ -4,11 +4,12 @@
 
 #include <QBuffer>
 #include <QImage>
-#include <cctype>
+#include <array>
 
 #include "app/common/image_view.h"
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
+#include "assessment/report/messages.h"
 #include "view/render/offscreen.h"
 
 namespace tactooth {
@@ -53,10 +54,10 @@ StandardView viewInto(const Preparation& preparation) {
     return preparation.axis.x() * preparation.mesialX > 0 ? StandardView::Mesial : StandardView::Distal;
 }
 
-std::string titleOf(std::string_view name) {
-    std::string title(name);
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-    return title;
+const MessageText& titleOf(StandardView view) {
+    static constexpr std::array kTitles = {&msg::kPictureOcclusal, &msg::kPictureBuccal, &msg::kPictureLingual,
+                                           &msg::kPictureMesial, &msg::kPictureDistal};
+    return *kTitles[static_cast<std::size_t>(view)];
 }
 
 std::string pngBase64(const Image& image) {
@@ -71,7 +72,7 @@ std::string pngBase64(const Image& image) {
 }  // namespace
 
 Expected<std::vector<ReportPicture>> reportPictures(const Preparation& preparation, const CutSurfaces& surfaces,
-                                                    double tolerance) {
+                                                    double tolerance, Language language) {
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
     const Expected<LayeredTooth> tooth = LayeredTooth::make(preparation.original->mesh());
@@ -84,23 +85,23 @@ Expected<std::vector<ReportPicture>> reportPictures(const Preparation& preparati
     SceneContents contents;
     contents.tooth = std::make_shared<const Surface>(Surface{.base = preparation.prepared});
     std::vector<ReportPicture> pictures;
-    const auto add = [&](const std::string& title, const OrbitCamera& camera) -> Expected<void> {
+    const auto add = [&](const MessageText& title, const OrbitCamera& camera) -> Expected<void> {
         contents.camera = camera.camera();
         Scene scene = makeScene(contents);
         applyInspection(scene, *tooth, inspection);
         scene.background = {Background::Kind::Gradient, kPaper, kPaper};
         Expected<Image> image = renderer->render(scene, kSize);
         if (!image) return Unexpected{image.error()};
-        pictures.push_back({title, pngBase64(*image)});
+        pictures.push_back({std::string(title.in(language)), pngBase64(*image)});
         return {};
     };
     constexpr double kEnlarged = 0.75, kWhole = 0.92;  // of the picture
     const auto enlarged = cameraOn(cutAndIdeal(surfaces), viewInto(preparation), preparation.mesialX, kEnlarged);
-    if (auto added = add("Enlarged", enlarged); !added) return Unexpected{added.error()};
+    if (auto added = add(msg::kPictureEnlarged, enlarged); !added) return Unexpected{added.error()};
     const std::vector<Vec3> crown = crownOf(*preparation.prepared);
     for (const auto& [name, view] : kStandardViews) {
         const OrbitCamera camera = cameraOn(crown, view, preparation.mesialX, kWhole);
-        if (auto added = add(titleOf(name), camera); !added) return Unexpected{added.error()};
+        if (auto added = add(titleOf(view), camera); !added) return Unexpected{added.error()};
     }
     return pictures;
 }

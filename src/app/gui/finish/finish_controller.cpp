@@ -71,7 +71,8 @@ FinishedWork FinishController::takeWork() {
             .uncut = tooth.piece->volume().tooth(),
             .cut = tooth.piece->surface(),
             .toothFile = toothFileBytes(*tooth.piece, savedNow(tooth.provenance), workTextWithoutFolders(now)),
-            .recording = parts_.model.writtenRecording()};
+            .recording = parts_.model.writtenRecording(),
+            .language = windowLanguage()};
 }
 
 /// The picture stays while nothing runs behind it.

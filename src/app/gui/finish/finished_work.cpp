@@ -11,6 +11,7 @@
 
 #include "app/common/report/make_report.h"
 #include "app/common/report/preparation_parts.h"
+#include "app/common/report/report_font.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/rubric/rubric_file.h"
 #include "geometry/files/atomic_file.h"
@@ -69,6 +70,8 @@ Expected<AssessedWork> assessedWork(const FinishedWork& finished) {
     work.student = finished.title;
     work.expert = exercise.name;
     work.task = exercise.task;
+    work.japaneseExpert = exercise.japanese.name;
+    work.japaneseTask = exercise.japanese.task;
     work.tolerance = exercise.tolerance;
     Preparation& preparation = work.preparation;
     preparation.original = (*uncut)->ownOuter();
@@ -81,6 +84,11 @@ Expected<AssessedWork> assessedWork(const FinishedWork& finished) {
     const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     return work;
+}
+
+/// English where no font has the letters.
+Language reportLanguage(const FinishedWork& finished) {
+    return reportFont(finished.language) ? finished.language : Language::English;
 }
 
 /// A folder that is not there yet.
@@ -127,7 +135,7 @@ Expected<std::shared_ptr<const WorkAssessment>> assessWork(FinishedWork work, As
     if (progress.stopToken().stop_requested()) return Result();
     const auto show = [&](double share) { progress.setShare(kIdealMade + (1 - kIdealMade) * share); };
     show(0);
-    Expected<AssessmentReport> report = makeReport(*assessed, assessment->rubric, show);
+    Expected<AssessmentReport> report = makeReport(*assessed, assessment->rubric, reportLanguage(finished), show);
     if (!report) return Unexpected{report.error()};
     assessment->report = std::move(*report);
     return Result(assessment);

@@ -24,8 +24,9 @@ struct FinishedWork {
     std::string title;                          ///< of the tooth, for people
     std::shared_ptr<const LayeredTooth> uncut;  ///< the tooth of the session
     std::shared_ptr<const Surface> cut;
-    std::vector<std::byte> toothFile;  ///< the saved tooth
-    std::filesystem::path recording;   ///< with all of the work; it may go on later. Empty: there is none.
+    std::vector<std::byte> toothFile;       ///< the saved tooth
+    std::filesystem::path recording;        ///< with all of the work; it may go on later. Empty: there is none.
+    Language language = Language::English;  ///< of the report
 };
 
 /// How far an assessment has come, and the wish to end it. Any thread.
