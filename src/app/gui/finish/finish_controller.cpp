@@ -21,6 +21,7 @@
 #include "app/gui/replay/replay_controller.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/scene/tooth_view.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 

@@ -34,10 +34,10 @@ QString lostText(const LostPoint& point, const QLocale& locale) {
     return QStringLiteral("−") + locale.toString(point.score->lost, 'f', 1);
 }
 
-QString valueText(const LostPoint& point) {
+QString valueText(const LostPoint& point, Language language) {
     const Measured& measured = point.score->measured;
     if (!measured.value) return ReportDialog::tr("not measurable");
-    return shown(tactooth::valueText(*point.score->criterion->metric, *measured.value));
+    return shown(tactooth::valueText(*point.score->criterion->metric, *measured.value, language));
 }
 
 QString whereText(const AssessmentReport& report, const Measured& measured) {
@@ -51,9 +51,9 @@ QString whereText(const AssessmentReport& report, const Measured& measured) {
 }
 
 /// All that is known of a criterion, for the tool tip.
-QString factsOf(const LostPoint& point) {
+QString factsOf(const LostPoint& point, Language language) {
     const CriterionScore& score = *point.score;
-    QStringList lines{shown(score.criterion->title)};
+    QStringList lines{shown(score.criterion->titleIn(language))};
     if (score.score) lines << ReportDialog::tr("Score %1 of 100").arg(*score.score, 0, 'f', 0);
     if (score.level) lines << translated(Message(levelText(*score.level)));
     if (!score.measured.value && score.measured.reason != nullptr) {
@@ -149,14 +149,15 @@ QTreeWidget* ReportDialog::makeList() {
     list->setRootIsDecorated(false);
     list->setAlternatingRowColors(true);
     list->setHeaderLabels({tr("Points"), tr("Criterion"), tr("Measured"), tr("Where, when")});
+    const Language language = assessment_->report.language;
     for (const LostPoint& point : points_) {
         auto* item = new QTreeWidgetItem(list);
         item->setText(0, lostText(point, locale()));
-        item->setText(1, shown(point.score->criterion->title));
-        item->setText(2, valueText(point));
+        item->setText(1, shown(point.score->criterion->titleIn(language)));
+        item->setText(2, valueText(point, language));
         item->setText(3, whereText(assessment_->report, point.score->measured));
         for (const int column : {0, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-        for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, factsOf(point));
+        for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, factsOf(point, language));
         const bool costs = point.limitsMark || point.score->lost > 0;
         if (costs) item->setForeground(0, QColor(kBad));
     }
