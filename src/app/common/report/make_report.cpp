@@ -63,6 +63,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     report.mesialX = work.preparation.mesialX;
     report.fit = work.fit;
     report.tolerance = work.tolerance;
+    showProgress(work, kMarked);
     if (work.track != nullptr) {
         report.seconds = work.track->seconds();
         report.strip = stripOf(work, report);
@@ -70,7 +71,6 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     const Measured& overMax = measures.deviation.overMax;
     const bool isOver = overMax.value.value_or(0) > work.tolerance;
     report.sections = reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt);
-    showProgress(work, kMarked);
     report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
     Expected<std::vector<ReportPicture>> pictures = reportPictures(work.preparation, measures.surfaces, work.tolerance);
     if (pictures) {
