@@ -2547,8 +2547,8 @@ It is off in an examination.</source>
 <context>
     <name>tactooth::ReportDialog</name>
     <message>
-        <source>limit</source>
-        <translation>上限</translation>
+        <source>limit, %1</source>
+        <translation>上限、%1</translation>
     </message>
     <message>
         <source>not measurable</source>

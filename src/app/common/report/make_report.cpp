@@ -17,6 +17,12 @@
 namespace tactooth {
 namespace {
 
+constexpr double kMeasured = 0.5, kMarked = 0.75;  // about these shares of the time
+
+void showProgress(const AssessedWork& work, double share) {
+    if (work.progress) work.progress(share);
+}
+
 /// Force and depth over time, with the events and the moments at which points were lost.
 WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
     constexpr std::size_t kColumns = 360, kEvents = 8, kErrors = 4;
@@ -35,17 +41,12 @@ WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
 
 }  // namespace
 
-Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language,
-                                      const ReportProgress& progress) {
-    constexpr double kMeasured = 0.5, kMarked = 0.75;  // about these shares of the time
-    const auto show = [&](double share) {
-        if (progress) progress(share);
-    };
+Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language) {
     if (const auto font = reportFont(language); !font) return Unexpected{font.error()};
     const PreparationMeasures measures(work.preparation, work.track.get());
-    show(kMeasured);
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
     std::vector<MetricResult> results = measureAll(measures);
+    showProgress(work, kMeasured);
     if (work.track != nullptr) addMoments(results, measures, work.track);
     AssessmentReport report{.student = work.student,
                             .expert = work.expert,
@@ -65,6 +66,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     report.mesialX = work.preparation.mesialX;
     report.fit = work.fit;
     report.tolerance = work.tolerance;
+    showProgress(work, kMarked);
     if (work.track != nullptr) {
         report.seconds = work.track->seconds();
         report.strip = stripOf(work, report);
@@ -73,7 +75,6 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     const bool isOver = overMax.value.value_or(0) > work.tolerance;
     report.sections =
         reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt, language);
-    show(kMarked);
     report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
     Expected<std::vector<ReportPicture>> pictures =
         reportPictures(work.preparation, measures.surfaces, work.tolerance, language);

@@ -28,17 +28,15 @@ struct AssessedWork {
     double tolerance = 0.3;           ///< mm: of the exercise, else as teachers allow (docs/assessment.md)
     std::optional<ScanFit> fit = {};  ///< of a surface from a file
     std::shared_ptr<const SessionTrack> track = {};  ///< the finished session; null: not known
+    /// Receives the share of the assessment that is done, 0..1; empty: nobody wants to know.
+    std::function<void(double)> progress = {};
 };
-
-/// Receives the share of a long work that is done, 0..1.
-using ReportProgress = std::function<void(double share)>;
 
 /// Measures and marks a work, and draws its pictures. Takes some seconds. `rubric` outlives the report. Fails with one
 /// sentence if there is nothing to compare with or to judge, or no font for the language. Without OpenGL the report has
 /// no pictures. `language`: of its pages.
 [[nodiscard]] Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric,
-                                                    Language language = Language::English,
-                                                    const ReportProgress& progress = {});
+                                                    Language language = Language::English);
 
 /// The names of the files of a report.
 inline constexpr std::array kReportFiles = {"report.html", "report.pdf", "report.json", "report.csv"};

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QMainWindow>
+#include <QStandardPaths>
 #include <utility>
 
 #include "app/common/mouth_scene.h"
@@ -185,7 +186,9 @@ void FinishController::leaveReplay() {
 void FinishController::askForHandIn(const QString& intro) {
     if (handIn_ != nullptr) return;
     QWidget* const parent = report_ != nullptr ? static_cast<QWidget*>(report_) : &parts_.window;
-    handIn_ = new HandInDialog(intro, parts_.files.folder(), parent);
+    const QString last = parts_.files.folder();
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    handIn_ = new HandInDialog(intro, last.isEmpty() ? documents : last, parent);
     connect(handIn_, &HandInDialog::wanted, this, &FinishController::writeHandIn);
     connect(handIn_, &QDialog::rejected, this, [this] {
         if (isExamination_) release();

@@ -133,9 +133,9 @@ Expected<std::shared_ptr<const WorkAssessment>> assessWork(FinishedWork work, As
     assessed->date =
         recorded.date.empty() ? QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString() : recorded.date;
     if (progress.stopToken().stop_requested()) return Result();
-    const auto show = [&](double share) { progress.setShare(kIdealMade + (1 - kIdealMade) * share); };
-    show(0);
-    Expected<AssessmentReport> report = makeReport(*assessed, assessment->rubric, reportLanguage(finished), show);
+    assessed->progress = [&](double share) { progress.setShare(kIdealMade + (1 - kIdealMade) * share); };
+    assessed->progress(0);
+    Expected<AssessmentReport> report = makeReport(*assessed, assessment->rubric, reportLanguage(finished));
     if (!report) return Unexpected{report.error()};
     assessment->report = std::move(*report);
     return Result(assessment);

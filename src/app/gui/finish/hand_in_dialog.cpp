@@ -42,7 +42,9 @@ HandInDialog::HandInDialog(const QString& intro, const QString& folder, QWidget*
     auto* form = new QFormLayout;
     form->addRow(tr("&Name of the student"), name_);
     form->addRow(tr("&Comment of the teacher"), comment_);
-    form->addRow(tr("&In the folder"), place);
+    auto* in = new QLabel(tr("&In the folder"));
+    in->setBuddy(folder_);
+    form->addRow(in, place);
     auto* buttons = new QDialogButtonBox;
     buttons->addButton(write_, QDialogButtonBox::ActionRole);
     buttons->addButton(QDialogButtonBox::Cancel);

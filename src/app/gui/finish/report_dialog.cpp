@@ -28,10 +28,11 @@ constexpr auto kGood = "#2f9e44", kBad = "#d04030";  // legible on light and on 
 
 QString shown(const std::string& text) { return QString::fromStdString(displayText(text)); }
 
+/// "−12.3", and that it limits the mark.
 QString lostText(const LostPoint& point, const QLocale& locale) {
-    if (point.limitsMark) return ReportDialog::tr("limit");
-    if (point.score->lost <= 0) return QStringLiteral("–");
-    return QStringLiteral("−") + locale.toString(point.score->lost, 'f', 1);
+    const double lost = point.score->lost;
+    const QString points = lost > 0 ? QStringLiteral("−") + locale.toString(lost, 'f', 1) : QStringLiteral("–");
+    return point.limitsMark ? ReportDialog::tr("limit, %1").arg(points) : points;
 }
 
 QString valueText(const LostPoint& point, Language language) {
@@ -150,22 +151,29 @@ QTreeWidget* ReportDialog::makeList() {
     list->setAlternatingRowColors(true);
     list->setHeaderLabels({tr("Points"), tr("Criterion"), tr("Measured"), tr("Where, when")});
     const Language language = assessment_->report.language;
+    constexpr double kTall = 1.6;  // lines of text: a row is easy to hit
+    const int row = static_cast<int>(kTall * list->fontMetrics().height());
     for (const LostPoint& point : points_) {
         auto* item = new QTreeWidgetItem(list);
         item->setText(0, lostText(point, locale()));
         item->setText(1, shown(point.score->criterion->titleIn(language)));
         item->setText(2, valueText(point, language));
         item->setText(3, whereText(assessment_->report, point.score->measured));
+        item->setSizeHint(1, {0, row});
         for (const int column : {0, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, factsOf(point, language));
         const bool costs = point.limitsMark || point.score->lost > 0;
         if (costs) item->setForeground(0, QColor(kBad));
     }
-    list->header()->setStretchLastSection(true);
+    list->header()->setStretchLastSection(false);
     for (const int column : {0, 2}) list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list->header()->setSectionResizeMode(1, QHeaderView::Stretch);
     list->header()->setSectionResizeMode(3, QHeaderView::ResizeToContents);
     if (list->topLevelItemCount() > 0) list->setCurrentItem(list->topLevelItem(0));
+    constexpr int kFewRows = 4;  // they are always in sight, and no row is cut off
+    const int frame = 2 * list->frameWidth() + list->header()->sizeHint().height();
+    list->setMinimumHeight(frame + kFewRows * row);
+    list->setMaximumHeight(frame + (list->topLevelItemCount() + 1) * row);
     connect(list, &QTreeWidget::currentItemChanged, this, &ReportDialog::followSelection);
     connect(list, &QTreeWidget::itemActivated, this, &ReportDialog::replaySelected);
     return list;
@@ -179,6 +187,7 @@ QWidget* ReportDialog::makeSummary() {
     column->addWidget(heading(tr("What the mark is made of")));
     list_ = makeList();
     column->addWidget(list_, 1);
+    column->addSpacing(6);
     column->addWidget(heading(tr("What to do next")));
     for (const std::string& step : nextSteps(assessment_->report)) {
         auto* label = new QLabel(shown(step));
@@ -186,6 +195,7 @@ QWidget* ReportDialog::makeSummary() {
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
         column->addWidget(label);
     }
+    column->addStretch();
     return summary;
 }
 
