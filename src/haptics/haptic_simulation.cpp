@@ -46,6 +46,14 @@ HapticSimulation::HapticSimulation(std::shared_ptr<const ToolShape> tool, double
     force_.setOverrides(settings.force);
 }
 
+void HapticSimulation::holdByHand(HandInstrument kind, const MaterialTable& materials) {
+    TACTOOTH_ASSERT(!started_);
+    hand_ = kind;
+    for (const MaterialId id : materials.registry().ids()) {
+        softness_[static_cast<std::size_t>(id)] = softness(materials, id);
+    }
+}
+
 void HapticSimulation::setTickBudget(Work work) {
     TACTOOTH_ASSERT(work > 0);
     tickBudget_ = work;
@@ -64,6 +72,11 @@ Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
     feedLimiter_.pass(dt);
     const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kMinCuttingRpm && following_;
     const Pose& device = input.deviceInTooth;
+    if (hand_ == HandInstrument::Explorer) {
+        proxy_.setBudget(kUnlimitedWork);
+        const std::optional<Vec3> held = tipHold_.placeFor(device.position);
+        return {held.value_or(device.position), device.rotation};
+    }
     proxy_.setBudget(cuts ? tickBudget_ : kUnlimitedWork);
     return cuts ? feedLimiter_.goal(device, proxy_.pose(), device.position - lastDevice_.position, dt) : device;
 }
@@ -90,13 +103,44 @@ void HapticSimulation::filterVelocity(const Pose& device, double dt) {
 /// Speed of the bur's rim, mm/s.
 double HapticSimulation::rimSpeed() const { return bur_.speedRpm / 60 * 2 * std::numbers::pi * burRadius_; }
 
+/// Of the tissue that holds the tip itself, not the hook behind it; 0 if none does.
+double HapticSimulation::softnessAtTip(const ProxyState& state) const {
+    constexpr double kTip = 0.4;  // mm
+    const ContactPoint* nearest = nullptr;
+    for (const ContactPoint& held : state.contactPoints()) {
+        if (held.isAdjacent || (held.point - state.proxy.position).norm() > kTip) continue;
+        if (nearest == nullptr || held.multiplier > nearest->multiplier) nearest = &held;
+    }
+    return nearest != nullptr ? softness_[static_cast<std::size_t>(nearest->material)] : 0;
+}
+
+void HapticSimulation::updateTipHold(const ProxyState& state, double dt, Tick& tick) {
+    if (hand_ != HandInstrument::Explorer) return;
+    if (!state.placed || state.contacts == 0 || tick.normal.isZero(0)) {
+        // A hand that is where the tip is held pulls at nothing.
+        if (!state.placed || tipHold_.force() == 0) tipHold_.release();
+    } else {
+        tipHold_.touch(
+            {state.proxy.position, tick.normal, force_.normalForce(), force_.stiffness(), softnessAtTip(state)}, dt);
+    }
+    tick.tipHold = tipHold_.force();
+}
+
+/// The work of a blade in this tick, N*m: of its force along the way of the hand, but for the way out of the tissue.
+double HapticSimulation::bladeWork(const Tick& tick, double dt) const {
+    if (tick.contacts == 0) return 0;
+    Vec3 way = dt * velocity_;
+    way -= std::max(0.0, way.dot(tick.normal)) * tick.normal;
+    return 1e-3 * force_.normalForce() * way.norm();
+}
+
 /// Advances the spindle by one step under the load of the cut, and adds up the work that the cut may spend.
-void HapticSimulation::stepBur(const OperatorInput& input, double dt, Tick& tick) {
+void HapticSimulation::stepBur(double dt, Tick& tick) {
     TACTOOTH_ASSERT(tick.pedal >= 0 && tick.pedal <= 1);
-    const bool isEngaged = input.cutting && tick.contacts > 0 && bur_.speedRpm > kMinCuttingRpm;
+    const bool isEngaged = tick.cutting && tick.contacts > 0 && bur_.speedRpm > kMinCuttingRpm;
     const double tangential = isEngaged ? kTangentialRatio * force_.normalForce() : 0;
     tick.load = tangential * burRadius_;
-    bur_ = stepSpindle(spindle_, bur_, input.cutting ? tick.pedal : 0, tick.load, dt);
+    bur_ = stepSpindle(spindle_, bur_, tick.cutting ? tick.pedal : 0, tick.load, dt);
     TACTOOTH_ASSERT(tick.load >= 0);
     TACTOOTH_ASSERT(std::isfinite(bur_.speedRpm) && bur_.speedRpm >= 0);
     const double rimMeters = 1e-3 * rimSpeed();  // a second
@@ -111,6 +155,7 @@ void HapticSimulation::stepBur(const OperatorInput& input, double dt, Tick& tick
     // The mean of both ends of the tick: for a growing force it gives the same at any rate.
     const double power = force * rimMeters;  // N*m a second
     tick.cutWork = last_.cutWork + (isEngaged ? (power_ + power) / 2 * dt : 0);
+    if (hand_ == HandInstrument::Excavator) tick.cutWork += bladeWork(tick, dt);
     TACTOOTH_ASSERT(tick.cutWork >= last_.cutWork);
     power_ = power;
 }
@@ -141,6 +186,7 @@ void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) 
     const ContactState contact{state.deviceTip,       state.offset, velocity_, state.travel,
                                state.contactPoints(), spin_,        dt,        rimSpeed() * dt};
     tick.wrench = force_.at(contact);
+    updateTipHold(state, dt, tick);
     tick.stiffness = force_.stiffness();
     tick.deflection = force_.deflection();
     lever_.setZero();
@@ -159,16 +205,17 @@ Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
     Tick tick;
     tick.time = last_.time + (started_ ? dt : 0);
     started_ = true;
-    tick.cutting = input.cutting;
-    tick.pedal = std::isfinite(input.pedal) ? std::clamp(input.pedal, 0.0, 1.0) : 0;
+    tick.cutting = input.cutting && !hand_;  // no drive: nothing turns, whatever pedal and buttons say
+    tick.pedal = std::isfinite(input.pedal) && !hand_ ? std::clamp(input.pedal, 0.0, 1.0) : 0;
     if (isPlausible(input.deviceInTooth)) {
         touch(withUnitRotation(input), dt, tick);
     } else {
         tick.hand = last_.hand;
         tick.proxy = last_.proxy;
         following_ = false;
+        tipHold_.release();
     }
-    stepBur(input, dt, tick);
+    stepBur(dt, tick);
 
     TACTOOTH_ASSERT(tick.placed || tick.contacts == 0);
     TACTOOTH_ASSERT(tick.contacts > 0 || tick.wrench.force.isZero(0));

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
 #include "haptics/contact_force.h"
 #include "haptics/cutting_force.h"
 #include "haptics/feed_rate_limiter.h"
+#include "haptics/tip/tip_hold.h"
 #include "haptics/tool_proxy.h"
+#include "instruments/hand_instruments.h"
 #include "instruments/spindle.h"
 
 namespace tactooth {
@@ -36,13 +39,15 @@ struct Tick {
     double deflection = 0;    ///< of the contact spring, inwards and against friction, mm
     int contacts = 0;         ///< triangles that hold the proxy
     bool placed = false;      ///< false: the device pose is faulty, or no free pose is known; there is no force
-    bool cutting = false;     ///< as OperatorInput::cutting
+    bool cutting = false;     ///< as OperatorInput::cutting; never for an instrument in the hand
     double pedal = 0;         ///< 0 up .. 1 down
     double speedRpm = 0;      ///< of the bur
     double load = 0;          ///< torque on the bur, N*mm
     double removalPower = 0;  ///< tangential force times rim speed, W
-    double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends
-    MaterialId material{};    ///< of the contact point with the largest multiplier; undefined without contact
+    double cutWork = 0;     ///< normal force times rim travel since the start, N*m: what the removal law spends; of an
+                            ///< excavator, normal force times the way of the hand
+    double tipHold = 0;     ///< the force that draws an explorer's tip out of soft decay, N; 0: nothing holds it
+    MaterialId material{};  ///< of the contact point with the largest multiplier; undefined without contact
     std::optional<MaterialId> around;   ///< of a body of the surroundings, if one holds the tool
     std::uint32_t contactOnsets = 0;    ///< number of contact onsets so far
     double impactSpeed = 0;             ///< along the normal at the last contact onset, mm/s
@@ -86,6 +91,8 @@ public:
     void setSurface(HapticSurface& hapticSurface);
     /// For a loop in real time; see ToolProxy::deferPlacement.
     void deferPlacement() { proxy_.deferPlacement(); }
+    /// The tool is this one, without a drive. Call it before the first tick. `materials`: those of the tooth.
+    void holdByHand(HandInstrument kind, const MaterialTable& materials);
     /// Replaces HapticSettings::tickBudget, for a loop that is not in real time. Positive.
     void setTickBudget(Work work);
     [[nodiscard]] const std::shared_ptr<const ToolShape>& tool() const { return proxy_.tool(); }
@@ -97,12 +104,18 @@ private:
     void touch(const OperatorInput& input, double dt, Tick& tick);
     [[nodiscard]] Pose targetOf(const OperatorInput& input, double dt);
     [[nodiscard]] double rimSpeed() const;
-    void stepBur(const OperatorInput& input, double dt, Tick& tick);
+    [[nodiscard]] double softnessAtTip(const ProxyState& state) const;
+    void updateTipHold(const ProxyState& state, double dt, Tick& tick);
+    [[nodiscard]] double bladeWork(const Tick& tick, double dt) const;
+    void stepBur(double dt, Tick& tick);
 
     ToolProxy proxy_;
     ContactForce force_;
     FeedRateLimiter feedLimiter_;
     CuttingForce cuttingForce_;
+    std::optional<HandInstrument> hand_;
+    std::array<double, kMaxMaterials> softness_{};  // by MaterialId
+    TipHold tipHold_;
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;

@@ -70,4 +70,9 @@ inline constexpr MessageText kElectricSpindle{"electric_spindle", "Electric 1:5,
 inline constexpr MessageText kLowSpeedSpindle{"low_speed_spindle", "Low-speed contra-angle, 25,000 rev/min",
                                               "低速コントラアングル、25,000 回転/分"};
 
+// Hand instruments.
+inline constexpr MessageText kExplorer{"explorer", "Explorer", "探針"};
+inline constexpr MessageText kPeriodontalProbe{"periodontal_probe", "Periodontal probe", "歯周プローブ"};
+inline constexpr MessageText kSpoonExcavator{"spoon_excavator", "Spoon excavator", "スプーンエキスカベーター"};
+
 }  // namespace tactooth::msg

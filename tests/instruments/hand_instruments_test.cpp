@@ -24,6 +24,42 @@ void expectSound(const TriangleMesh& mesh) {
 TEST(HandInstruments, AreClosedAndDoNotIntersectThemselves) {
     expectSound(makeExplorer());
     expectSound(makePeriodontalProbe());
+    expectSound(makeSpoonExcavator());
+    for (const HandInstrumentSpec& spec : handInstruments()) {
+        expectSound(heldInstrument(spec.kind));
+        expectSound(touchingInstrument(spec.kind));
+    }
+}
+
+/// It comes down on its tip, and not on the belly of its hook.
+TEST(HandInstruments, TheTipIsTheLowestPlaceAndTheHandleLeavesUpward) {
+    for (const HandInstrumentSpec& spec : handInstruments()) {
+        for (const TriangleMesh& mesh : {heldInstrument(spec.kind), touchingInstrument(spec.kind)}) {
+            for (const Vec3f& v : mesh.vertices) {
+                const double aside = std::hypot(v.x(), v.y());
+                ASSERT_GT(v.z(), aside < 0.7 ? -0.1 : 0.05) << spec.name << ": " << v.transpose();
+            }
+            EXPECT_GT(boundingBox(mesh).max().x(), 10);
+        }
+        EXPECT_LT(touchingInstrument(spec.kind).triangles.size(), 500u);
+        EXPECT_EQ(findHandInstrument(spec.name), &spec);
+        EXPECT_EQ(findHandInstrument(spec.title->english), &spec);
+    }
+    EXPECT_EQ(findHandInstrument("fork"), nullptr);
+}
+
+TEST(HandInstruments, TheSpoonIsRoundSharpAndHollow) {
+    const TriangleMesh spoon = makeSpoonExcavator();
+    double width = 0, front = 1, back = 0;
+    for (const Vec3f& v : spoon.vertices) {
+        if (v.z() > 1.1F || v.z() < 0.1F) continue;
+        width = std::max(width, std::abs(double{v.x()}));
+        front = std::min(front, double{v.y()});
+        back = std::max(back, double{v.y()});
+    }
+    EXPECT_NEAR(width, kSpoonRadius, 0.02);
+    EXPECT_GT(front, -1e-3);  // nothing stands before its rim
+    EXPECT_NEAR(back, 0.55 * kSpoonRadius, 0.02);
 }
 
 TEST(HandInstruments, ExplorerEndsInAFineTipAtTheOrigin) {

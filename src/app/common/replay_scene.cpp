@@ -11,6 +11,14 @@
 namespace tactooth {
 
 ReplayBur ReplayBur::of(const Instrument& instrument) {
+    if (instrument.hand) {
+        const HandInstrumentSpec& spec = specOf(*instrument.hand);
+        return {.shown = std::make_shared<const TriangleMesh>(heldInstrument(*instrument.hand)),
+                .blurred = nullptr,  // it does not turn
+                .edge = {},
+                .head = {spec.headLength, spec.headRadius, spec.headRadius},
+                .isHandInstrument = true};
+    }
     const BurHead head = burHeadOf(instrument.shape->mesh());
     return {std::make_shared<const TriangleMesh>(instrument.shape->mesh()),
             std::make_shared<const TriangleMesh>(spinEnvelopeMesh(instrument.cutting.envelope)), instrument.edge, head,
@@ -20,7 +28,7 @@ ReplayBur ReplayBur::of(const Instrument& instrument) {
 ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const {
     constexpr double kTurn = 2 * std::numbers::pi;
     return {.bur = shown,
-            .turbine = std::move(turbine),
+            .turbine = isHandInstrument ? nullptr : std::move(turbine),
             .material = edge.gritMicrometres > 0 ? BurMaterial::Diamond : BurMaterial::Carbide,
             .toolInTooth = tick.proxy,
             .spin = std::remainder(time * tick.speedRpm / 60 * kTurn, kTurn),

@@ -15,6 +15,7 @@ struct ReplayBur {
     BurEdge edge;
     BurHead head = {};  ///< of `shown`
     std::shared_ptr<const TriangleMesh> cap = {};
+    bool isHandInstrument = false;  ///< without a handpiece
 
     [[nodiscard]] static ReplayBur of(const Instrument& instrument);
     /// The instrument at a tick; `time`: of the session, s. `turbine`: the handpiece behind the bur, or null.

@@ -4,6 +4,14 @@
 <context>
     <name>tactooth::AimOverlay</name>
     <message>
+        <source>Probe %1 mm</source>
+        <translation>プローブ %1 mm</translation>
+    </message>
+    <message>
+        <source>Sticks: %1 N to draw it out</source>
+        <translation>刺さっています：抜くのに %1 N</translation>
+    </message>
+    <message>
         <source>Depth %1 of %2 mm</source>
         <translation>深さ %1 / %2 mm</translation>
     </message>
@@ -1116,6 +1124,14 @@ It is off in an examination.</source>
 <context>
     <name>tactooth::WindowHints</name>
     <message>
+        <source>Left button: press the instrument on the tooth · wheel: how hard · right: turn</source>
+        <translation>左ボタン：器具を歯に押し付ける · ホイール：押す強さ · 右：回す</translation>
+    </message>
+    <message>
+        <source>An instrument in the hand has no drive: take a handpiece from the tray first</source>
+        <translation>手用器具は回りません。先にトレーからハンドピースを取ってください</translation>
+    </message>
+    <message>
         <source>D-pad: control and value · shoulders: panel · A: press · B: back to the tooth</source>
         <translation>十字キー：項目と値 · ショルダー：パネル · A：押す · B：歯に戻る</translation>
     </message>
@@ -1162,6 +1178,10 @@ It is off in an examination.</source>
 </context>
 <context>
     <name>tactooth::WindowMenus</name>
+    <message>
+        <source>&amp;Instruments</source>
+        <translation>器具(&amp;I)</translation>
+    </message>
     <message>
         <source>&amp;View</source>
         <translation>表示(&amp;V)</translation>
@@ -2711,6 +2731,49 @@ It is off in an examination.</source>
     <message>
         <source>Folder of what is handed in</source>
         <translation>提出するもののフォルダー</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::InstrumentTray</name>
+    <message>
+        <source>Instruments</source>
+        <translation>器具</translation>
+    </message>
+    <message>
+        <source>Turbine</source>
+        <translation>タービン</translation>
+    </message>
+    <message>
+        <source>Contra-angle</source>
+        <translation>コントラ</translation>
+    </message>
+    <message>
+        <source>Low speed</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Explorer (%1): touches; its tip sticks in soft decay</source>
+        <translation>探針（%1）：触れる。軟らかいう蝕に先端が刺さる</translation>
+    </message>
+    <message>
+        <source>Periodontal probe (%1): reads how deep its tip stands</source>
+        <translation>歯周プローブ（%1）：先端の深さを測る</translation>
+    </message>
+    <message>
+        <source>Spoon excavator (%1): takes soft decay by hand</source>
+        <translation>スプーンエキスカベーター（%1）：軟らかいう蝕を手で取る</translation>
+    </message>
+    <message>
+        <source>Explorer</source>
+        <translation>探針</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>プローブ</translation>
+    </message>
+    <message>
+        <source>Excavator</source>
+        <translation>エキスカ</translation>
     </message>
 </context>
 </TS>

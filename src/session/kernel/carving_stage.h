@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "geometry/util/fnv1a.h"
+#include "session/kernel/instrument.h"
 #include "session/kernel/session_event.h"
 #include "session/simulation/cut_model.h"
 
@@ -16,7 +17,7 @@ namespace tactooth {
 class CarvingStage {
 public:
     /// The model is not null; it may already be cut. `materials`: those of the tooth.
-    CarvingStage(std::shared_ptr<CutModel> model, const CuttingTool& tool, MaterialTable materials);
+    CarvingStage(std::shared_ptr<CutModel> model, const Instrument& instrument, MaterialTable materials);
 
     /// Cuts toward the tick's device pose, or removes loose pieces once the bur was lifted. Returns true if the surface
     /// has changed.
@@ -34,9 +35,11 @@ public:
 
 private:
     bool addToHash(bool changed);
+    [[nodiscard]] bool cutsAt(const Tick& tick) const;
 
     std::shared_ptr<CutModel> model_;
     CuttingTool tool_;
+    bool scrapes_;  // an excavator: no drive
     MaterialTable materials_;
     Fnv1a hash_;
     double time_ = 0;                                            // Tick::time of the newest tick, s

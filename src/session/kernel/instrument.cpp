@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/util/assert.h"
+#include "instruments/modelling/surface_of_revolution.h"
 
 namespace tactooth {
 namespace {
@@ -23,11 +24,32 @@ const CuttingTool& needle() {
     return tool;
 }
 
+/// Takes what the spoon fills as the fingers roll it.
+const CuttingTool& spoon() {
+    static const CuttingTool tool = [] {
+        constexpr int kSides = 24;
+        Expected<RevolutionEnvelope> envelope = RevolutionEnvelope::make(revolved(spoonOutline(), kSides));
+        TACTOOTH_ASSERT(envelope);
+        return CuttingTool{std::move(*envelope), 1};
+    }();
+    return tool;
+}
+
 }  // namespace
 
 Instrument touchingTool(std::shared_ptr<const ToolShape> shape) {
     TACTOOTH_ASSERT(shape != nullptr);
     return {std::move(shape), needle(), {}, /*cuts=*/false};
+}
+
+Instrument handTool(HandInstrument kind) {
+    return handTool(kind, std::make_shared<const ToolShape>(touchingInstrument(kind)));
+}
+
+Instrument handTool(HandInstrument kind, std::shared_ptr<const ToolShape> shape) {
+    TACTOOTH_ASSERT(shape != nullptr);
+    const bool scrapes = kind == HandInstrument::Excavator;
+    return {std::move(shape), scrapes ? spoon() : needle(), {}, /*cuts=*/false, kind};
 }
 
 }  // namespace tactooth

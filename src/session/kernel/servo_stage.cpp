@@ -10,6 +10,7 @@ namespace tactooth {
 ServoStage::ServoStage(const Instrument& instrument, std::shared_ptr<const Surface> surface,
                        const HapticSettings& settings, Placement placement)
     : simulation_(instrument.shape, instrument.cutting.envelope.maxRadius(), std::move(surface), settings) {
+    if (instrument.hand) simulation_.holdByHand(*instrument.hand, settings.materials);
     if (placement == Placement::Deferred) simulation_.deferPlacement();
 }
 

@@ -36,7 +36,7 @@ bool SessionKernel::on(const BeginEvent& event) {
     begin_ = event;
     sweep_.reset();
     servo_.emplace(event.instrument, model_->contactSurface(), event.settings, event.placement);
-    carving_.emplace(model_, event.instrument.cutting, event.settings.materials);
+    carving_.emplace(model_, event.instrument, event.settings.materials);
     listing_.emplace(servo_->tool(), servo_->surface(), event.placement);
     return true;
 }
@@ -97,7 +97,7 @@ bool SessionKernel::on(const EditEvent& event) {
     return canCut() && publish(carving_->edit(event.edit), event.published);
 }
 
-bool SessionKernel::canCut() const { return begin_->instrument.cuts && !model_->tooth().isTouchOnly(); }
+bool SessionKernel::canCut() const { return begin_->instrument.carves() && !model_->tooth().isTouchOnly(); }
 
 /// Between two such ticks all turns see the newest one.
 bool SessionKernel::on(const ExactTickEvent& event) {
@@ -105,7 +105,7 @@ bool SessionKernel::on(const ExactTickEvent& event) {
     if (!(event.elapsed >= 0) || !std::isfinite(event.elapsed) || !std::isfinite(event.time)) return false;
     if (!take(event.taken)) return false;
     if (event.swept) {
-        if (!canCut() || !isRigid(input.deviceInTooth)) return false;
+        if (!canCut() || begin_->instrument.hand || !isRigid(input.deviceInTooth)) return false;
         const BeginEvent& begin = *begin_;
         if (!sweep_) {
             sweep_.emplace(model_, begin.instrument.cutting, begin.settings.spindle.freeSpeedRpm,

@@ -18,7 +18,7 @@ StepwiseSession::StepwiseSession(std::shared_ptr<CutModel> model, const BeginEve
       begin_(begin),
       sink_(std::move(sink)),
       servo_(begin.instrument, model_->contactSurface(), begin.settings, begin.placement),
-      carving_(model_, begin.instrument.cutting, begin.settings.materials),
+      carving_(model_, begin.instrument, begin.settings.materials),
       listing_(servo_.tool(), servo_.surface(), begin.placement) {
     report(begin_);
 }

@@ -54,7 +54,7 @@ LiveRunner::LiveRunner(std::shared_ptr<CutModel> piece, Instrument instrument, c
       devices_(device, second, registration),
       force_{settings.force},
       controls_(controls.value_or(SessionControls{.force = settings.force})),
-      carving_(model_, instrument_.cutting, settings.materials),
+      carving_(model_, instrument_, settings.materials),
       listing_(servo_.tool(), servo_.surface()) {
     std::function<void(double)> waitForTick;
     if (device.drivesServoRate()) waitForTick = [&device](double longest) { device.waitForTick(longest); };

@@ -10,5 +10,6 @@ namespace tactooth::msg {
 inline constexpr MessageText kStepStroke{"step_stroke", "Cut", "切削"};
 inline constexpr MessageText kStepReset{"step_reset", "Whole tooth again", "歯を元に戻す"};
 inline constexpr MessageText kStepBur{"step_bur", "Bur: %1", "バー：%1"};
+inline constexpr MessageText kStepInstrument{"step_instrument", "Instrument: %1", "器具：%1"};
 
 }  // namespace tactooth::msg

@@ -50,7 +50,11 @@ public:
     void advance(double dt, const Vec3& toolTip, double depth);
 
     void setPressMode(PressMode mode) { mode_ = mode; }
-    [[nodiscard]] PressMode pressMode() const { return mode_; }
+    /// PressMode::Force while a hand instrument is held: nobody sets how deep a probe goes.
+    [[nodiscard]] PressMode pressMode() const { return holdsHandInstrument_ ? PressMode::Force : mode_; }
+    /// As it was set.
+    [[nodiscard]] PressMode chosenPressMode() const { return mode_; }
+    void setHoldsHandInstrument(bool holds) { holdsHandInstrument_ = holds; }
     /// The depth at which PressMode::Depth ends, and its floor.
     [[nodiscard]] DepthControl& depthControl() { return depthControl_; }
     [[nodiscard]] const DepthControl& depthControl() const { return depthControl_; }
@@ -88,7 +92,9 @@ private:
     void retract(double dt, const Vec3& toolTip);
     [[nodiscard]] Vec3 clampedToWorkspace(const Vec3& tip) const;
     [[nodiscard]] Vec3 onPlane(const PointerView& picture, const Vec2& pixel) const;
-    [[nodiscard]] bool pressesToDepth() const { return mode_ == PressMode::Depth && surroundings_.uncut != nullptr; }
+    [[nodiscard]] bool pressesToDepth() const {
+        return pressMode() == PressMode::Depth && surroundings_.uncut != nullptr;
+    }
     void choosePressDirection(const PointerView& picture);
     void hold(const Quat& handle);
     void noteLanding(const PointerView& picture, const Vec2& pixel, const Surface& surface);
@@ -99,6 +105,7 @@ private:
     DepthControl depthControl_;
     ClearTravel travel_;
     PressMode mode_ = PressMode::Depth;
+    bool holdsHandInstrument_ = false;
     Vec3 tip_;
     Vec3 pressDirection_ = -Vec3::UnitZ();
     Quat handle_;  // as the user holds it

@@ -48,6 +48,17 @@ Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& 
                      file});
 }
 
+SessionBur makeHandInstrument(HandInstrument kind) {
+    const HandInstrumentSpec& spec = specOf(kind);
+    const auto shown = std::make_shared<const TriangleMesh>(heldInstrument(kind));
+    return {.name = std::string(spec.title->english),
+            .instrument = handTool(kind),
+            .shown = shown,
+            .blurred = nullptr,  // it does not turn
+            .file = {},
+            .head = {spec.headLength, spec.headRadius, spec.headRadius}};
+}
+
 Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {
     Expected<CustomBur> own = readCustomBur(path);
     if (!own) return Unexpected{own.error()};
@@ -57,6 +68,7 @@ Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {
 std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder) {
     if (work.bur.empty()) return std::nullopt;
     if (work.burFile.empty()) {
+        if (const HandInstrumentSpec* held = findHandInstrument(work.bur)) return makeHandInstrument(held->kind);
         const auto spec = std::ranges::find(burCatalogue(), work.bur, &BurSpec::name);
         if (spec == burCatalogue().end()) return std::nullopt;
         Expected<SessionBur> made = makeSessionBur(*spec);

@@ -13,7 +13,7 @@
 
 namespace tactooth {
 
-/// A bur that is ready to cut, with its meshes for the picture.
+/// A bur that is ready to cut, or another instrument in the hand, with its meshes for the picture.
 struct SessionBur {
     std::string name;  ///< for people
     Instrument instrument;
@@ -23,6 +23,9 @@ struct SessionBur {
     std::filesystem::path file;  ///< that describes it; empty for a bur of the catalogue or of a case
     BurHead head = {};           ///< of `shown`
     std::shared_ptr<const TriangleMesh> headCap = {};  ///< closes it where the neck begins; null: unknown
+
+    /// Whether it is held without a handpiece.
+    [[nodiscard]] bool isHandInstrument() const { return instrument.hand.has_value(); }
 };
 
 /// The bur with its head measured.
@@ -32,9 +35,10 @@ struct SessionBur {
 [[nodiscard]] Expected<SessionBur> makeSessionBur(const BurSpec& spec);
 /// `file`: that described `bur`; empty if a case brought it.
 [[nodiscard]] Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file);
+[[nodiscard]] SessionBur makeHandInstrument(HandInstrument kind);
 [[nodiscard]] Expected<SessionBur> loadSessionBur(const std::filesystem::path& path);
-/// The bur that somebody worked with: of the catalogue, or of its file, which may also lie in `folder`. Nothing if it
-/// is not there any more, or belongs to a case.
+/// The bur or hand instrument that somebody worked with: of the catalogue, or of its file, which may also lie in
+/// `folder`. Nothing if it is not there any more, or belongs to a case.
 [[nodiscard]] std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder);
 
 }  // namespace tactooth

@@ -32,7 +32,7 @@ void SessionModel::install(SessionTooth tooth) {
     resetManipulator();
     mirror_.reset();
     haptics_.materials = MaterialTable(tooth_->piece->tooth().materials());
-    if (tooth_->bur) bur_ = tooth_->bur;
+    if (tooth_->bur) install(*tooth_->bur);
     needsRunner_ = isToothNew_ = true;
 }
 
@@ -40,7 +40,8 @@ void SessionModel::install(SessionTooth tooth) {
 void SessionModel::resetManipulator() {
     MouseManipulator next(tooth_ ? tooth_->box() : kNoTooth, handleX(*this));
     next.setPressDepth(manipulator_.pressDepth());
-    next.setPressMode(manipulator_.pressMode());
+    next.setPressMode(manipulator_.chosenPressMode());
+    next.setHoldsHandInstrument(bur_ && bur_->isHandInstrument());
     next.depthControl() = manipulator_.depthControl();
     manipulator_ = std::move(next);
     seenSurface_.reset();
@@ -70,6 +71,7 @@ void SessionModel::advanceDepthControl() {
 
 void SessionModel::install(SessionBur bur) {
     bur_ = std::move(bur);
+    manipulator_.setHoldsHandInstrument(bur_->isHandInstrument());
     needsRunner_ = true;
 }
 
@@ -260,7 +262,8 @@ SessionControls SessionModel::currentControls() const {
     SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
-    if (depthStop_ && depthStopAllowed_ && devices_.first() != nullptr) {
+    const bool hasFloor = bur_ && !bur_->isHandInstrument();  // a probe goes as deep as it can
+    if (depthStop_ && depthStopAllowed_ && hasFloor && devices_.first() != nullptr) {
         now.depthStop = std::make_shared<const DepthControl>(manipulator_.depthControl());
     }
     return now;

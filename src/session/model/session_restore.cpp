@@ -99,6 +99,7 @@ private:
 
     /// That of the catalogue if it is one, as it has a finer picture.
     std::optional<SessionBur> bur() const {
+        if (instrument_ && instrument_->hand) return makeHandInstrument(*instrument_->hand);
         if (std::optional<SessionBur> known = burOf(work_, {})) return known;
         if (!instrument_) return std::nullopt;
         return withHead({work_.bur, *instrument_, std::make_shared<const TriangleMesh>(instrument_->shape->mesh()),

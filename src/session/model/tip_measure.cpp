@@ -25,6 +25,11 @@ Vec3 inwardOf(const SessionModel& model) {
     return model.log().newest().proxy.rotation * -Vec3::UnitZ();
 }
 
+/// False for an instrument that only touches.
+bool canCut(const SessionBur& bur) {
+    return !bur.isHandInstrument() || bur.instrument.hand == HandInstrument::Excavator;
+}
+
 /// Distance of the head of the bur from one layer.
 std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {
     std::optional<double> least;
@@ -56,11 +61,21 @@ double travelOf(const MouseManipulator& hand, const AimMark& mark) {
 
 }  // namespace
 
+std::optional<double> probedDepth(const DepthControl& depths, const Pose& probe) {
+    const std::optional<double> depth = depths.depthOf(probe.position, probe.rotation * -Vec3::UnitZ());
+    return depth && *depth >= 0 ? depth : std::nullopt;
+}
+
 TipMeasure tipMeasure(const SessionModel& model) {
     const Tick& newest = model.log().newest();
     TipMeasure measure;
     measure.force = newest.wrench.force.norm();
-    measure.depth = model.manipulator().depthControl().depthOf(newest.proxy.position, inwardOf(model));
+    const DepthControl& depths = model.manipulator().depthControl();
+    measure.depth = depths.depthOf(newest.proxy.position, inwardOf(model));
+    measure.hold = newest.tipHold;
+    if (model.bur()->instrument.hand == HandInstrument::Probe) {
+        measure.probed = probedDepth(depths, newest.proxy);
+    }
     const LayeredTooth& tooth = model.tooth()->piece->tooth();
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
         if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
@@ -71,6 +86,7 @@ TipMeasure tipMeasure(const SessionModel& model) {
 }
 
 TipWarning warningOf(const TipMeasure& measure, const SessionModel& model) {
+    if (!canCut(*model.bur())) return TipWarning::None;
     if (measure.overPulp && *measure.overPulp < kAtPulp) return TipWarning::AtPulp;
     if (measure.overPulp && *measure.overPulp < kNearPulp) return TipWarning::NearPulp;
     const MouseManipulator& hand = model.manipulator();

@@ -15,6 +15,10 @@ struct TipMeasure {
     std::optional<double>
         overPulp;      ///< mm of tooth between bur and pulp, negative in the pulp; none: far away, no pulp
     double force = 0;  ///< N
+    /// Of a periodontal probe in a cavity: how deep its tip stands below the uncut surface, along the probe, mm; what
+    /// its rings show there. None: another instrument, or outside.
+    std::optional<double> probed;
+    double hold = 0;  ///< the force that draws an explorer's tip out of soft decay, N; 0: nothing holds it
 };
 
 /// How dangerous the place of the bur is.
@@ -29,6 +33,9 @@ inline constexpr double kToleratedDepth = 0.15;  ///< mm
 /// dentin thickness", 2003: reactions grow below 0.5 mm).
 inline constexpr double kNearPulp = 1.0;
 inline constexpr double kAtPulp = 0.5;
+
+/// What a periodontal probe reads at this pose; none where its tip stands outside the uncut surface.
+[[nodiscard]] std::optional<double> probedDepth(const DepthControl& depths, const Pose& probe);
 
 /// Of the newest tick. Needs a runner. Fast enough for each picture.
 [[nodiscard]] TipMeasure tipMeasure(const SessionModel& model);

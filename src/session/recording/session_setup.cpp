@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kMaxMeshVertices = 1 << 24;
 constexpr int kMaxFlutes = 1000;
+constexpr const char* kHand = "hand";
 
 /// Words of the file for the members of an enum; never change one.
 constexpr std::array kModes = {std::pair(ContactMode::Proxy, "proxy"), std::pair(ContactMode::Penalty, "penalty")};
@@ -96,9 +97,14 @@ public:
         const double sharpness = number(bur, "sharpness", 0, 1e3);
         const BurEdge edge{static_cast<int>(number(bur, "flutes", 0, kMaxFlutes)), number(bur, "grit_um", 0, 1e4)};
         const bool cuts = !isFalse(bur, "cuts");
+        const HandInstrumentSpec* const hand = handOf(bur);
         if (fault_) return Unexpected{*fault_};
         std::optional<TriangleMesh> surface = findMesh(mesh);
         if (!surface) return unexpected(msg::kRecordingBurMissing, file_, mesh);
+        if (hand != nullptr) {
+            auto shape = std::make_shared<const ToolShape>(std::move(*surface));
+            return BeginEvent{handTool(hand->kind, std::move(shape)), std::move(settings), placement_};
+        }
         if (!cuts) {
             auto shape = std::make_shared<const ToolShape>(std::move(*surface));
             return BeginEvent{touchingTool(std::move(shape)), std::move(settings), placement_};
@@ -122,6 +128,13 @@ private:
         if (found != json.end() && found->is_string()) return found->get<std::string>();
         fail(key);
         return {};
+    }
+    /// Null for a bur, and for a tool that only touches.
+    const HandInstrumentSpec* handOf(const Json& bur) {
+        if (!bur.contains(kHand)) return nullptr;
+        const HandInstrumentSpec* const spec = findHandInstrument(text(bur, kHand));
+        if (spec == nullptr) fail(kHand);
+        return spec;
     }
     /// A missing key is not false.
     static bool isFalse(const Json& json, const char* key) {
@@ -225,20 +238,21 @@ std::string setupText(const BeginEvent& event, const std::string& bur) {
     if (settings.force.damping) force["damping"] = *settings.force.damping;
     if (settings.force.friction) force["friction"] = *settings.force.friction;
     const Json budget = settings.tickBudget == kUnlimitedWork ? Json(nullptr) : Json(settings.tickBudget);
-    const Json json = {{"bur",
-                        {{"surface", bur},
-                         {"cuts", event.instrument.cuts},
-                         {"sharpness", event.instrument.cutting.sharpness},
-                         {"flutes", event.instrument.edge.flutes},
-                         {"grit_um", event.instrument.edge.gritMicrometres}}},
-                       {"settings",
-                        {{"contact", wordFor(kModes, settings.mode)},
-                         {"freedom", wordFor(kFreedoms, settings.freedom)},
-                         {"tick_budget", budget},
-                         {"placement", wordFor(kPlacements, event.placement)},
-                         {"spindle", jsonOf(settings.spindle)},
-                         {"force", force},
-                         {"materials", jsonOf(settings.materials)}}}};
+    Json json = {{"bur",
+                  {{"surface", bur},
+                   {"cuts", event.instrument.cuts},
+                   {"sharpness", event.instrument.cutting.sharpness},
+                   {"flutes", event.instrument.edge.flutes},
+                   {"grit_um", event.instrument.edge.gritMicrometres}}},
+                 {"settings",
+                  {{"contact", wordFor(kModes, settings.mode)},
+                   {"freedom", wordFor(kFreedoms, settings.freedom)},
+                   {"tick_budget", budget},
+                   {"placement", wordFor(kPlacements, event.placement)},
+                   {"spindle", jsonOf(settings.spindle)},
+                   {"force", force},
+                   {"materials", jsonOf(settings.materials)}}}};
+    if (event.instrument.hand) json["bur"][kHand] = specOf(*event.instrument.hand).name;
     return json.dump();
 }
 

@@ -3,6 +3,7 @@
 #include "session/simulation/cut_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -64,7 +65,8 @@ Pose CutModel::startOf(const Tick& tick) const {
     return isMovingTo ? *reached_ : tick.proxy;
 }
 
-bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
+/// The work that a cut may spend now, N*m; nothing if there is none, or none new.
+std::optional<double> CutModel::newWork(const Tick& tick) {
     updateContact(tick);
     const double work = tick.cutWork - workSpent_;
     const bool hasWorked = tick.cutWork > workSeen_;  // otherwise the last step is still not affordable
@@ -72,9 +74,39 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     if (tick.contacts == 0 || !(work > 0)) {
         workSpent_ = tick.cutWork;
         reached_.reset();
-        return false;
+        return std::nullopt;
     }
-    if (!hasWorked) return false;
+    return hasWorked ? std::optional(work) : std::nullopt;
+}
+
+/// A blade rolls off what it cannot take: where its path reaches firm tissue, it runs a little above.
+bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const MaterialTable& materials) {
+    const std::optional<double> work = newWork(tick);
+    if (!work) return false;
+    constexpr std::array kLifts = {0.0, 0.05, 0.1, 0.2, 0.4};  // mm off the tissue
+    constexpr double kKept = 5e-4;                             // N*m: 0.5 N along 1 mm
+    for (const double lift : kLifts) {
+        const Pose start{tick.proxy.position + lift * tick.normal, tick.proxy.rotation};
+        const Vec3 way = tick.hand.position - tick.proxy.position;
+        const double feed = std::min(way.norm(), kLongestFeed);
+        if (!(feed > 0)) return false;
+        const Pose goal{start.position + feed * way.normalized(), start.rotation};
+        const FeedResult result = feedBur(volume_, blade.envelope, start, goal, *work, materials, blade.sharpness);
+        if (!std::isfinite(result.wanted)) continue;
+        workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - std::max(kKept, result.wanted));
+        addRemoved(result.carve);
+        const bool changed = !changed_.empty();
+        refreshSurface();
+        return changed;
+    }
+    workSpent_ = tick.cutWork;
+    return false;
+}
+
+bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
+    const std::optional<double> payable = newWork(tick);
+    if (!payable) return false;
+    const double work = *payable;
     const Pose start = startOf(tick);
     const double toDevice = (tick.hand.position - start.position).norm();
     const double feed = std::min(toDevice, kLongestFeed);

@@ -61,6 +61,11 @@ public:
     /// true if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
+    /// Takes soft tissue away with a blade in the hand, from the proxy toward the device pose of `tick`, as far as the
+    /// work since the last call pays for. Tissue without `removal` stays, every voxel of it. Returns true if the
+    /// surface has changed.
+    bool scrape(const CuttingTool& blade, const Tick& tick, const MaterialTable& materials);
+
     /// Removes detached pieces and flakes thinner than a voxel, once the bur has been lifted. `tick` is the newest one.
     /// Returns true if the surface has changed.
     bool removeDetachedPieces(const Tick& tick);
@@ -103,6 +108,7 @@ public:
 
 private:
     [[nodiscard]] Pose startOf(const Tick& tick) const;
+    [[nodiscard]] std::optional<double> newWork(const Tick& tick);
     void addRemoved(const CarveResult& carve);
     void updateContact(const Tick& tick);
     void addFallen(const CarveResult& carve);

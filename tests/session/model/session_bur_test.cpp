@@ -67,5 +67,22 @@ TEST(SpinEnvelopeMesh, OfACylinderIsTheCylinder) {
     EXPECT_NEAR(highest, 4, 0.01);
 }
 
+TEST(SessionBur, AHandInstrumentIsFoundAgainByItsTitle) {
+    for (const HandInstrumentSpec& spec : handInstruments()) {
+        const SessionBur made = makeHandInstrument(spec.kind);
+        EXPECT_TRUE(made.isHandInstrument());
+        EXPECT_EQ(made.name, spec.title->english);
+        EXPECT_GT(made.shown->triangles.size(), made.instrument.shape->mesh().triangles.size());
+        SessionWork work;
+        work.bur = made.name;
+        const std::optional<SessionBur> again = burOf(work, {});
+        ASSERT_TRUE(again) << spec.name;
+        EXPECT_EQ(again->instrument.hand, spec.kind);
+    }
+    SessionWork bur;
+    bur.bur = burCatalogue().front().name;
+    EXPECT_FALSE(burOf(bur, {})->isHandInstrument());
+}
+
 }  // namespace
 }  // namespace tactooth

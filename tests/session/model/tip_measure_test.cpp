@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "session/block_with_cavity.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -74,6 +75,37 @@ TEST_F(AimMarkTest, AForceCutsLessAtOnce) {
     EXPECT_FALSE(above(4.95).touchesBeside());
     standBeside(4.8);
     EXPECT_TRUE(above(4.95).touchesBeside());
+}
+
+/// The hand brings a probe down into a box cavity until its floor holds the tip.
+TEST(ProbedDepth, OfABoxCavityIsItsDepth) {
+    DepthControl depths;
+    depths.setSurface(std::make_shared<const SurfacePart>(test::box(Vec3::Constant(-5), Vec3::Constant(5))));
+    for (const double depth : {0.7, 2.0, 3.3}) {
+        auto cut = std::make_shared<Surface>();
+        cut->base = std::make_shared<const SurfacePart>(test::blockWithCavity(Vec3(-1, -1, 5 - depth), Vec3(1, 1, 5)),
+                                                        std::vector<SurfaceTag>(28, 0));
+        const Instrument probe = handTool(HandInstrument::Probe);
+        HapticSimulation simulation(probe.shape, 0, cut, HapticSettings());
+        Tick tick;
+        for (double z = 6; z > 5 - depth - 0.3; z -= 0.01) {
+            tick = simulation.step({{Vec3(0.2, 0.1, z), Quat::Identity()}, 0, false}, 0.001);
+        }
+        EXPECT_GT(tick.contacts, 0);
+        const auto read = probedDepth(depths, tick.proxy);
+        ASSERT_TRUE(read) << depth;
+        EXPECT_NEAR(*read, depth, 0.005);
+    }
+}
+
+TEST(ProbedDepth, OfALeaningProbeIsLonger) {
+    DepthControl depths;
+    depths.setSurface(std::make_shared<const SurfacePart>(test::box(Vec3::Constant(-5), Vec3::Constant(5))));
+    const double lean = 0.4;  // rad
+    const Quat turn(Eigen::AngleAxisd(lean, Vec3::UnitY()));
+    EXPECT_NEAR(probedDepth(depths, {Vec3(0, 0, 2), turn}).value_or(0), 3 / std::cos(lean), 1e-6);
+    EXPECT_FALSE(probedDepth(depths, {Vec3(0, 0, 5.5), turn}));  // outside
+    EXPECT_FALSE(probedDepth({}, {Vec3(0, 0, 2), turn}));        // nothing is known of the tooth
 }
 
 }  // namespace

@@ -53,6 +53,26 @@ TEST(SessionSetup, BringsBackEveryNumberBitForBit) {
     EXPECT_EQ(read->instrument.shape->mesh().triangles, event.instrument.shape->mesh().triangles);
 }
 
+TEST(SessionSetup, KeepsWhichInstrumentTheHandHolds) {
+    for (const HandInstrumentSpec& spec : handInstruments()) {
+        const BeginEvent event{handTool(spec.kind), HapticSettings()};
+        const MeshAttachment shape = attachmentOf(event.instrument.shape->mesh());
+        const std::string text = setupText(event, shape.name);
+        const auto read = parseSetup(text, builtinMaterials(), finderOf(shape), "s.ttsession");
+        ASSERT_TRUE(read) << read.error().message();
+        EXPECT_EQ(read->instrument.hand, spec.kind);
+        EXPECT_TRUE(read->instrument.carves());
+        EXPECT_EQ(read->instrument.cutting.sharpness, event.instrument.cutting.sharpness);
+        std::string other = text;
+        other.replace(other.find(spec.name), spec.name.size(), "fork");
+        const auto refused = parseSetup(other, builtinMaterials(), finderOf(shape), "s.ttsession");
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(refused.error().message(), HasSubstr("'hand'"));
+    }
+    const std::string bur = setupText(unusualSetup(), "surface-0");
+    EXPECT_EQ(bur.find("hand"), std::string::npos);  // as before there were any
+}
+
 TEST(SessionSetup, EqualBursHaveOneName) {
     const TriangleMesh bur = test::flatBurMesh();
     EXPECT_EQ(attachmentOf(bur).name, attachmentOf(test::flatBurMesh()).name);

@@ -25,7 +25,7 @@ public:
         : model_(std::move(model)),
           lanes_(std::move(lanes)),
           servo_(instrument, model_->contactSurface(), settings),
-          carving_(model_, instrument.cutting, settings.materials),
+          carving_(model_, instrument, settings.materials),
           listing_(servo_.tool(), servo_.surface()) {}
 
     const Tick& step(const OperatorInput& hand) {

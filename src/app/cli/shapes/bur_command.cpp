@@ -56,6 +56,7 @@ int runInstrument(const InstrumentOptions& options) {
     if (options.name == "mirror-22") mesh = makeMirror(22).surface;
     if (options.name == "mirror-24") mesh = makeMirror(24).surface;
     if (options.name == "explorer") mesh = makeExplorer();
+    if (options.name == "excavator") mesh = makeSpoonExcavator();
     if (options.name == "probe") mesh = makePeriodontalProbe();
     if (const auto done = writeStl(mesh, options.out); !done) return reportError(done.error());
     print("{}: {}\n", displayName(options.out), meshSummary(reportOn(mesh)));

@@ -43,10 +43,10 @@ void addInstrument(CLI::App& program, CommandAction& chosen) {
                    options, runInstrument);
     command
         ->add_option("NAME", options->name,
-                     "turbine, contra-angle, mirror-22 or mirror-24 (head diameter, mm), explorer (No. 23) or probe "
-                     "(periodontal, mm marks)")
+                     "turbine, contra-angle, mirror-22 or mirror-24 (head diameter, mm), explorer (No. 23), probe "
+                     "(periodontal, mm marks) or excavator (spoon)")
         ->required()
-        ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe"}))
+        ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe", "excavator"}))
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
     command->add_option("--triangles", options->triangles, "Triangles of the turbine or contra-angle (default: 16000)")

@@ -22,6 +22,7 @@
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/history_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/panels/instrument_tray.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/sound_panel.h"
 #include "app/gui/panels/status_line.h"
@@ -31,7 +32,7 @@
 namespace tactooth {
 namespace {
 
-constexpr int kLayout = 5;  // version of the set of docks: a saved state of another version is not restored
+constexpr int kLayout = 6;  // version of the set of docks: a saved state of another version is not restored
 
 constexpr const char* kInColumn = "inColumn";  // of the scroll area of a panel whose width fitWidths() sets
 
@@ -72,6 +73,7 @@ void DockLayout::addToolBars() {
     window_.addToolBar(viewBar_);
     window_.addToolBarBreak();
     window_.addToolBar(panels_.drill);
+    window_.addToolBar(Qt::LeftToolBarArea, panels_.tray);
 }
 
 /// `name`: by which a saved layout knows it, in every language.

@@ -28,6 +28,7 @@ void PanelUpdater::showStep(bool busy) {
 void PanelUpdater::restart() {
     trace_.clear();
     panels_.timing->reset();
+    if (model_.bur()->isHandInstrument()) return;  // the bar keeps the bur that waits in the handpiece
     panels_.drill->show(QString::fromStdString(model_.bur()->name),
                         QString::fromStdString(model_.bur()->file.string()));
 }

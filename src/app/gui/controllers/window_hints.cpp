@@ -37,6 +37,8 @@ QString WindowHints::pedalKey() const { return nativeText(QKeySequence(devices_.
 void WindowHints::showUsual() {
     if (fault_) {
         messages_.setHint(translated(*fault_));
+    } else if (model_.devices().first() == nullptr && holdsHandInstrument()) {
+        messages_.setHint(tr("Left button: press the instrument on the tooth · wheel: how hard · right: turn"));
     } else if (model_.devices().first() == nullptr) {
         messages_.setHint(
             tr("Left button: press the bur on the tooth · wheel: how deep · right: turn · %1: pedal").arg(pedalKey()));
@@ -74,8 +76,14 @@ void WindowHints::showOverload(double microseconds) {
             .arg(1e6 / model_.hand().rate, 0, 'f', 0));
 }
 
+bool WindowHints::holdsHandInstrument() const { return model_.bur() && model_.bur()->isHandInstrument(); }
+
 void WindowHints::showPedal(double pedal) {
-    if (pedal == 0 || fault_ || panels_.drill->isCutting()) return;
+    if (pedal == 0 || fault_) return;
+    if (holdsHandInstrument()) {
+        return messages_.setHint(tr("An instrument in the hand has no drive: take a handpiece from the tray first"));
+    }
+    if (panels_.drill->isCutting()) return;
     messages_.setHint(tr("In Touch the bur stands still: choose Cut (%1), and the pedal turns it")
                           .arg(keyOf(*panels_.drill->cutAction())));
 }

@@ -36,6 +36,7 @@ public:
 private:
     enum class Reason { None, ForceWaits, WorkspaceEnd, BurStopped, OnlyTouches };
     [[nodiscard]] Reason reason() const;
+    [[nodiscard]] bool holdsHandInstrument() const;
     [[nodiscard]] QString pedalKey() const;
     [[nodiscard]] QString text(Reason reason) const;
     void showPedal(double pedal);

@@ -13,6 +13,7 @@
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/history_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/panels/instrument_tray.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/sound_panel.h"
 #include "app/gui/panels/status_line.h"
@@ -24,6 +25,7 @@ namespace tactooth {
 WindowPanels::WindowPanels(SessionModel& model, QObject& owner)
     : view(new ToothView(model)),
       drill(new DrillBar),
+      tray(new InstrumentTray),
       drive(new DrivePanel),
       force(new ForcePanel),
       inspection(new InspectionPanel),

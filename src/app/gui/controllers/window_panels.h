@@ -16,6 +16,7 @@ class ForcePanel;
 class GuidedTour;
 class HistoryPanel;
 class InspectionPanel;
+class InstrumentTray;
 class PlotPanel;
 class SessionModel;
 class SoundPanel;
@@ -31,6 +32,7 @@ struct WindowPanels {
 
     ToothView* view;
     DrillBar* drill;
+    InstrumentTray* tray;
     DrivePanel* drive;
     ForcePanel* force;
     InspectionPanel* inspection;

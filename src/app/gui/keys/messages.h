@@ -36,6 +36,15 @@ inline constexpr MessageText kKeyTurnHandleRight{"key_turn_handle_right", "Turn 
                                                  "柄を右へ回す"};
 inline constexpr MessageText kKeyHold{"key_hold", "Hold the bur while the hand of a device moves on",
                                       "装置の手が動く間、バーをその場に保つ"};
+inline constexpr MessageText kKeyTakeTurbine{"key_take_turbine", "Take the turbine", "エアタービンを持つ"};
+inline constexpr MessageText kKeyTakeContraAngle{"key_take_contra_angle", "Take the electric contra-angle",
+                                                 "電動コントラアングルを持つ"};
+inline constexpr MessageText kKeyTakeLowSpeed{"key_take_low_speed", "Take the low-speed contra-angle",
+                                              "低速コントラアングルを持つ"};
+inline constexpr MessageText kKeyTakeExplorer{"key_take_explorer", "Take the explorer", "探針を持つ"};
+inline constexpr MessageText kKeyTakeProbe{"key_take_probe", "Take the periodontal probe", "歯周プローブを持つ"};
+inline constexpr MessageText kKeyTakeExcavator{"key_take_excavator", "Take the spoon excavator",
+                                               "スプーンエキスカベーターを持つ"};
 inline constexpr MessageText kKeyWater{"key_water", "Water spray on and off", "注水のオン・オフ"};
 inline constexpr MessageText kKeySuction{"key_suction", "Suction on and off", "吸引のオン・オフ"};
 inline constexpr MessageText kKeyUndo{"key_undo", "Take back the last cut or change", "最後の切削や変更を取り消す"};

@@ -118,7 +118,8 @@ void HistoryActions::takeRunner() {
     const bool isOther = seenBur_ && seenBur_->instrument.shape != now.instrument.shape;
     const bool isOurs = std::exchange(expectedBur_, nullptr) == now.instrument.shape.get();
     if (isOther && !isOurs && tooth == seenTooth_) {
-        model_.noteChange({Message(msg::kStepBur, translated(now.name).toStdString()), 0,
+        const MessageText& step = now.isHandInstrument() ? msg::kStepInstrument : msg::kStepBur;
+        model_.noteChange({Message(step, translated(now.name).toStdString()), 0,
                            [this, before = *seenBur_] { install(before); }, [this, now] { install(now); }, 0});
     }
     if (tooth != seenTooth_) seen_ = setup();

@@ -11,6 +11,7 @@
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/panels/instrument_tray.h"
 #include "app/gui/panels/sound_panel.h"
 #include "session/model/session_model.h"
 
@@ -51,6 +52,10 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
+    QMenu* instruments = menu->addMenu(tr("&Instruments"));
+    instruments->setObjectName("instruments");
+    setLineIcon(*instruments->menuAction(), "handpiece");
+    instruments->addActions(panels.tray->actions());
     menu->addAction(&burs_.action());
     menu->addSeparator();
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});

@@ -18,6 +18,7 @@ constexpr int kPad = 5;                 // pixels around the text
 constexpr int kAside = 26, kUp = 12;    // pixels from the tip to the text
 constexpr int kPlumbPlaces = 12;        // of the plumb line that are looked at
 constexpr double kOnSurface = 0.08;     // mm: a place this near to what the eye sees is not hidden
+constexpr double kSeenHold = 0.02;      // N: less nobody feels
 constexpr double kShortestPlumb = 0.1;  // mm: the tip is where it lands
 const QColor kHalo(0, 0, 0, 120);
 const QColor kBeside(255, 72, 60);  // of the part of the ring that will touch a neighbour or a gum
@@ -93,6 +94,7 @@ AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewpor
             .eyeTurn = eye.rotation.coeffs(),
             .depth = hand.depthControl().depth(),
             .force = std::round(10 * newest.wrench.force.norm()),
+            .hold = std::round(100 * newest.tipHold),
             .mode = hand.pressMode(),
             .width = picture.size().width,
             .height = picture.size().height,
@@ -145,12 +147,17 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
     mark.warning = warningOf(measure, model);
     const MouseManipulator& hand = model.manipulator();
     const bool hasGoal = model.devices().first() == nullptr && hand.pressMode() == PressMode::Depth;
-    if (measure.depth) {
+    const std::optional<HandInstrument> held = model.bur()->instrument.hand;
+    if (held == HandInstrument::Probe) {
+        if (measure.probed) mark.lines << tr("Probe %1 mm").arg(*measure.probed, 0, 'f', 1);
+    } else if (measure.depth && held != HandInstrument::Explorer) {
         const QString depth = millimetres(std::max(0.0, *measure.depth));
         mark.lines << (hasGoal ? tr("Depth %1 of %2 mm").arg(depth, millimetres(hand.depthControl().depth()))
                                : tr("Depth %1 mm").arg(depth));
     }
-    if (measure.overPulp && *measure.overPulp > 0) {
+    if (held == HandInstrument::Explorer || held == HandInstrument::Probe) {
+        if (measure.hold > kSeenHold) mark.lines << tr("Sticks: %1 N to draw it out").arg(measure.hold, 0, 'f', 2);
+    } else if (measure.overPulp && *measure.overPulp > 0) {
         mark.lines << tr("Over the pulp %1 mm").arg(millimetres(*measure.overPulp));
     } else if (measure.overPulp) {
         mark.lines << tr("In the pulp");

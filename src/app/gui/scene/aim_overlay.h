@@ -59,7 +59,7 @@ private:
         const Surface* surface = nullptr;
         Vec3 tip = Vec3::Zero(), shaft = Vec3::Zero(), inward = Vec3::Zero(), eye = Vec3::Zero();
         Eigen::Vector4d eyeTurn = Eigen::Vector4d::Zero();
-        double depth = 0, force = 0;
+        double depth = 0, force = 0, hold = 0;
         PressMode mode = PressMode::Depth;
         int width = 0, height = 0;
         bool showsNumbers = true;

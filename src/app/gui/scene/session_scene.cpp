@@ -35,17 +35,18 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
     const std::optional<InstrumentMeshes>& meshes = model.instruments().meshes();
     contents.tooth = model.runner()->feed().surface();
     contents.around = shownAround(tooth.around);
-    contents.tool =
-        ShownTool{.bur = bur.shown,
-                  .turbine = withTurbine && meshes ? meshes->handpieces.of(model.haptics().spindle) : nullptr,
-                  .material = bur.material,
-                  .toolInTooth = newest.proxy,
-                  .spin = model.animation().spin(),
-                  .speedRpm = newest.speedRpm,
-                  .edge = bur.instrument.edge,
-                  .blurred = bur.blurred,
-                  .head = bur.head,
-                  .cap = bur.headCap};
+    contents.tool = ShownTool{.bur = bur.shown,
+                              .turbine = withTurbine && meshes && !bur.isHandInstrument()
+                                             ? meshes->handpieces.of(model.haptics().spindle)
+                                             : nullptr,
+                              .material = bur.material,
+                              .toolInTooth = newest.proxy,
+                              .spin = model.animation().spin(),
+                              .speedRpm = newest.speedRpm,
+                              .edge = bur.instrument.edge,
+                              .blurred = bur.blurred,
+                              .head = bur.head,
+                              .cap = bur.headCap};
     contents.flying = particlesOf(model.animation().particles(), contents.materials);
     if (!meshes) return contents;
     if (model.instruments().suction()) {

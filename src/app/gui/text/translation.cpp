@@ -13,9 +13,10 @@ namespace tactooth {
 namespace {
 
 /// What bears its English name in files and in the settings.
-constexpr std::array<const MessageText*, 6> kNames = {
+constexpr std::array<const MessageText*, 9> kNames = {
     &msg::kLowerFirstMolar, &msg::kUpperCentralIncisor, &msg::kUpperCanine,
     &msg::kAirTurbine,      &msg::kElectricSpindle,     &msg::kLowSpeedSpindle,
+    &msg::kExplorer,        &msg::kPeriodontalProbe,    &msg::kSpoonExcavator,
 };
 
 QString asText(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }

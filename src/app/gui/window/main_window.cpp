@@ -43,6 +43,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       examinations_(examination_, model_, panels_, docks_, exercise_, recordings_, messages_, *this),
       restorer_(model_, teeth_, recordings_, messages_, *this),
       devices_(*this, model_, panels_, messages_),
+      instruments_(model_, panels_),
       keys_(*this, panels_, messages_),
       manual_(*this, keys_),
       hints_(model_, panels_, devices_, messages_),
@@ -130,10 +131,13 @@ void MainWindow::connectLoop() {
     connect(&loop_, &StepLoop::overloaded, &hints_, &WindowHints::showOverload);
     connect(&loop_, &StepLoop::runnerStarted, &updater_, &PanelUpdater::restart);
     connect(&loop_, &StepLoop::runnerStarted, &history_, &HistoryActions::takeRunner);
+    connect(&loop_, &StepLoop::runnerStarted, &instruments_, &InstrumentController::takeRunner);
+    connect(&instruments_, &InstrumentController::changed, &hints_, &WindowHints::showUsual);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
         devices_.followButtons();
         sounds_.poll();
+        instruments_.poll();
         exercise_.poll();
         finish_.poll();
         const bool isLoading = teeth_.isBusy() || !finish_.isAssessing();

@@ -10,6 +10,7 @@
 #include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
+#include "app/gui/controllers/instrument_controller.h"
 #include "app/gui/controllers/key_controller.h"
 #include "app/gui/controllers/manual_controller.h"
 #include "app/gui/controllers/panel_updater.h"
@@ -129,6 +130,7 @@ private:
     ExaminationController examinations_;
     RestoreController restorer_;
     DeviceController devices_;
+    InstrumentController instruments_;
     KeyController keys_;
     ManualController manual_;
     WindowHints hints_;

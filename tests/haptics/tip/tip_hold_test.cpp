@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "haptics/tip/tip_hold.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/haptic_simulation.h"
+#include "haptics/scene.h"
+#include "support/materials.h"
+
+namespace tactooth {
+namespace {
+
+using test::at;
+
+constexpr double kTick = 0.001;  // s
+constexpr double kSpeed = 5;     // mm/s, of the hand
+constexpr double kGrip = 4, kSinking = 0.15;
+
+HapticSimulation explorerOn(MaterialId tissue) {
+    static const auto explorer = std::make_shared<const ToolShape>(touchingInstrument(HandInstrument::Explorer));
+    HapticSettings settings;
+    settings.force.friction = 0;
+    HapticSimulation simulation(explorer, 0, test::block(tissue), settings);
+    simulation.holdByHand(HandInstrument::Explorer, settings.materials);
+    return simulation;
+}
+
+/// Brings the tip down, keeps it `depth` mm in for some time, and draws it out along `way`. `pressed`: the force
+/// before, N. Returns the largest force against the hand.
+double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& way, double& pressed) {
+    constexpr double kDown = 20;  // mm/s
+    for (double z = 0.1; z > -depth; z -= kDown * kTick) (void)simulation.step({at(0, 0, z), 0, false}, kTick);
+    Tick tick;
+    for (double t = 0; t < seconds; t += kTick) tick = simulation.step({at(0, 0, -depth), 0, false}, kTick);
+    pressed = tick.wrench.force.z();
+    double largest = 0;
+    Vec3 hand(0, 0, -depth);
+    for (int i = 0; i < 2000; ++i) {
+        hand += kSpeed * kTick * way;
+        tick = simulation.step({{hand, Quat::Identity()}, 0, false}, kTick);
+        largest = std::max(largest, -tick.wrench.force.dot(way));
+    }
+    return largest;
+}
+
+double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& way) {
+    double pressed = 0;
+    return pullOut(simulation, depth, seconds, way, pressed);
+}
+
+TEST(TipHold, OnlyDecayIsSoftAndTheMoreTheLessStiffItIs) {
+    MaterialTable materials;
+    for (const MaterialId id : {test::kEnamel, test::kDentin, test::kPulp, test::kRestoration, test::kOther}) {
+        EXPECT_EQ(softness(materials, id), 0);
+    }
+    EXPECT_NEAR(softness(materials, test::kCaries), 1 - materials[test::kCaries].stiffness / 0.5, 1e-12);
+    materials[test::kCaries].stiffness = 0.6;  // arrested
+    EXPECT_EQ(softness(materials, test::kCaries), 0);
+}
+
+TEST(TipHold, SoftDecayHoldsTheTipWithTheForceThatTheLawGives) {
+    const MaterialTable materials;
+    for (const double depth : {0.3, 0.6}) {
+        HapticSimulation simulation = explorerOn(test::kCaries);
+        double pressed = 0;
+        const double pulled = pullOut(simulation, depth, 1, Vec3::UnitZ(), pressed);
+        const Material& caries = materials[test::kCaries];
+        EXPECT_NEAR(pressed, caries.stiffness * depth, 0.03);  // the tip itself is blunt
+        const double expected = kGrip * softness(materials, test::kCaries) * pressed * (1 - std::exp(-1 / kSinking));
+        // One tick of the hand, and the damper.
+        EXPECT_NEAR(pulled, expected, caries.stiffness * kSpeed * kTick + caries.damping * kSpeed + 0.002) << depth;
+    }
+}
+
+TEST(TipHold, SoundTissueLetsTheTipGo) {
+    for (const MaterialId tissue : {test::kEnamel, test::kDentin}) {
+        HapticSimulation simulation = explorerOn(tissue);
+        EXPECT_EQ(pullOut(simulation, 0.4, 1, Vec3::UnitZ()), 0);
+        EXPECT_EQ(pullOut(simulation, 0.4, 1, Vec3::UnitX()), 0);  // it slides: without friction nothing resists
+    }
+}
+
+TEST(TipHold, AlsoHoldsTheTipAside) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    EXPECT_GT(pullOut(simulation, 0.4, 1, Vec3::UnitX()), 0.15);
+}
+
+TEST(TipHold, AShortTouchHoldsLess) {
+    HapticSimulation brief = explorerOn(test::kCaries), slow = explorerOn(test::kCaries);
+    EXPECT_LT(pullOut(brief, 0.4, 0.03, Vec3::UnitZ()), 0.5 * pullOut(slow, 0.4, 1, Vec3::UnitZ()));
+}
+
+TEST(TipHold, TheTipStaysWhereItIsUntilItComesFree) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    (void)simulation.step({at(0, 0, 0.2), 0, false}, kTick);
+    Tick tick;
+    for (int i = 0; i < 1000; ++i) tick = simulation.step({at(0, 0, -0.4), 0, false}, kTick);
+    const Vec3 place = tick.proxy.position;
+    EXPECT_GT(tick.tipHold, 0.1);
+    tick = simulation.step({at(0, 0, 0.3), 0, false}, kTick);
+    EXPECT_EQ(tick.proxy.position, place);
+    EXPECT_LT(tick.wrench.force.z(), 0);
+    tick = simulation.step({at(0, 0, 2), 0, false}, kTick);
+    EXPECT_EQ(tick.tipHold, 0);
+    EXPECT_EQ(tick.contacts, 0);
+    EXPECT_EQ(tick.proxy.position, Vec3(0, 0, 2));
+}
+
+TEST(TipHold, NothingTurnsInTheHand) {
+    HapticSimulation simulation = explorerOn(test::kEnamel);
+    Tick tick;
+    for (int i = 0; i < 500; ++i) tick = simulation.step({at(0, 0, -0.2), 1, true}, kTick);
+    EXPECT_FALSE(tick.cutting);
+    EXPECT_EQ(tick.pedal, 0);
+    EXPECT_EQ(tick.speedRpm, 0);
+    EXPECT_EQ(tick.cutWork, 0);
+}
+
+}  // namespace
+}  // namespace tactooth
