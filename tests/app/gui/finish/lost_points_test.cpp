@@ -14,7 +14,8 @@ class LostPoints : public ::testing::Test {
 protected:
     void lose(const std::vector<double>& points) {
         for (std::size_t i = 0; i < points.size(); ++i) {
-            mark_.criteria.push_back({.criterion = &rubric_.criteria[i], .measured = {}, .lost = points[i]});
+            mark_.criteria.push_back(
+                {.criterion = &rubric_.criteria[i], .measured = {}, .score = {}, .level = {}, .lost = points[i]});
         }
     }
     [[nodiscard]] std::vector<double> listed() const {
