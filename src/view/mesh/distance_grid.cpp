@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/assert.h"
@@ -23,6 +25,32 @@ const std::array<Vec3f, 7> kStops = {{{0.50F, 0.23F, 0.03F},
                                       {0.26F, 0.55F, 0.79F},
                                       {0.03F, 0.19F, 0.42F}}};
 
+/// The signed distances of points in a row, `spacing` mm apart. Each says much about the next one: its distance differs
+/// by the spacing at most, and both lie on the same side if one of them is farther from the surface than the spacing.
+class RowSampler {
+public:
+    RowSampler(const SurfacePart& target, double spacing) : target_(target), reach_(kSlack * spacing) {}
+
+    double next(const Vec3& point) {
+        const bool isFirst = !distance_;
+        const double within = isFirst ? std::numeric_limits<double>::infinity() : *distance_ + reach_;
+        const auto closest = closestPoint(target_, point, within);
+        TACTOOTH_ASSERT(closest.has_value());
+        const bool isOnSameSide = !isFirst && std::max(*distance_, closest->distance) > reach_;
+        if (!isOnSameSide) isInside_ = contains(target_, point);
+        distance_ = closest->distance;
+        return isInside_ ? -closest->distance : closest->distance;
+    }
+
+private:
+    static constexpr double kSlack = 1.001;  // for rounding
+
+    const SurfacePart& target_;
+    double reach_;  // mm
+    std::optional<double> distance_ = {};
+    bool isInside_ = false;
+};
+
 }  // namespace
 
 DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest) {
@@ -37,11 +65,10 @@ DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int lon
     parallelFor(rows, [&](std::size_t row) {
         const auto y = static_cast<double>(row % static_cast<std::size_t>(ny));
         const auto z = static_cast<double>(row / static_cast<std::size_t>(ny));
-        for (int x = 0; x < nx; ++x) {
-            const Vec3 point = grid.low + grid.spacing * Vec3(x, y, z);
-            grid.values[row * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)] =
-                static_cast<float>(signedDistance(target, point));
-        }
+        float* const values = &grid.values[row * static_cast<std::size_t>(nx)];
+        RowSampler sampler(target, grid.spacing);
+        for (int x = 0; x < nx; ++x)
+            values[x] = static_cast<float>(sampler.next(grid.low + grid.spacing * Vec3(x, y, z)));
     });
     return grid;
 }
