@@ -202,6 +202,7 @@ void WindowLayoutTest::everyCommandHasAnIconInTheColourOfTheTexts() {
             if (action->menu() != nullptr) check(*action->menu(), false);
             if (action->isSeparator() || (!isFirst && action->shortcut().isEmpty())) continue;
             QVERIFY2(!action->icon().isNull(), qPrintable(action->text()));
+            if (menu.objectName() == "instruments") continue;  // pictures of surfaces, which the tray alone shows
             for (const bool dark : {false, true}) {
                 applyColours(dark);
                 const QColor text = QApplication::palette().color(QPalette::ButtonText);
