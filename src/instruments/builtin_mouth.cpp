@@ -51,23 +51,43 @@ TriangleMesh largestPiece(const TriangleMesh& mesh) {
     return piece;
 }
 
-GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
+/// Away from the margins heights are stretched by up to this factor: longer triangles, and fewer.
+constexpr double kStretch = 2.5, kOnset = 3;
+constexpr double kMaxSlope = 1.6;
+
+Vec3 stretched(const GingivaBody& body, bool upper, const Vec3& p) {
     const double up = upper ? -1 : 1;
-    // Away from the margins heights are stretched by up to this factor: longer triangles, and fewer.
-    constexpr double kStretch = 2.5, kOnset = 3;
-    const auto stretched = [&](const Vec3& p) -> Vec3 {
-        const double below = body.smoothBelow - up * p.z();
-        if (below <= 0) return p;
-        return {p.x(), p.y(), p.z() - up * (kStretch - 1) * below * below / (below + kOnset)};
-    };
-    constexpr double kMaxSlope = 1.6;
-    const auto field = [&](const Vec3& p) { return body.field(stretched(p)); };
+    const double below = body.smoothBelow - up * p.z();
+    if (below <= 0) return p;
+    return {p.x(), p.y(), p.z() - up * (kStretch - 1) * below * below / (below + kOnset)};
+}
+
+RelaxedSurface gingivaSurface(const GingivaBody& body, const ScalarField& of, bool upper, double cell) {
+    const auto field = [&](const Vec3& p) { return of(stretched(body, upper, p)); };
     RelaxedSurface surface = relaxedIsosurface(field, body.bounds, {cell, kMaxSlope * kStretch});
     for (auto* vertices : {&surface.mesh.vertices, &surface.restPositions}) {
-        for (Vec3f& vertex : *vertices) vertex = stretched(vertex.cast<double>()).cast<float>();
+        for (Vec3f& vertex : *vertices) vertex = stretched(body, upper, vertex.cast<double>()).cast<float>();
     }
+    return surface;
+}
+
+GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
+    RelaxedSurface surface = gingivaSurface(body, body.field, upper, cell);
     const bool repaired = repairSelfIntersections(surface.mesh, surface.restPositions);
     return {largestPiece(surface.mesh), !repaired};
+}
+
+ShownGingiva shownGingiva(const ToothArrangement& places, bool upper, const MouthRequest& request) {
+    const GingivaBody body = gingivaBody(places, upper, request.missing);
+    ShownGingiva shown;
+    shown.mesh = largestPiece(gingivaSurface(body, body.shown, upper, gingivaCell(request.triangles)).mesh);
+    shown.zones.resize(shown.mesh.vertices.size());
+    parallelFor(shown.zones.size(), [&](std::size_t i) {
+        const double zone = body.zone(shown.mesh.vertices[i].cast<double>());
+        shown.zones[i] =
+            static_cast<std::uint8_t>(std::lround(ShownGingiva::kKeratinised * std::clamp(zone, 0.0, 2.0)));
+    });
+    return shown;
 }
 
 Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {
@@ -111,7 +131,14 @@ Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
         layout.toothInMouth[i] = side.teeth[i % kTeethPerQuadrant].shapeInMouth;
     }
     std::array<Expected<TriangleMesh>, 2> gums = {TriangleMesh(), TriangleMesh()};
-    parallelFor(2, [&](std::size_t i) { gums[i] = gingivaOf(places, i == 0, request); });
+    parallelFor(4, [&](std::size_t i) {
+        const bool upper = i % 2 == 0;
+        if (i < 2) {
+            gums[i] = gingivaOf(places, upper, request);
+        } else {
+            (upper ? layout.upperShown : layout.lowerShown) = shownGingiva(places, upper, request);
+        }
+    });
     for (const auto& gum : gums) {
         if (!gum) return Unexpected{gum.error()};
     }
@@ -121,7 +148,7 @@ Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
 }
 
 std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
-    constexpr std::uint32_t kModel = 3;  // increase it when the same request gives other poses or another gingiva
+    constexpr std::uint32_t kModel = 4;  // increase it when the same request gives other poses or another gingiva
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);
@@ -151,6 +178,8 @@ Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerat
     BuiltinMouth mouth;
     mouth.upperGingiva = std::move(set->upperGingiva);
     mouth.lowerGingiva = std::move(set->lowerGingiva);
+    mouth.upperShown = std::move(set->upperShown);
+    mouth.lowerShown = std::move(set->lowerShown);
     mouth.lowerJaw = lowerJawPose(request.jaw);
     const auto put = [&](BuiltinTooth tooth, const Pose& pose) {
         const bool isMissing = std::ranges::find(request.missing, tooth.fdi) != request.missing.end();

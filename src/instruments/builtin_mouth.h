@@ -31,13 +31,22 @@ struct MouthTooth {
     Pose toothInMouth;  ///< with the mouth closed
 };
 
+/// The gingiva of one jaw as it is drawn: its margin lies on the enamel. It is not closed where a tooth stands.
+struct ShownGingiva {
+    TriangleMesh mesh;
+    /// Of each vertex: 0 the free margin, kKeratinised attached gingiva, kMucosa alveolar mucosa, and between them.
+    std::vector<std::uint8_t> zones;
+    static constexpr std::uint8_t kKeratinised = 127, kMucosa = 254;
+};
+
 /// A whole mouth. Mouth frame: that of the upper jaw; +x to the patient's right, +y forward, +z up; origin between the
 /// edges of the lower central incisors when the mouth is closed; mm. The two sides are mirror images.
 struct BuiltinMouth {
-    std::vector<MouthTooth> teeth;  ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
-    TriangleMesh upperGingiva;      ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
-    TriangleMesh lowerGingiva;      ///< likewise; mouth frame, with the mouth closed
-    Pose lowerJaw;                  ///< maps the lower jaw from its closed position to the present one
+    std::vector<MouthTooth> teeth;        ///< 18 to 11, 21 to 28, 38 to 31, 41 to 48; missing ones left out
+    TriangleMesh upperGingiva;            ///< with palate and ridge, closed, with a socket for each tooth; mouth frame
+    TriangleMesh lowerGingiva;            ///< likewise; mouth frame, with the mouth closed
+    ShownGingiva upperShown, lowerShown;  ///< the same two as they are drawn; in the frames of theirs
+    Pose lowerJaw;                        ///< maps the lower jaw from its closed position to the present one
 
     /// Pose of a tooth for the requested jaw pose.
     [[nodiscard]] Pose poseOf(const MouthTooth& tooth) const {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
@@ -143,6 +144,32 @@ TEST(BuiltinMouth, GumsKeepClearOfTheTeethAndCoverTheirNecks) {
             while (contains(root, Vec3(0, y, -2))) y += 0.05 * side;
             EXPECT_TRUE(contains(gingiva, tooth->toothInMouth * Vec3(0, y + 0.6 * side, -2))) << fdi << " " << side;
             EXPECT_FALSE(contains(gingiva, tooth->toothInMouth * Vec3(0, y + 0.6 * side, 4))) << fdi << " " << side;
+        }
+    }
+}
+
+TEST(BuiltinMouth, DrawnGumsReachALittleIntoEachToothAndHaveAllZones) {
+    for (const bool upper : {true, false}) {
+        const ShownGingiva& gum = upper ? mouth().upperShown : mouth().lowerShown;
+        ASSERT_EQ(gum.zones.size(), gum.mesh.vertices.size());
+        const auto has = [&](int from, int to) {
+            return std::ranges::any_of(gum.zones, [&](std::uint8_t zone) { return zone >= from && zone <= to; });
+        };
+        EXPECT_TRUE(has(0, 10) && has(ShownGingiva::kKeratinised - 5, ShownGingiva::kKeratinised + 5));
+        EXPECT_TRUE(has(ShownGingiva::kMucosa - 2, ShownGingiva::kMucosa));
+        EXPECT_FALSE(has(ShownGingiva::kMucosa + 1, 255));
+        for (const int fdi : upper ? std::array{11, 13, 14, 16} : std::array{41, 43, 44, 46}) {
+            const SurfacePart tooth(placed(mouth(), fdi));
+            int inside = 0;
+            double deepest = 0;
+            for (const Vec3f& vertex : gum.mesh.vertices) {
+                const Vec3 point = vertex.cast<double>();
+                if (!tooth.tree().box().contains(point) || !contains(tooth, point)) continue;
+                ++inside;
+                deepest = std::max(deepest, closestPoint(tooth, point)->distance);
+            }
+            EXPECT_GT(inside, 50) << fdi << ": no dark gap is left around it";
+            EXPECT_LT(deepest, 1.2) << fdi << ": it is not seen where the tooth was cut";
         }
     }
 }

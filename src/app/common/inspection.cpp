@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/common/tooth_zones.h"
 #include "geometry/util/assert.h"
 
 namespace tactooth {
@@ -106,8 +107,12 @@ void applyInspection(Scene& scene, const LayeredTooth& tooth, const Inspection& 
     SceneObject& body = scene.objects.front();
     if (inspection.section) scene.section = Section{*inspection.section};
     const std::vector<Appearance> solid = body.appearances;
+    const std::vector<ZoneAppearance> zones =
+        body.zones != nullptr ? zoneAppearances(tooth.materials()) : std::vector<ZoneAppearance>{};
+    const std::size_t materials = solid.size() - zones.size();
     for (std::size_t i = 0; i < solid.size(); ++i) {
-        body.appearances[i].opacity = inspection.opacity[i];
+        const std::size_t material = i < materials ? i : static_cast<std::size_t>(zones[i - materials].material);
+        body.appearances[i].opacity = inspection.opacity[material];
         if (inspection.distances) body.appearances[i] = mat(body.appearances[i]);
     }
     body.distances = inspection.distances;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/mouth_scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tactooth {
 namespace {
 
@@ -12,28 +15,93 @@ Appearance toothAppearance() {
     return appearance;
 }
 
+/// The zones of a gingiva, vertex by vertex.
+class GingivaZones : public AppearanceZones {
+public:
+    using Zones = std::shared_ptr<const std::vector<std::uint8_t>>;
+    explicit GingivaZones(Zones zones) : zones_(std::move(zones)) {}
+    [[nodiscard]] AppearanceMix at(const Place& place) const override {
+        constexpr std::uint8_t kHalf = ShownGingiva::kKeratinised;
+        const std::uint8_t zone = (*zones_)[place.vertex];
+        const bool isMucosa = zone > kHalf;
+        const int share = std::min(255, 255 * (isMucosa ? zone - kHalf : zone) / kHalf);
+        return isMucosa ? AppearanceMix{kAttached, kMucosa, static_cast<std::uint8_t>(share)}
+                        : AppearanceMix{kFree, kAttached, static_cast<std::uint8_t>(share)};
+    }
+    static std::vector<Appearance> appearances() {
+        return {appearances::freeGingiva(), appearances::gingiva(), appearances::mucosa()};
+    }
+
+private:
+    static constexpr SurfaceTag kFree = 0, kAttached = 1, kMucosa = 2;
+    Zones zones_;
+};
+
+ShownBody shownGingiva(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose, GingivaZones::Zones zones) {
+    return {std::move(mesh), pose, GingivaZones::appearances(), std::make_shared<const GingivaZones>(std::move(zones))};
+}
+
+/// A tooth without its layers: the enamel is thin at the neck, where dentin shines through, and without dentin at the
+/// edge of a front tooth.
+class CrownZones : public AppearanceZones {
+public:
+    /// `toothInBody`: from its own frame, with the neck at height 0.
+    CrownZones(int fdi, const Pose& toothInBody, const Box3& tooth)
+        : bodyInTooth_(toothInBody.inverse()), top_(tooth.max().z()), isFront_(fdi % 10 <= 3) {}
+    [[nodiscard]] AppearanceMix at(const Place& place) const override {
+        constexpr double kNeck = 0.5,
+                         kThick = 4.5;  // mm: here the enamel is thinnest, and here it has its full strength
+        constexpr double kEdge = 2.8, kBare = 0.3;  // mm below the edge: here dentin begins to end, here it has ended
+        const double height = (bodyInTooth_ * place.point).z();
+        if (isFront_ && height > top_ - kEdge)
+            return share(kIncisal, 0.7 * (height - (top_ - kEdge)) / (kEdge - kBare));
+        return share(kThin, 0.9 * (kThick - height) / (kThick - kNeck));
+    }
+    static std::vector<Appearance> appearances() {
+        return {toothAppearance(), appearances::thinEnamel(), appearances::incisalEnamel()};
+    }
+
+private:
+    static constexpr SurfaceTag kEnamel = 0, kThin = 1, kIncisal = 2;
+    static AppearanceMix share(SurfaceTag other, double part) {
+        const double within = std::clamp(part, 0.0, 1.0);
+        return {kEnamel, other, static_cast<std::uint8_t>(std::lround(255 * within * within * (3 - 2 * within)))};
+    }
+    Pose bodyInTooth_;
+    double top_;
+    bool isFront_;
+};
+
+ShownBody shownTooth(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose, const CrownZones& zones) {
+    return {std::move(mesh), pose, CrownZones::appearances(), std::make_shared<const CrownZones>(zones)};
+}
+
 }  // namespace
 
 std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around) {
     std::vector<ShownBody> bodies;
     for (const ToothInMouth::Body& body : around) {
-        bodies.push_back(
-            {body.shown, {}, body.isGingiva ? appearances::gingiva() : toothAppearance(), body.isOpposite});
+        bodies.push_back(body.isGingiva ? shownGingiva(body.shown, {}, body.zones)
+                                        : shownTooth(body.shown, {}, {body.fdi, body.bodyInTooth, body.ownBox}));
+        bodies.back().opposite = body.isOpposite;
     }
     return bodies;
 }
 
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     std::vector<ShownBody> bodies;
-    const auto add = [&](TriangleMesh mesh, const Pose& pose, const Appearance& appearance) {
-        bodies.push_back({std::make_shared<const TriangleMesh>(std::move(mesh)), pose, appearance, false});
-    };
     const bool upper = jaws != ShownJaws::Lower, lower = jaws != ShownJaws::Upper;
-    if (upper) add(mouth.upperGingiva, {}, appearances::gingiva());
-    if (lower) add(mouth.lowerGingiva, mouth.lowerJaw, appearances::gingiva());
+    const auto addGingiva = [&](const ShownGingiva& gingiva, const Pose& pose) {
+        bodies.push_back(shownGingiva(std::make_shared<const TriangleMesh>(gingiva.mesh), pose,
+                                      std::make_shared<const std::vector<std::uint8_t>>(gingiva.zones)));
+    };
+    if (upper) addGingiva(mouth.upperShown, {});
+    if (lower) addGingiva(mouth.lowerShown, mouth.lowerJaw);
     for (const MouthTooth& tooth : mouth.teeth) {
-        if (tooth.tooth.fdi < 30 ? upper : lower)
-            add(supragingivalMesh(tooth.tooth.outer), mouth.poseOf(tooth), toothAppearance());
+        if (tooth.tooth.fdi < 30 ? !upper : !lower) continue;
+        auto mesh = std::make_shared<const TriangleMesh>(supragingivalMesh(tooth.tooth.outer));
+        bodies.push_back(
+            shownTooth(std::move(mesh), mouth.poseOf(tooth), {tooth.tooth.fdi, {}, boundingBox(tooth.tooth.outer)}));
     }
     return bodies;
 }

@@ -47,7 +47,7 @@ std::vector<ShownBody> bodiesAround(const CutModel& model) {
         const std::size_t material = part->tags().empty() ? 0 : part->tags().front();
         bodies.push_back({std::make_shared<const TriangleMesh>(part->mesh()),
                           {},
-                          material < appearances.size() ? appearances[material] : Appearance()});
+                          {material < appearances.size() ? appearances[material] : Appearance()}});
     }
     return bodies;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/common/spin_blur.h"
+#include "app/common/tooth_zones.h"
 #include "geometry/util/pose.h"
 #include "session/control/surface_ray.h"
 
@@ -168,6 +169,11 @@ Scene makeScene(const SceneContents& contents) {
         SceneObject tooth;
         tooth.shape = contents.tooth;
         tooth.appearances = appearancesOf(contents.materials);
+        if (contents.zones != nullptr) {
+            for (ZoneAppearance& zone : zoneAppearances(contents.materials.registry()))
+                tooth.appearances.push_back(zone.appearance);
+            tooth.zones = contents.zones;
+        }
         tooth.closed = contents.tooth->closed;
         scene.objects.push_back(std::move(tooth));
     }
@@ -184,7 +190,8 @@ Scene makeScene(const SceneContents& contents) {
         SceneObject object;
         object.shape = body.mesh;
         object.objectInWorld = body.bodyInTooth;
-        object.appearances = {body.appearance};
+        object.appearances = body.appearances;
+        object.zones = body.zones;
         scene.objects.push_back(std::move(object));
     }
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));

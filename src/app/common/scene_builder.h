@@ -7,6 +7,7 @@
 #include "instruments/mirror.h"
 #include "session/model/instrument_poses.h"
 #include "tooth/model/material_registry.h"
+#include "view/mesh/appearance_zones.h"
 #include "view/scene/scene.h"
 
 namespace tactooth {
@@ -46,7 +47,8 @@ struct ShownSuction {
 struct ShownBody {
     std::shared_ptr<const TriangleMesh> mesh;
     Pose bodyInTooth;
-    Appearance appearance;
+    std::vector<Appearance> appearances;
+    std::shared_ptr<const AppearanceZones> zones = {};  ///< as in SceneObject
     bool opposite = false;  ///< part of the opposite jaw: left out where it would stand between the eye and the tooth
 };
 
@@ -58,8 +60,9 @@ struct ShownOther {
 
 /// Everything in a picture of the session, in the tooth's frame. Empty members are not drawn.
 struct SceneContents {
-    std::shared_ptr<const Surface> tooth;  ///< tags: MaterialId
-    MaterialTable materials;               ///< for the tooth's colours
+    std::shared_ptr<const Surface> tooth;               ///< tags: MaterialId
+    MaterialTable materials;                            ///< for the tooth's colours
+    std::shared_ptr<const AppearanceZones> zones = {};  ///< of the tooth, from toothZones; null: one look a material
     std::optional<ShownTool> tool;
     std::optional<ShownMirror> mirror;
     std::optional<ShownSuction> suction;

@@ -49,7 +49,11 @@ class Gingiva {
 public:
     Gingiva(const ToothArrangement& places, bool upper, const std::vector<int>& missing);
 
+    /// The body with its sockets.
     [[nodiscard]] double operator()(const Vec3& p) const;
+    /// The body as it is drawn.
+    [[nodiscard]] double shown(const Vec3& p) const;
+    [[nodiscard]] double zone(const Vec3& p) const;
     [[nodiscard]] Box3 bounds() const;
     [[nodiscard]] double smoothBelow() const { return std::min(facial_, lingual_) - 3; }
 
@@ -61,6 +65,16 @@ private:
         double rise = 0;                 ///< from the margin of a tooth, 0, to the papilla, 1
         double middle = 0, half = 0;     ///< of the ridge: outward from the line; half its width at the margin
     };
+    /// A point and what the body is made of there.
+    struct Place {
+        double crownward = 0;  ///< height toward the crowns
+        ArchCurve::Coordinates at;
+        Line line;
+        double depth = 0;            ///< below the margin
+        double tooth = 0, next = 0;  ///< distances to the nearest tooth and to the next nearest
+    };
+    [[nodiscard]] Place placeOf(const Vec3& p) const;
+    [[nodiscard]] double tissue(const Vec3& p, const Place& place) const;
     void addSide(const JawQuadrant& side, bool right, const std::vector<int>& missing);
     void addPapillae(const JawQuadrant& side);
     void heal();
@@ -297,38 +311,84 @@ double Gingiva::palate(const Vec3& p) const {
     return (-p.z() - vault - raphe - incisive - rugae) / kSlope;
 }
 
-double Gingiva::operator()(const Vec3& p) const {
-    const double crownward = upper_ ? -p.z() : p.z();
-    const ArchCurve::Coordinates at = line_.of(p.x(), p.y());
-    const Line line = lookUp(at.s);
+Gingiva::Place Gingiva::placeOf(const Vec3& p) const {
+    Place place;
+    place.crownward = upper_ ? -p.z() : p.z();
+    place.at = line_.of(p.x(), p.y());
+    place.line = lookUp(place.at.s);
     // Behind the last tooth the tissue falls to the ridge.
-    const double beyond = std::max(0.0, std::abs(at.s) - end_);
-    const double depth = marginOver(at.outward, line) - 0.12 * beyond * beyond - crownward;
-    double second = 0;
-    const double tooth = toTeeth(p, at.s, second);
+    const double beyond = std::max(0.0, std::abs(place.at.s) - end_);
+    place.depth = marginOver(place.at.outward, place.line) - 0.12 * beyond * beyond - place.crownward;
+    place.tooth = toTeeth(p, place.at.s, place.next);
+    return place;
+}
+
+/// The ridge, the cover of the roots and the palate, without an upper end and without sockets.
+double Gingiva::tissue(const Vec3& p, const Place& place) const {
     constexpr double kThin = 0.6, kThick = 1.1, kDeep = 5;  // mm: thickness at the margin, and that deep below it
     constexpr double kJuga = 2, kNoJuga = 14, kFlat = 4;    // mm: depths between which the roots' ridges fade
-    const double cover =
-        tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, depth)) + kFlat * smoothStep(kJuga, kNoJuga, depth);
+    const double cover = place.tooth - std::lerp(kThin, kThick, smoothStep(0, kDeep, place.depth)) +
+                         kFlat * smoothStep(kJuga, kNoJuga, place.depth);
     constexpr double kFillet = 2.2;
-    double body = smoothUnion(ridge(at.s, at.outward, crownward, line), cover, kFillet);
+    double body = smoothUnion(ridge(place.at.s, place.at.outward, place.crownward, place.line), cover, kFillet);
     constexpr double kMinWall = 0.85, kWallRound = 0.5;  // mm: thinnest cover of a root
-    body = smoothUnion(body, tooth - kMinWall, kWallRound);
+    body = smoothUnion(body, place.tooth - kMinWall, kWallRound);
     if (upper_) {
         constexpr double kFoot = 5;
-        const double inside = (at.outward - line.middle) / 1.2;  // the vault ends within the ridge
+        const double inside = (place.at.outward - place.line.middle) / 1.2;  // the vault ends within the ridge
         if (inside < body + kFoot) body = smoothUnion(body, std::max(palate(p), inside), kFoot);
     }
+    return body;
+}
+
+double Gingiva::operator()(const Vec3& p) const {
+    const Place place = placeOf(p);
     constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.45,
                      kTipRound = 0.5;
-    body = smoothIntersection(body, -depth / kSlope, kMarginRound);
-    body = smoothIntersection(body, std::abs(at.s) - end_ - kBehind, kEndRound);
+    double body = smoothIntersection(tissue(p, place), -place.depth / kSlope, kMarginRound);
+    body = smoothIntersection(body, std::abs(place.at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
-    body = smoothIntersection(body, base_ - crownward, kBaseRound);
+    body = smoothIntersection(body, base_ - place.crownward, kBaseRound);
     constexpr double kGap = 0.15;      // mm: the periodontal ligament's
     constexpr double kThinnest = 0.7;  // mm between two teeth; no tissue is in a narrower gap
-    body = smoothIntersection(body, kThinnest - (tooth + second), kTipRound);
-    return smoothIntersection(body, kGap - tooth, kSocketRound);
+    body = smoothIntersection(body, kThinnest - (place.tooth + place.next), kTipRound);
+    return smoothIntersection(body, kGap - place.tooth, kSocketRound);
+}
+
+/// The margin falls away from the tooth like a knife's edge that lies on it, and a papilla fills the embrasure.
+double Gingiva::shown(const Vec3& p) const {
+    const Place place = placeOf(p);
+    constexpr double kMarginRound = 0.5, kSlope = 1.8, kEndRound = 6, kBaseRound = 1.5;
+    constexpr double kFall = 0.55, kFallen = 1.6;  // mm by which it falls, within so many mm from the tooth
+    const double away = std::clamp(place.tooth / kFallen, 0.0, 1.0);
+    const double depth = place.depth - kFall * away * (2 - away);
+    double body = smoothIntersection(tissue(p, place), -depth / kSlope, kMarginRound);
+    body = smoothIntersection(body, std::abs(place.at.s) - end_ - kBehind, kEndRound);
+    body = smoothIntersection(body, back_ - p.y(), kBaseRound);
+    body = smoothIntersection(body, base_ - place.crownward, kBaseRound);
+    // Far enough into the teeth that no pixel between them and the margin stays dark, and not so far that it would be
+    // seen where the inside of a tooth was cut.
+    constexpr double kInto = 0.35;
+    return std::max(body, -kInto - place.tooth);
+}
+
+double Gingiva::zone(const Vec3& p) const {
+    const Place place = placeOf(p);
+    constexpr double kFree = 0.5, kAttached = 1.7;  // mm below the margin: the free gingiva ends in this range
+    const double attached = smoothStep(kFree, kAttached, place.depth);
+    const bool isFacial = place.at.outward > place.line.middle;
+    if (upper_ && !isFacial) return attached;  // the palate is keratinised all over
+    // Widest at the incisors, narrowest at the first premolars (10 mm along the line are a canine), wavy everywhere.
+    const double along = std::abs(place.at.s);
+    constexpr double kWidest = 5.6, kNarrowest = 3.6, kLingual = 4.2;
+    const double facial = std::lerp(kWidest, kNarrowest, smoothStep(8, 26, along)) + 1.1 * smoothStep(32, 44, along);
+    const double wave = 0.5 * std::sin(0.55 * place.at.s + 0.4) + 0.25 * std::sin(1.3 * place.at.s + 1.9);
+    // The line follows the margins only loosely: under a papilla it does not rise as far.
+    const double straight = (isFacial ? facial_ : lingual_) - place.crownward;
+    const double below = std::lerp(place.depth, straight, 0.65);
+    const double line = (isFacial ? facial : kLingual) + wave;
+    constexpr double kPassage = 1.1;  // mm to both sides of the mucogingival line
+    return attached + smoothStep(line - kPassage, line + kPassage, below);
 }
 
 Box3 Gingiva::bounds() const {
@@ -342,7 +402,8 @@ Box3 Gingiva::bounds() const {
 
 GingivaBody gingivaBody(const ToothArrangement& places, bool upper, const std::vector<int>& missing) {
     const auto gingiva = std::make_shared<const Gingiva>(places, upper, missing);
-    return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, gingiva->bounds(), gingiva->smoothBelow()};
+    return {[gingiva](const Vec3& p) { return (*gingiva)(p); }, [gingiva](const Vec3& p) { return gingiva->shown(p); },
+            [gingiva](const Vec3& p) { return gingiva->zone(p); }, gingiva->bounds(), gingiva->smoothBelow()};
 }
 
 }  // namespace tactooth

@@ -13,6 +13,10 @@ namespace tactooth {
 /// palate. Mouth frame, mouth closed.
 struct GingivaBody {
     ScalarField field;
+    ScalarField shown;  ///< as it is drawn: it touches the teeth, so that its margin is where it meets the enamel
+    /// What a point of its surface belongs to: 0 the free margin, 1 keratinised gingiva, 2 alveolar mucosa; between
+    /// them where one passes into the other.
+    ScalarField zone;
     Box3 bounds;
     double smoothBelow = 0;  ///< height toward the crowns below which there is no fine detail
 };

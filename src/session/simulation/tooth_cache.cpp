@@ -88,7 +88,7 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     return tooth;
 }
 
-/// Poses of the teeth, upper gum, lower gum.
+/// Poses of the teeth, upper gum, lower gum, both as they are drawn.
 std::vector<std::byte> bytesOf(const MouthLayout& setting) {
     ByteWriter content;
     for (const Pose& pose : setting.toothInMouth) {
@@ -98,6 +98,10 @@ std::vector<std::byte> bytesOf(const MouthLayout& setting) {
     }
     put(setting.upperGingiva, content);
     put(setting.lowerGingiva, content);
+    for (const ShownGingiva* shown : {&setting.upperShown, &setting.lowerShown}) {
+        put(shown->mesh, content);
+        content.putAll(std::span<const std::uint8_t>(shown->zones));
+    }
     return sealed(kMouthMagic, content);
 }
 
@@ -110,7 +114,14 @@ std::optional<MouthLayout> layoutFrom(std::span<const std::byte> bytes) {
         for (double& number : pose.rotation.coeffs()) number = file.get<double>();
     }
     auto upper = meshFrom(file), lower = meshFrom(file);
-    if (!upper || !lower || file.left() != 0) return std::nullopt;
+    if (!upper || !lower) return std::nullopt;
+    for (ShownGingiva* shown : {&setting.upperShown, &setting.lowerShown}) {
+        auto mesh = meshFrom(file);
+        if (!mesh) return std::nullopt;
+        shown->mesh = std::move(*mesh);
+        shown->zones = file.getAll<std::uint8_t>(shown->mesh.vertices.size());
+    }
+    if (!file.ok() || file.left() != 0) return std::nullopt;
     setting.upperGingiva = std::move(*upper);
     setting.lowerGingiva = std::move(*lower);
     return setting;

@@ -33,17 +33,21 @@ struct Placed {
     Pose bodyInTooth;
     MaterialId material;
     bool isUpper;
+    const ShownGingiva* gingiva = nullptr;  ///< how it is drawn; null for a tooth
+    int fdi = 0;                            ///< of a tooth
 };
 
 std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
     const Pose mouthInTooth = mouth.poseOf(worked).inverse();
     const MaterialId gingiva = builtinMaterials().withRole(MaterialRole::Surroundings);
     const MaterialId enamel = builtinMaterials().withRole(MaterialRole::Enamel);
-    std::vector<Placed> bodies = {{&mouth.upperGingiva, mouthInTooth, gingiva, true},
-                                  {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, gingiva, false}};
+    std::vector<Placed> bodies = {
+        {&mouth.upperGingiva, mouthInTooth, gingiva, true, &mouth.upperShown},
+        {&mouth.lowerGingiva, mouthInTooth * mouth.lowerJaw, gingiva, false, &mouth.lowerShown}};
     for (const MouthTooth& tooth : mouth.teeth) {
         if (&tooth == &worked || areBeside(tooth.tooth.fdi, worked.tooth.fdi)) continue;
-        bodies.push_back({&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), enamel, isUpper(tooth.tooth.fdi)});
+        bodies.push_back({&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), enamel, isUpper(tooth.tooth.fdi),
+                          nullptr, tooth.tooth.fdi});
     }
     return bodies;
 }
@@ -55,13 +59,17 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     ToothInMouth result;
     result.around.resize(bodies.size());
     parallelFor(bodies.size(), [&](std::size_t i) {
-        const auto& [mesh, pose, material, upper] = bodies[i];
+        const auto& [mesh, pose, material, upper, gingiva, number] = bodies[i];
         std::vector<SurfaceTag> tags(mesh->triangles.size(), static_cast<SurfaceTag>(material));
         auto part = std::make_shared<const SurfacePart>(transformed(*mesh, pose), std::move(tags), 0);
-        const bool isGingiva = builtinMaterials().hasRole(material, MaterialRole::Surroundings);
-        auto shown = isGingiva ? std::shared_ptr<const TriangleMesh>(part, &part->mesh())
-                               : std::make_shared<const TriangleMesh>(transformed(supragingivalMesh(*mesh), pose));
+        const bool isGingiva = gingiva != nullptr;
+        auto shown = std::make_shared<const TriangleMesh>(
+            transformed(isGingiva ? gingiva->mesh : supragingivalMesh(*mesh), pose));
         result.around[i] = {std::move(part), std::move(shown), isGingiva, upper != isUpper(fdi)};
+        result.around[i].fdi = number;
+        result.around[i].bodyInTooth = pose;
+        result.around[i].ownBox = boundingBox(*mesh);
+        if (isGingiva) result.around[i].zones = std::make_shared<const std::vector<std::uint8_t>>(gingiva->zones);
     });
     result.tooth = worked->tooth;
     const Pose mouthInTooth = mouth.poseOf(*worked).inverse();

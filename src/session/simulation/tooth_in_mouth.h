@@ -19,7 +19,11 @@ struct ToothInMouth {
         std::shared_ptr<const SurfacePart> part;    ///< in the frame of `tooth`, tagged by MaterialId
         std::shared_ptr<const TriangleMesh> shown;  ///< the visible part
         bool isGingiva = false;
-        bool isOpposite = false;  ///< in the other jaw
+        bool isOpposite = false;                                      ///< in the other jaw
+        std::shared_ptr<const std::vector<std::uint8_t>> zones = {};  ///< of a gingiva: ShownGingiva::zones; else null
+        int fdi = 0;                                                  ///< of a tooth
+        Pose bodyInTooth = {};                                        ///< from its own frame to that of `tooth`
+        Box3 ownBox = {};                                             ///< in its own frame
     };
     std::vector<Body> around = {};  ///< all other bodies
 };

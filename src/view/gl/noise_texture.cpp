@@ -2,67 +2,73 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/gl/noise_texture.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <vector>
+
+#include "geometry/util/parallel_for.h"
 
 namespace tactooth {
 
 namespace {
 
-constexpr int kSide = 32;       ///< texels per side
-constexpr int kCoarseSide = 8;  ///< of the coarser of the two octaves
+constexpr int kSide = 32;       ///< texels per side, a power of two
 constexpr unsigned kSeed = 20;  ///< any number; a fixed seed makes pictures repeatable
+constexpr std::size_t kTexels = std::size_t{kSide} * kSide * kSide;
 
-/// Periodic random values on a coarse grid, interpolated linearly between the grid points.
-class ValueNoise {
-public:
-    explicit ValueNoise(std::mt19937& random) {
-        for (float& value : values_) value = static_cast<float>(random() % 256) / 255.0F;
-    }
-    [[nodiscard]] float at(int x, int y, int z) const {
-        constexpr int kStep = kSide / kCoarseSide;
+using Volume = std::vector<float>;
+
+/// Smooths along the axis whose neighbours are `step` texels apart, over the ends of the tile.
+Volume smoothedAlong(const Volume& values, int step, const std::vector<float>& weights) {
+    Volume sums(kTexels);
+    const int reach = static_cast<int>(weights.size()) - 1;
+    parallelFor(kTexels, [&](std::size_t i) {
+        const int along = (static_cast<int>(i) / step) % kSide;
+        const int start = static_cast<int>(i) - along * step;
         float sum = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const std::array<int, 3> offset = {corner & 1, (corner >> 1) & 1, corner >> 2};
-            const std::array<int, 3> place = {x, y, z};
-            float weight = 1;
-            std::size_t index = 0;
-            for (std::size_t axis = 3; axis-- > 0;) {
-                const float part = static_cast<float>(place[axis] % kStep) / kStep;
-                weight *= offset[axis] == 1 ? part : 1 - part;
-                index =
-                    index * kCoarseSide + static_cast<std::size_t>((place[axis] / kStep + offset[axis]) % kCoarseSide);
-            }
-            sum += weight * values_[index];
+        for (int k = -reach; k <= reach; ++k) {
+            const int place = (along + k) & (kSide - 1);
+            sum +=
+                weights[static_cast<std::size_t>(std::abs(k))] * values[static_cast<std::size_t>(start + place * step)];
         }
-        return sum;
-    }
+        sums[i] = sum;
+    });
+    return sums;
+}
 
-private:
-    std::array<float, kCoarseSide * kCoarseSide * kCoarseSide> values_{};
-};
+/// White noise smoothed by a Gaussian of `sigma` texels, with mean 0 and standard deviation 1. It looks the same in all
+/// directions: noise between grid points would show its grid as a weave.
+Volume smoothNoise(std::mt19937& random, float sigma) {
+    Volume noise(kTexels);
+    for (float& value : noise) value = static_cast<float>(random() % 65536) / 65535.0F - 0.5F;
+    std::vector<float> weights;
+    for (int k = 0; static_cast<float>(k) <= 3 * sigma; ++k) {
+        weights.push_back(std::exp(-0.5F * static_cast<float>(k * k) / (sigma * sigma)));
+    }
+    for (const int step : {1, kSide, kSide * kSide}) noise = smoothedAlong(noise, step, weights);
+    double squares = 0;
+    for (const float value : noise) squares += static_cast<double>(value * value);
+    const auto scale = static_cast<float>(1 / std::sqrt(squares / static_cast<double>(kTexels)));
+    for (float& value : noise) value *= scale;
+    return noise;
+}
 
 }  // namespace
 
 gl::Texture makeNoiseTexture() {
     std::mt19937 random(kSeed);
-    const std::array<ValueNoise, 4> coarse = {ValueNoise(random), ValueNoise(random), ValueNoise(random),
-                                              ValueNoise(random)};
-    std::vector<std::array<std::uint8_t, 4>> texels;
-    texels.reserve(kSide * kSide * kSide);
-    for (int z = 0; z < kSide; ++z) {
-        for (int y = 0; y < kSide; ++y) {
-            for (int x = 0; x < kSide; ++x) {
-                std::array<std::uint8_t, 4> texel{};
-                for (std::size_t channel = 0; channel < 4; ++channel) {
-                    const float fine = static_cast<float>(random() % 256);
-                    texel[channel] =
-                        static_cast<std::uint8_t>(0.25F * fine + 0.75F * 255.0F * coarse[channel].at(x, y, z));
-                }
-                texels.push_back(texel);
-            }
+    constexpr float kFine = 0.9F, kCoarse = 2.6F;              // texels
+    constexpr float kFineShare = 0.12F, kCoarseShare = 0.15F;  // standard deviations in the texture, 0..1
+    std::vector<std::array<std::uint8_t, 4>> texels(kTexels);
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        const Volume fine = smoothNoise(random, kFine), coarse = smoothNoise(random, kCoarse);
+        for (std::size_t i = 0; i < kTexels; ++i) {
+            const float value = 0.5F + kFineShare * fine[i] + kCoarseShare * coarse[i];
+            texels[i][channel] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
         }
     }
     gl::Texture texture = gl::Texture::make();

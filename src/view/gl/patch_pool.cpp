@@ -20,10 +20,10 @@ constexpr std::uint32_t kFirstTriangles = 16384;
 PatchPool::PatchPool()
     : buffers_(kFirstVertices, kFirstTriangles), vertices_(kFirstVertices), triangles_(kFirstTriangles) {}
 
-void PatchPool::update(const Surface& surface, const CornerShading& baseShading) {
+void PatchPool::update(const Surface& surface, const CornerShading& baseShading, const AppearanceZones* zones) {
     takeNew(surface, baseShading);
     markNeighbours();
-    uploadStale(*surface.base, baseShading);
+    uploadStale(*surface.base, baseShading, zones);
     box_ = Box3();
     for (const auto& [id, slot] : slots_) box_.extend(slot.box);
 }
@@ -67,7 +67,7 @@ void PatchPool::markNeighbours() {
 }
 
 /// Shades on all processors, then uploads the patches one after the other.
-void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseShading) {
+void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseShading, const AppearanceZones* zones) {
     std::vector<Slot*> stale;
     for (auto& [id, slot] : slots_) {
         if (slot.isStale) stale.push_back(&slot);
@@ -75,7 +75,8 @@ void PatchPool::uploadStale(const SurfacePart& base, const CornerShading& baseSh
     std::vector<ShadingMesh> meshes(stale.size());
     parallelFor(stale.size(), [&](std::size_t i) {
         const ShadedPatch& patch = stale[i]->patch;
-        meshes[i] = shadingMesh(patch.part->mesh(), patchShading(patch, neighboursOf(*stale[i]), base, baseShading));
+        meshes[i] =
+            shadingMesh(patch.part->mesh(), patchShading(patch, neighboursOf(*stale[i]), base, baseShading, zones));
     });
     lastUpload_ = 0;
     for (std::size_t i = 0; i < stale.size(); ++i) upload(*stale[i], std::move(meshes[i]));

@@ -18,8 +18,9 @@ class PatchPool {
 public:
     PatchPool();
 
-    /// Updates the pool to `surface`. `baseShading`: the corner normals of its base.
-    void update(const Surface& surface, const CornerShading& baseShading);
+    /// Updates the pool to `surface`. `baseShading`: the corner normals of its base. `zones`: SceneObject::zones, or
+    /// null.
+    void update(const Surface& surface, const CornerShading& baseShading, const AppearanceZones* zones = nullptr);
     void draw(const ClusterCuller& culler);
     [[nodiscard]] const Box3& box() const { return box_; }
     /// The box in which the last update changed the visible geometry. Changes of shading do not count.
@@ -43,7 +44,7 @@ private:
     };
     void takeNew(const Surface& surface, const CornerShading& baseShading);
     void markNeighbours();
-    void uploadStale(const SurfacePart& base, const CornerShading& baseShading);
+    void uploadStale(const SurfacePart& base, const CornerShading& baseShading, const AppearanceZones* zones);
     [[nodiscard]] std::vector<const ShadedPatch*> neighboursOf(const Slot& slot) const;
     void upload(Slot& slot, ShadingMesh mesh);
     void release(const Slot& slot);

@@ -11,7 +11,7 @@ ShapeCache::Entry& ShapeCache::entryFor(const SceneObject& object) {
         return !entry.used && entry.buffers.holds(object.shape);
     });
     if (known != entries_.end()) return *known;
-    entries_.push_back({.buffers = SurfaceBuffers(object.shape)});
+    entries_.push_back({.buffers = SurfaceBuffers(object.shape, object.zones)});
     return entries_.back();
 }
 

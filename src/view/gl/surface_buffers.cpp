@@ -50,19 +50,22 @@ bool hasTriangles(const SceneShape& shape) {
     return surface != nullptr && surface->base != nullptr && !surface->base->mesh().empty();
 }
 
-SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape) {
+SurfaceBuffers::Prepared SurfaceBuffers::prepare(const SceneShape& shape, const AppearanceZones* zones) {
     TACTOOTH_ASSERT(hasTriangles(shape));
     Prepared prepared;
     prepared.shading = cornerShading(meshOf(shape), tagsOf(shape));
+    if (zones != nullptr) applyZones(*zones, meshOf(shape), prepared.shading);
     prepared.mesh = shadingMesh(meshOf(shape), prepared.shading);
     prepared.lodTree = buildLodTree(prepared.mesh);
     return prepared;
 }
 
-SurfaceBuffers::SurfaceBuffers(const SceneShape& shape) : SurfaceBuffers(shape, prepare(shape)) {}
+SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, std::shared_ptr<const AppearanceZones> zones)
+    : SurfaceBuffers(shape, zones, prepare(shape, zones.get())) {}
 
-SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, Prepared prepared)
+SurfaceBuffers::SurfaceBuffers(const SceneShape& shape, std::shared_ptr<const AppearanceZones> zones, Prepared prepared)
     : shown_(shape),
+      zones_(std::move(zones)),
       shading_(std::move(prepared.shading)),
       lodTree_(std::move(prepared.lodTree)),
       hiddenInNode_(lodTree_.nodes.size()),
@@ -90,7 +93,7 @@ bool SurfaceBuffers::update(const SceneShape& shape) {
     if (const auto* pointer = std::get_if<SurfacePointer>(&shape)) {
         const Surface& surface = **pointer;
         hide(surface.hidden != nullptr ? *surface.hidden : TriangleMask{});
-        patches_.update(surface, shading_);
+        patches_.update(surface, shading_, zones_.get());
         changed_.extend(patches_.changed());
         lastUpload_ += patches_.lastUpload();
     }

@@ -13,7 +13,7 @@ namespace tactooth {
 class SurfaceBuffers {
 public:
     /// Uploads the data that all snapshots of `shape` share; `update` uploads the rest. `shape` has triangles.
-    explicit SurfaceBuffers(const SceneShape& shape);
+    explicit SurfaceBuffers(const SceneShape& shape, std::shared_ptr<const AppearanceZones> zones = nullptr);
 
     /// Whether these buffers hold `shape` or another snapshot of it.
     [[nodiscard]] bool holds(const SceneShape& shape) const;
@@ -34,12 +34,13 @@ private:
         ShadingMesh mesh;
         LodTree lodTree;
     };
-    [[nodiscard]] static Prepared prepare(const SceneShape& shape);
-    SurfaceBuffers(const SceneShape& shape, Prepared prepared);
+    [[nodiscard]] static Prepared prepare(const SceneShape& shape, const AppearanceZones* zones);
+    SurfaceBuffers(const SceneShape& shape, std::shared_ptr<const AppearanceZones> zones, Prepared prepared);
     void hide(const TriangleMask& mask);
     void markChangedNodes();
 
     SceneShape shown_;  ///< kept alive, so that no other shape can get its address
+    std::shared_ptr<const AppearanceZones> zones_;
     bool updated_ = false;
     CornerShading shading_;                    ///< of the base
     LodTree lodTree_;                          ///< of the base, with none of its triangles hidden

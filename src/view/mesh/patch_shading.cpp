@@ -164,7 +164,7 @@ ShadedPatch::ShadedPatch(std::shared_ptr<const SurfacePart> patch, const Surface
 }
 
 CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
-                           const SurfacePart& base, const CornerShading& baseShading) {
+                           const SurfacePart& base, const CornerShading& baseShading, const AppearanceZones* zones) {
     JoinedWall walls(patch);
     for (const ShadedPatch* neighbour : neighbours) walls.addTouching(*neighbour);
     const CornerShading joined = walls.shading();
@@ -181,6 +181,10 @@ CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch
             } else {
                 const auto& rim = patch.rimAppearances[patch.positionOfVertex[mesh.triangles[t][c]]];
                 corner = {joined.normals[3 * ofWall + c], rim.value_or(joined.appearances[3 * ofWall + c])};
+                if (!rim && zones != nullptr) {
+                    corner.mix =
+                        zonedMix(*zones, corner.mix, {.point = mesh.corner(t, static_cast<int>(c)), .isCut = true});
+                }
             }
             shading.normals[3 * t + c] = corner.normal;
             shading.appearances[3 * t + c] = corner.mix;

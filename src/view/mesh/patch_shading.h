@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "view/mesh/corner_shading.h"
+#include "view/mesh/appearance_zones.h"
 
 namespace tactooth {
 
@@ -31,9 +31,10 @@ struct ShadedPatch {
 
 /// Shading of a patch. Where it continues the surface of `base`, it has the shading of `base` (`baseShading`), so that
 /// no seam is visible. Where its wall begins, the wall has the appearances of `base`, so that no seam is visible there
-/// either. The wall is shaded together with the walls of `neighbours`, which share vertices with it. May be called on
-/// any thread.
+/// either. Elsewhere `zones`, if there are any, say how the materials of the wall look. The wall is shaded together
+/// with the walls of `neighbours`, which share vertices with it. May be called on any thread.
 [[nodiscard]] CornerShading patchShading(const ShadedPatch& patch, std::span<const ShadedPatch* const> neighbours,
-                                         const SurfacePart& base, const CornerShading& baseShading);
+                                         const SurfacePart& base, const CornerShading& baseShading,
+                                         const AppearanceZones* zones = nullptr);
 
 }  // namespace tactooth

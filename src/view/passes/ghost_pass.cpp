@@ -57,11 +57,12 @@ PixelRectangle ghostPixels(const std::vector<Drawable>& ghosts, const PassView& 
 
 Expected<GhostPass> GhostPass::create() {
     GhostPass pass;
-    auto body = ShaderProgram::create(
-        "ghost",
-        "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) + "\n#define RICH 1\n#define GHOST_STEPS " +
-            std::to_string(kGhostColours.size()) + "\n",
-        {shaders::kFrame, shaders::kSolidVert}, {shaders::kFrame, shaders::kColour, shaders::kGhostFrag});
+    auto body = ShaderProgram::create("ghost",
+                                      "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) +
+                                          "\n#define RICH 1\n#define GHOST_STEPS " +
+                                          std::to_string(kGhostColours.size()) + "\n",
+                                      {shaders::kFrame, shaders::kNoise, shaders::kSolidVert},
+                                      {shaders::kFrame, shaders::kColour, shaders::kGhostFrag});
     if (!body) return Unexpected{body.error()};
     auto compose =
         ShaderProgram::create("ghost on picture", "", {shaders::kWholePictureVert}, {shaders::kGhostComposeFrag});

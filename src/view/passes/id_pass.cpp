@@ -17,7 +17,7 @@ Expected<IdPass> IdPass::create() {
     IdPass pass;
     auto program = ShaderProgram::create(
         "ids", "#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) + "\n#define RICH 0\n",
-        {shaders::kFrame, shaders::kSolidVert}, {shaders::kFrame, shaders::kSight, shaders::kIdFrag});
+        {shaders::kFrame, shaders::kNoise, shaders::kSolidVert}, {shaders::kFrame, shaders::kSight, shaders::kIdFrag});
     if (!program) return Unexpected{program.error()};
     pass.program_ = std::move(*program);
     pass.frameBuffer_ = gl::Buffer::make();

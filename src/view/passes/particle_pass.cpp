@@ -8,11 +8,11 @@ namespace tactooth {
 
 namespace {
 
-static_assert(sizeof(Particle) == 8 * sizeof(float));  // the layout that the shader reads
+static_assert(sizeof(Particle) == 11 * sizeof(float));  // the layout that the shader reads
 
-void describe(GLuint place, std::size_t offset) {
+void describe(GLuint place, GLint numbers, std::size_t offset) {
     glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, 4, GL_FLOAT, GL_FALSE, sizeof(Particle), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(place, numbers, GL_FLOAT, GL_FALSE, sizeof(Particle), reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace
@@ -27,8 +27,9 @@ Expected<ParticlePass> ParticlePass::create() {
     pass.buffer_ = gl::Buffer::make();
     glBindVertexArray(pass.array_.name());
     glBindBuffer(GL_ARRAY_BUFFER, pass.buffer_.name());
-    describe(0, 0);
-    describe(1, 4 * sizeof(float));
+    describe(0, 4, 0);
+    describe(1, 4, 4 * sizeof(float));
+    describe(2, 3, 8 * sizeof(float));
     glBindVertexArray(0);
     return pass;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/util/pose.h"
@@ -69,6 +70,46 @@ Mat4 lightProjection(const Box3& receivers, const Box3& all, double halfWidth) {
     return matrix;
 }
 
+/// The box in the frame `light` of what the view shows within `bodies`: of the part of its pyramid that is as far from
+/// the eye as they are. `bodies`: world frame.
+Box3 shownPart(const Mat4& worldToClip, const Box3& bodies, const Mat4& light) {
+    const Mat4 clipToWorld = worldToClip.inverse();
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (int i = 0; i < 8; ++i) {
+        const double away = (worldToClip * bodies.corner(static_cast<Box3::CornerType>(i)).homogeneous()).w();
+        nearest = std::min(nearest, away);
+        farthest = std::max(farthest, away);
+    }
+    Box3 shown;
+    for (int i = 0; i < 4; ++i) {
+        const auto onRay = [&](double depth) -> Vec3 {
+            return (clipToWorld * Eigen::Vector4d(i % 2 == 0 ? -1 : 1, i < 2 ? -1 : 1, depth, 1)).hnormalized();
+        };
+        const Vec3 first = onRay(-1), last = onRay(1);
+        const double from = (worldToClip * first.homogeneous()).w(), to = (worldToClip * last.homogeneous()).w();
+        for (const double away : {nearest, farthest}) {
+            const double part = std::clamp((away - from) / (to - from), 0.0, 1.0);
+            shown.extend((light * (first + part * (last - first)).homogeneous()).head<3>());
+        }
+    }
+    return shown;
+}
+
+/// `receivers` (light frame) restricted sideways to what the views show of `bodies` (world frame).
+Box3 restricted(Box3 receivers, const Box3& bodies, std::span<const Mat4> views, const Mat4& light) {
+    if (views.empty() || bodies.isEmpty()) return receivers;
+    Box3 shown;
+    for (const Mat4& view : views) shown.extend(shownPart(view, bodies, light));
+    for (int axis = 0; axis < 2; ++axis) {
+        const double low = std::max(receivers.min()[axis], shown.min()[axis]);
+        const double high = std::min(receivers.max()[axis], shown.max()[axis]);
+        if (low >= high) return receivers;  // nothing of them is in sight
+        receivers.min()[axis] = low;
+        receivers.max()[axis] = high;
+    }
+    return receivers;
+}
+
 }  // namespace
 
 Expected<ShadowMap> ShadowMap::create() {
@@ -85,17 +126,21 @@ Expected<ShadowMap> ShadowMap::create() {
     return map;
 }
 
-void ShadowMap::fitLightFrustum(const std::vector<Drawable>& drawables, const Vec3& toLight) {
+void ShadowMap::fitLightFrustum(const std::vector<Drawable>& drawables, const Vec3& toLight,
+                                std::span<const Mat4> views) {
     toLight_ = toLight;
     const Mat4 frame = lightFrame(toLight);
     Box3 receivers;
+    Box3 inWorld;
     Box3 all;
     for (const Drawable& drawable : drawables) {
         const Box3 box = boxOf(drawable, frame);
         all.extend(box);
-        if (!drawable.object->moves) receivers.extend(box);
+        if (drawable.object->moves) continue;
+        receivers.extend(box);
+        inWorld.extend(boxOf(drawable, Mat4::Identity()));
     }
-    if (receivers.isEmpty()) receivers = all;
+    receivers = receivers.isEmpty() ? all : restricted(receivers, inWorld, views, frame);
     const double halfWidth = 0.5 * kMargin * std::max({receivers.sizes().x(), receivers.sizes().y(), 1e-3});
     worldToClip_ = lightProjection(receivers, inSteps(receivers, all), halfWidth) * frame;
     Mat4 clipToTexture = Mat4::Identity();
@@ -124,12 +169,12 @@ PixelRectangle ShadowMap::changedTexels(const std::vector<Drawable>& drawables) 
 }
 
 void ShadowMap::update(const std::vector<Drawable>& drawables, bool staticShapesRemoved, const Vec3& toLight,
-                       const Eigen::Vector4d& section, double lodTolerance) {
+                       const Eigen::Vector4d& section, double lodTolerance, std::span<const Mat4> views) {
     if (drawables.empty()) {
         invalidate();
         return;
     }
-    fitLightFrustum(drawables, toLight);
+    fitLightFrustum(drawables, toLight, views);
     lookup_.error = kTexelsForPixel * lodTolerance * lookup_.pitch;
     std::vector<Mat4> poses;
     bool anyTools = false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "view/gl/drawable.h"
 #include "view/gl/render_target.h"
 #include "view/gl/shader_program.h"
@@ -17,16 +19,18 @@ public:
 
     /// `section`: the parts of sectioned objects on the negative side of this plane throw no shadow. `lodTolerance`: as
     /// RenderSettings::lodTolerance, but in texels of the map and twice that. `staticShapesRemoved`: a static shape of
-    /// the frame before is not among `drawables`.
+    /// the frame before is not among `drawables`. `views`: the world-to-clip matrices of all views of the frame. The
+    /// map covers what they show of the static objects, and nothing else, so that its texels are small; without views
+    /// it covers all of them.
     void update(const std::vector<Drawable>& drawables, bool staticShapesRemoved, const Vec3& toLight,
-                const Eigen::Vector4d& section, double lodTolerance);
+                const Eigen::Vector4d& section, double lodTolerance, std::span<const Mat4> views = {});
     /// Call it for a frame without `update`: the next update draws everything again.
     void invalidate() { staticWorldToClip_.setZero(); }
     [[nodiscard]] GLuint texture() const { return combinedMap_.name(); }
     [[nodiscard]] const ShadowLookup& lookup() const { return lookup_; }
 
 private:
-    void fitLightFrustum(const std::vector<Drawable>& drawables, const Vec3& toLight);
+    void fitLightFrustum(const std::vector<Drawable>& drawables, const Vec3& toLight, std::span<const Mat4> views);
     [[nodiscard]] PixelRectangle texelsOf(const Box3& inClip) const;
     [[nodiscard]] PixelRectangle changedTexels(const std::vector<Drawable>& drawables) const;
     void drawStatic(const std::vector<Drawable>& drawables, const PixelRectangle& part) const;

@@ -31,9 +31,10 @@ std::string definesFor(int shadowTaps, bool rich) {
 }
 
 Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) {
-    auto program = ShaderProgram::create("solid", definesFor(shadowTaps, rich), {shaders::kFrame, vertex},
-                                         {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
-                                          shaders::kSight, shaders::kSolidFrag});
+    auto program =
+        ShaderProgram::create("solid", definesFor(shadowTaps, rich), {shaders::kFrame, shaders::kNoise, vertex},
+                              {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
+                               shaders::kSight, shaders::kSolidFrag});
     if (!program) return program;
     program->use();
     program->set("noiseTexture", kNoiseUnit);

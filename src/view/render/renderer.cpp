@@ -151,7 +151,10 @@ struct Renderer::Parts {
         ViewTargets& targets;
         ImageSize size;
     };
-    void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings);
+    void updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings,
+                      ImageSize size);
+    /// What the pictures of `scene` will show: the matrices of all their views.
+    [[nodiscard]] std::vector<Mat4> viewsOf(const Scene& scene, ImageSize size) const;
     /// Draws the second view into the corner of framebuffer `target`.
     Expected<void> drawSecond(const Job& large, GLuint target, ImageSize size);
     /// Draws the magnified place into the other corner.
@@ -319,8 +322,30 @@ Expected<void> Renderer::Parts::drawMagnified(const Job& large, GLuint target, I
     return {};
 }
 
-void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result& result,
-                                   const RenderSettings& settings) {
+std::vector<Mat4> Renderer::Parts::viewsOf(const Scene& scene, ImageSize size) const {
+    std::vector<Mat4> views;
+    const auto add = [&](const Camera& camera, ImageSize of) {
+        const PassView direct = directView(scene, camera, of);
+        views.push_back(direct.worldToClip());
+        const PixelRectangle covered = scene.mirror ? coveredPixels(*scene.mirror, camera, of) : PixelRectangle{};
+        if (covered.empty()) return;
+        const PassView reflected = reflectedView(direct, scene.mirror->planeInWorld());
+        views.push_back(cropped(reflected.worldToClip(), covered, of));
+    };
+    if (scene.stereo.mode == Stereo::Mode::Off) {
+        add(scene.camera, size);
+        if (scene.second) add(scene.second->camera, secondViewRectangle(size).size);
+        if (scene.magnified) {
+            add(magnifierCamera(scene.camera, size, *scene.magnified), magnifierRectangle(size).size);
+        }
+    } else {
+        for (const Camera& eye : stereoCameras(scene.camera, scene.stereo)) add(eye, size);
+    }
+    return views;
+}
+
+void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result& result, const RenderSettings& settings,
+                                   ImageSize size) {
     lastUpload = result.uploadedTriangles;
     fields.update(result.drawables);
     if (settings.shadows == Shadows::None) {
@@ -328,7 +353,7 @@ void Renderer::Parts::updateShapes(const Scene& scene, const ShapeCache::Result&
         return;
     }
     shadows.update(result.drawables, result.staticShapesRemoved, scene.lighting.toKey, keptSide(scene),
-                   settings.lodTolerance);
+                   settings.lodTolerance, viewsOf(scene, size));
 }
 
 Expected<Renderer> Renderer::create() {
@@ -377,9 +402,9 @@ Expected<void> Renderer::render(const Scene& scene, unsigned target, ImageSize s
     if (size.width <= 0 || size.height <= 0) return {};
     setKnownState();
     const ShapeCache::Result shapes = parts_->shapes.update(scene);
-    parts_->updateShapes(scene, shapes, settings);
     const ImageSize ofEye =
         scene.stereo.mode == Stereo::Mode::SideBySide ? ImageSize{(size.width + 1) / 2, size.height} : size;
+    parts_->updateShapes(scene, shapes, settings, ofEye);
     const Parts::Job job{scene, shapes, settings, parts_->whole, scaled(ofEye, settings.resolution)};
     const bool isStereo = scene.stereo.mode != Stereo::Mode::Off;
     const auto eyes = stereoCameras(scene.camera, scene.stereo);
@@ -416,7 +441,7 @@ Expected<void> Renderer::identify(const Scene& scene, unsigned target, ImageSize
     setKnownState();
     const RenderSettings exact{.shadows = Shadows::None};
     const ShapeCache::Result shapes = parts_->shapes.update(scene);
-    parts_->updateShapes(scene, shapes, exact);
+    parts_->updateShapes(scene, shapes, exact, size);
     const Parts::Job job{scene, shapes, exact, parts_->whole, size};
     const auto picture = job.targets.pictures[0].fit(size, 0);
     if (!picture) return Unexpected{picture.error()};

@@ -18,8 +18,32 @@ Appearance enamel() {
     return {
         .colour = {0.93F, 0.895F, 0.82F}, .roughness = 0.34F, .translucency = 0.75F, .wetness = 0.9F, .grain = 0.12F};
 }
+Appearance thinEnamel() {
+    return {.colour = {0.92F, 0.85F, 0.70F}, .roughness = 0.36F, .translucency = 0.7F, .wetness = 0.9F, .grain = 0.12F};
+}
+Appearance incisalEnamel() {
+    return {
+        .colour = {0.84F, 0.84F, 0.81F}, .roughness = 0.30F, .translucency = 0.95F, .wetness = 0.95F, .grain = 0.08F};
+}
 Appearance dentin() {
     return {.colour = {0.90F, 0.80F, 0.60F}, .roughness = 0.62F, .translucency = 0.4F, .wetness = 0.22F, .grain = 0.3F};
+}
+Appearance whiteSpot() {
+    return {.colour = {0.97F, 0.955F, 0.92F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.4F, .grain = 0.3F};
+}
+Appearance cutEnamel() {
+    return {
+        .colour = {0.945F, 0.92F, 0.87F}, .roughness = 0.75F, .translucency = 0.45F, .wetness = 0.2F, .grain = 0.3F};
+}
+Appearance cutDentin() {
+    return {
+        .colour = {0.90F, 0.78F, 0.55F}, .roughness = 0.38F, .translucency = 0.45F, .wetness = 0.55F, .grain = 0.2F};
+}
+Appearance scleroticDentin() {
+    return {.colour = {0.76F, 0.58F, 0.34F}, .roughness = 0.30F, .translucency = 0.5F, .wetness = 0.6F, .grain = 0.15F};
+}
+Appearance affectedDentin() {
+    return {.colour = {0.62F, 0.41F, 0.20F}, .roughness = 0.55F, .translucency = 0.3F, .wetness = 0.4F, .grain = 0.5F};
 }
 Appearance pulp() {
     return {.colour = {0.72F, 0.17F, 0.16F}, .roughness = 0.4F, .translucency = 0.6F, .wetness = 0.9F, .grain = 0.3F};
@@ -28,7 +52,13 @@ Appearance caries() {
     return {.colour = {0.36F, 0.22F, 0.11F}, .roughness = 0.75F, .translucency = 0.1F, .wetness = 0.25F, .grain = 0.9F};
 }
 Appearance gingiva() {
-    return {.colour = {0.86F, 0.50F, 0.48F}, .roughness = 0.45F, .translucency = 0.7F, .wetness = 0.75F, .grain = 0.5F};
+    return {.colour = {0.88F, 0.59F, 0.565F}, .roughness = 0.5F, .translucency = 0.7F, .wetness = 0.6F, .grain = 0.6F};
+}
+Appearance freeGingiva() {
+    return {.colour = {0.86F, 0.53F, 0.51F}, .roughness = 0.42F, .translucency = 0.8F, .wetness = 0.8F, .grain = 0.3F};
+}
+Appearance mucosa() {
+    return {.colour = {0.77F, 0.41F, 0.40F}, .roughness = 0.32F, .translucency = 0.8F, .wetness = 0.95F, .grain = 0.2F};
 }
 Appearance bone() {
     return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};

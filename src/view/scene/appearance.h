@@ -25,10 +25,19 @@ struct Appearance {
 namespace appearances {
 
 [[nodiscard]] Appearance enamel();
+[[nodiscard]] Appearance thinEnamel();     ///< dentin shines through it
+[[nodiscard]] Appearance incisalEnamel();  ///< without dentin behind it: translucent, grey and bluish
 [[nodiscard]] Appearance dentin();
+[[nodiscard]] Appearance whiteSpot();        ///< enamel that acid has made porous: chalky white
+[[nodiscard]] Appearance cutEnamel();        ///< ground: matt and chalky
+[[nodiscard]] Appearance cutDentin();        ///< ground: smeared, glossy
+[[nodiscard]] Appearance scleroticDentin();  ///< hardened around decay: darker, glassy
+[[nodiscard]] Appearance affectedDentin();   ///< softened at the border of decay: leathery, amber
 [[nodiscard]] Appearance pulp();
 [[nodiscard]] Appearance caries();
-[[nodiscard]] Appearance gingiva();
+[[nodiscard]] Appearance gingiva();      ///< keratinised and attached: pale, stippled
+[[nodiscard]] Appearance freeGingiva();  ///< its margin around the teeth: smooth
+[[nodiscard]] Appearance mucosa();       ///< beyond the mucogingival line: red and shiny
 [[nodiscard]] Appearance bone();
 [[nodiscard]] Appearance steel();       ///< turbine, mirror frame, shank
 [[nodiscard]] Appearance carbide();     ///< tungsten carbide bur head

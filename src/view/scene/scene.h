@@ -14,6 +14,7 @@
 #include "view/camera/camera.h"
 #include "view/camera/second_view.h"
 #include "view/camera/stereo.h"
+#include "view/mesh/appearance_zones.h"
 #include "view/mesh/distance_grid.h"
 #include "view/scene/appearance.h"
 #include "view/scene/particle.h"
@@ -29,8 +30,11 @@ struct SceneObject {
     SceneShape shape;
     Pose objectInWorld;
     double spin = 0;  ///< rad, about the object's own z axis, before objectInWorld: a rotating bur
-    std::vector<Appearance> appearances = {
-        Appearance{}};  ///< one per surface tag; higher tags use the last one. At most kMaxAppearances
+    std::vector<Appearance> appearances = {Appearance{}};  ///< one per surface tag, then those that only `zones` uses;
+                                                           ///< higher tags use the last one. At most kMaxAppearances
+    /// How the appearances pass into each other where tags do not say it; null: they do. The same for all scenes that
+    /// hold the same shape.
+    std::shared_ptr<const AppearanceZones> zones = {};
     bool visible = true;
     bool closed = true;      ///< the surface has no holes, so back faces need not be drawn
     bool moves = false;      ///< a tool: its shadow is drawn in each frame, that of other objects only on change
@@ -50,8 +54,8 @@ struct SceneObject {
     std::optional<float> glassAbove;
 };
 inline constexpr float kAllGlass = -1e9F;
-/// One for each material of a tooth.
-inline constexpr std::size_t kMaxAppearances = kMaxMaterials;
+/// One for each material of a tooth, and some for the zones between them.
+inline constexpr std::size_t kMaxAppearances = kMaxMaterials + 8;
 
 /// A round flat mirror that reflects the scene in front of it.
 struct SceneMirror {
@@ -81,11 +85,11 @@ struct SightLine {
 /// linear.
 struct Lighting {
     Vec3 toKey = Vec3(0.35, 0.45, 0.82).normalized();  ///< the operating light; it throws the shadows
-    Vec3f keyColour = Vec3f(1.14F, 1.10F, 1.035F);     ///< about 5000 K
+    Vec3f keyColour = Vec3f(1.10F, 1.065F, 1.005F);    ///< about 5000 K
     Vec3 toFill = Vec3(-0.5, 0.4, 0.3).normalized();   ///< a weak light without shadow that brightens dark sides
     Vec3f fillColour = Vec3f(0.10F, 0.115F, 0.14F);
-    Vec3f skyColour = Vec3f(0.27F, 0.28F, 0.30F);       ///< from above
-    Vec3f groundColour = Vec3f(0.085F, 0.075F, 0.07F);  ///< from below
+    Vec3f skyColour = Vec3f(0.31F, 0.305F, 0.30F);      ///< from above
+    Vec3f groundColour = Vec3f(0.14F, 0.115F, 0.105F);  ///< from below: lips and cheeks
 };
 
 /// The operating light is over the dentist's shoulder, to the upper left of the eye, as a dentist adjusts that light to

@@ -28,7 +28,9 @@ void main() {
             weights += weight;
         }
     }
-    // Light reflected by a tooth is warm: occluded parts become brown rather than grey.
+    // Light that is thrown to and fro between bright walls brightens what is hidden from the room, so that grooves are
+    // only a little darker than the surface around them, and of its hue.
+    const float kLost = 0.42;
     float open = sum / weights;
-    factor = vec4(pow(vec3(open), vec3(0.85, 1.0, 1.12)), 1.0);
+    factor = vec4(vec3(1.0 - kLost * (1.0 - open)), 1.0);
 }

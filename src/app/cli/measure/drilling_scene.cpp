@@ -7,6 +7,7 @@
 
 #include "app/common/inspection.h"
 #include "app/common/spray_particles.h"
+#include "app/common/tooth_zones.h"
 #include "geometry/util/pose.h"
 #include "instruments/bur_catalogue.h"
 #include "instruments/bur_shape.h"
@@ -100,6 +101,7 @@ const DrillingScene::Moment& DrillingScene::momentOf(int picture) const {
 Scene DrillingScene::sceneAt(int picture, bool cuts) const {
     SceneContents contents = contents_;
     const Moment& moment = momentOf(picture);
+    contents.zones = toothZones(*tooth_, contents.materials);
     contents.tooth = cuts ? moment.surface : moments_.front().surface;
     contents.tool->toolInTooth = moment.toolInTooth;
     contents.flying = moment.flying;

@@ -13,6 +13,7 @@
 #include "app/common/legends/distance_legend.h"
 #include "app/common/legends/ghost_legend.h"
 #include "app/common/scene_builder.h"
+#include "app/common/tooth_zones.h"
 #include "app/common/view_marks.h"
 #include "assessment/ideal_shape.h"
 #include "geometry/files/atomic_file.h"
@@ -133,6 +134,7 @@ Scene sceneFor(const RenderSetup& studio, const OrbitCamera& eye) {
     SceneContents contents;
     contents.tooth = studio.tooth.piece->surface();
     contents.materials = studio.materials;
+    contents.zones = toothZones(studio.tooth.piece->tooth(), studio.materials);
     contents.camera = eye.camera();
     if (studio.mirror) {
         const Vec3 toEye = (contents.camera.cameraInWorld.position - studio.tooth.box().center()).normalized();

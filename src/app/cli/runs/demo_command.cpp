@@ -14,6 +14,7 @@
 #include "app/common/mouth_scene.h"
 #include "app/common/plot_image.h"
 #include "app/common/spin_blur.h"
+#include "app/common/tooth_zones.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
@@ -91,6 +92,7 @@ Expected<void> loadDemoTooth(const DemoOptions& options, const MaterialRegistry&
     if (!tooth) return Unexpected{tooth.error()};
     cast.tooth = std::make_shared<const LayeredTooth>(std::move(*tooth));
     cast.box = cast.tooth->ownBox();
+    cast.props.zones = toothZones(*cast.tooth, cast.props.materials);
     cast.props.mesialX = mesialX(molar->tooth.fdi);
     cast.toothName = fmt::format("built-in: {} (FDI {})", molar->tooth.name, molar->tooth.fdi);
     return {};

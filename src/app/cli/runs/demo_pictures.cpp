@@ -62,6 +62,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     const Vec3 subject = subjectOf(*tooth, tick);
     SceneContents contents;
     contents.tooth = tooth;
+    contents.zones = props.zones;
     contents.around = props.around;
     contents.materials = props.materials;
     contents.camera = cameraOf(shot, subject, props.mesialX);

@@ -18,7 +18,8 @@ struct DemoProps {
     Box3 box;                           ///< of the tooth that is cut, mm
     std::vector<ShownBody> around;      ///< around the tooth
     MaterialTable materials;
-    double mesialX = 1;  ///< sign of the mesial direction along x
+    std::shared_ptr<const AppearanceZones> zones = {};  ///< of the tooth that is cut
+    double mesialX = 1;                                 ///< sign of the mesial direction along x
 };
 
 /// The subject of a picture.

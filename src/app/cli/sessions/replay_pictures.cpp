@@ -6,6 +6,7 @@
 
 #include "app/cli/pictures/render_arguments.h"
 #include "app/common/inspection.h"
+#include "app/common/tooth_zones.h"
 
 namespace tactooth {
 
@@ -46,6 +47,7 @@ Expected<Image> ReplayPictures::draw(const SessionReplay& replay, const Tick& ti
         contents.materials = replay.bur()->settings.materials;
         if (tick.number > 0) contents.tool = bur_.at(tick, time, handpieces_.of(replay.bur()->settings.spindle));
     }
+    contents.zones = toothZones(replay.model().tooth(), contents.materials);
     return renderer_.render(makeScene(contents), size_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/common/tooth_zones.h"
 #include "session/track/make_track.h"
 
 namespace tactooth {
@@ -47,6 +48,7 @@ SceneContents ReplaySource::contentsAt(std::uint64_t moment, const HandpieceMesh
     SceneContents contents;
     contents.tooth = follower_.shown().surface;
     contents.materials = materialsAt(moment);
+    contents.zones = toothZones(uncut_->tooth(), contents.materials);
     contents.around = around_;
     const std::shared_ptr<const TrackBur> bur = track_->burAt(moment);
     if (bur == nullptr || moment == bur->afterTicks) return contents;  // nobody knows yet where the hand is

@@ -4,6 +4,7 @@
 
 #include "app/common/mouth_scene.h"
 #include "app/common/spray_particles.h"
+#include "app/common/tooth_zones.h"
 #include "session/model/chair_view.h"
 
 namespace tactooth {
@@ -34,6 +35,7 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
     const Tick& newest = model.log().newest();
     const std::optional<InstrumentMeshes>& meshes = model.instruments().meshes();
     contents.tooth = model.runner()->feed().surface();
+    contents.zones = toothZones(tooth.piece->tooth(), contents.materials);
     contents.around = shownAround(tooth.around);
     contents.tool = ShownTool{.bur = bur.shown,
                               .turbine = withTurbine && meshes && !bur.isHandInstrument()
