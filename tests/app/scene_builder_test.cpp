@@ -168,7 +168,9 @@ TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
 TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing) {
     const auto ball = std::make_shared<const TriangleMesh>(test::sphere(Vec3::Zero(), 1, 8, 8));
     SceneContents contents;
-    contents.around = {{ball, {}, appearances::enamel(), false}, {ball, {Vec3(0, 0, 20), Quat::Identity()}, {}, true}};
+    contents.around = {
+        {.mesh = ball, .bodyInTooth = {}, .appearances = {appearances::enamel()}},
+        {.mesh = ball, .bodyInTooth = {Vec3(0, 0, 20), Quat::Identity()}, .appearances = {{}}, .opposite = true}};
     contents.camera.cameraInWorld = {Vec3(0, 0, 90), Quat::Identity()};  // from above
     EXPECT_EQ(makeScene(contents).objects.size(), 1U);
     contents.camera.cameraInWorld.rotation = shortestRotation(Vec3::UnitZ(), Vec3::UnitY());

@@ -52,23 +52,23 @@ public:
         leave.fill(best);
         for (int axis = 0; axis < 3; ++axis) {
             for (int i = 0; i < AabbTree::kWidth; ++i) {
-                const double first = (node.low[axis][i] - origin_[axis]) * inverse_[axis];
-                const double second = (node.high[axis][i] - origin_[axis]) * inverse_[axis];
+                const double first = (node.low[axis][i] - origin_[axis] - kMargin) * inverse_[axis];
+                const double second = (node.high[axis][i] - origin_[axis] + kMargin) * inverse_[axis];
                 enter[i] = std::max(enter[i], std::min(first, second));
                 leave[i] = std::min(leave[i], std::max(first, second));
             }
         }
-        constexpr double kRounding = 1e-9;  // mm: a box as thin as the triangle in it must not be missed
         for (int i = 0; i < AabbTree::kWidth; ++i) {
-            const bool isMet = node.low[0][i] <= node.high[0][i] && enter[i] <= leave[i] + kRounding;
+            const bool isMet = node.low[0][i] <= node.high[0][i] && enter[i] <= leave[i];
             if (!isMet) enter[i] = kNever;
         }
         return enter;
     }
 
 private:
-    /// Stands for infinity along an axis that the ray is across of: 0 times it is 0, so that a ray in the side of a box
-    /// meets the box.
+    /// mm. Around a box: one as thin as the triangle in it must not be missed, nor one in whose side the ray lies.
+    static constexpr double kMargin = 1e-9;
+    /// Stands for infinity along an axis that the ray is across of: 0 times it is a number.
     static constexpr double kSteep = 1e300;
 
     Vec3 origin_;
