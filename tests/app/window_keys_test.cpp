@@ -92,14 +92,14 @@ void WindowKeysTest::leave(KeyEditor* editor) {
 void WindowKeysTest::anotherKeyDoesTheSame() {
     KeyEditor* editor = open();
     QVERIFY(editor != nullptr && editor->isVisible());
-    give(*editor, KeyId::Cut, Qt::Key_F6);
+    give(*editor, KeyId::Cut, Qt::Key_F11);
     leave(editor);
     key(Qt::Key_C);
     QVERIFY(!isCutting());
-    key(Qt::Key_F6);
+    key(Qt::Key_F11);
     QVERIFY(isCutting());
     const QAction* cut = window_->findChild<DrillBar*>()->cutAction();
-    QVERIFY2(cut->toolTip().contains("(F6)"), qPrintable(cut->toolTip()));
+    QVERIFY2(cut->toolTip().contains("(F11)"), qPrintable(cut->toolTip()));
 }
 
 void WindowKeysTest::aKeyInUseIsRefusedAndNamed() {
@@ -109,7 +109,7 @@ void WindowKeysTest::aKeyInUseIsRefusedAndNamed() {
     QVERIFY(editor->map().isUsual(KeyId::Cut));
     give(*editor, KeyId::Cut, Qt::Key_Left, Qt::ControlModifier);  // turns the tooth
     QVERIFY2(line(*editor).contains("Ctrl+Left"), qPrintable(line(*editor)));
-    give(*editor, KeyId::Cut, Qt::Key_F6);
+    give(*editor, KeyId::Cut, Qt::Key_F11);
     QCOMPARE(line(*editor), QString());
     QVERIFY(!editor->map().isUsual(KeyId::Cut));
     leave(editor);
@@ -117,7 +117,7 @@ void WindowKeysTest::aKeyInUseIsRefusedAndNamed() {
 
 void WindowKeysTest::oneKeyAndAllKeysBecomeUsualAgain() {
     KeyEditor* editor = open();
-    give(*editor, KeyId::Cut, Qt::Key_F6);
+    give(*editor, KeyId::Cut, Qt::Key_F11);
     give(*editor, KeyId::Touch, Qt::Key_C);
     auto* usual = editor->findChild<QPushButton*>("usualKey");
     choose(*editor, KeyId::Fit);
@@ -204,7 +204,7 @@ void WindowKeysTest::thePedalKeyIsTheSameInPanelAndEditor() {
 
 void WindowKeysTest::ownKeysAreKept() {
     KeyEditor* editor = open();
-    give(*editor, KeyId::Cut, Qt::Key_F6);
+    give(*editor, KeyId::Cut, Qt::Key_F11);
     give(*editor, KeyId::Redo, Qt::Key_Y, Qt::AltModifier | Qt::ControlModifier);
     leave(editor);
     const auto file = folder_ / "window.toml";
@@ -213,14 +213,14 @@ void WindowKeysTest::ownKeysAreKept() {
     QVERIFY(read.has_value() && read->refused.empty());
     MainWindow again(*sound_);
     again.apply(*read);
-    QCOMPARE(again.findChild<DrillBar*>()->cutAction()->shortcut(), QKeySequence("F6"));
+    QCOMPARE(again.findChild<DrillBar*>()->cutAction()->shortcut(), QKeySequence("F11"));
     QCOMPARE(again.findChild<DrillBar*>()->redoAction()->shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+Alt+Y")});
     QCOMPARE(again.settings().ownKeys, window_->settings().ownKeys);
 }
 
 void WindowKeysTest::damagedKeysGiveOneMessageAndTheUsualKeys() {
     WindowSettings settings = window_->settings();
-    settings.ownKeys = "cut = Hyper+Q\nfly = F7\ntouch = F6";
+    settings.ownKeys = "cut = Hyper+Q\nfly = F12\ntouch = F11";
     window_->apply(settings);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
     QCOMPARE(window_->findChildren<QMessageBox*>().size(), 1);
@@ -228,9 +228,9 @@ void WindowKeysTest::damagedKeysGiveOneMessageAndTheUsualKeys() {
     QVERIFY2(said.contains("Hyper+Q") && said.contains("fly"), qPrintable(said));
     key(Qt::Key_C);
     QVERIFY(isCutting());
-    key(Qt::Key_F6);  // the line that is right counts
+    key(Qt::Key_F11);  // the line that is right counts
     QVERIFY(!isCutting());
-    QCOMPARE(window_->settings().ownKeys, std::string("touch = F6"));
+    QCOMPARE(window_->settings().ownKeys, std::string("touch = F11"));
 }
 
 void WindowKeysTest::savePictures(const QString& folder) {
@@ -238,7 +238,7 @@ void WindowKeysTest::savePictures(const QString& folder) {
     KeyEditor* editor = open();
     editor->grab().save(folder + "/keys.png");
     applyColours(true);
-    give(*editor, KeyId::Fit, Qt::Key_F6);
+    give(*editor, KeyId::Fit, Qt::Key_F11);
     give(*editor, KeyId::Cut, Qt::Key_T);
     editor->grab().save(folder + "/keys-dark.png");
     leave(editor);

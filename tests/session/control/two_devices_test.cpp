@@ -142,7 +142,8 @@ TEST_F(TwoDevices, AnInverse3ThatIsLostLeavesThePenAlone) {
     std::this_thread::sleep_for(1500ms);
     EXPECT_TRUE(leanPens(0));
     EXPECT_NE(both.arm.faultMessage(), nullptr);
-    EXPECT_EQ(both.pen.faultMessage(), nullptr);
+    const Message* const fault = both.pen.faultMessage();
+    EXPECT_EQ(fault, nullptr) << fault->in(Language::English);
 }
 
 }  // namespace

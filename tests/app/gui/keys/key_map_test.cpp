@@ -44,12 +44,12 @@ TEST(KeyMap, AKeyInUseIsRefusedByTheNameOfItsAction) {
     EXPECT_TRUE(map.objection(KeyId::Touch, keys("Space", KeyId::Touch)));
     EXPECT_TRUE(map.objection(KeyId::Touch, keys("Ctrl+Y", KeyId::Touch)));  // the second key of Redo
     EXPECT_FALSE(map.objection(KeyId::Touch, keys("Alt+Left", KeyId::Touch)));
-    EXPECT_FALSE(map.objection(KeyId::Touch, keys("F5", KeyId::Touch)));
+    EXPECT_FALSE(map.objection(KeyId::Touch, keys("F9", KeyId::Touch)));
 }
 
 TEST(KeyMap, AKeyIsFreeOnceItsActionHasAnother) {
     KeyMap map;
-    map.set(KeyId::Cut, keys("F6", KeyId::Cut));
+    map.set(KeyId::Cut, keys("F11", KeyId::Cut));
     EXPECT_FALSE(map.objection(KeyId::Touch, keys("C", KeyId::Touch)));
     map.set(KeyId::Touch, keys("C", KeyId::Touch));
     EXPECT_TRUE(map.objection(KeyId::Cut, KeyMap::usual(KeyId::Cut)));
@@ -81,11 +81,11 @@ TEST(KeyMap, NothingIsCutInAReplay) {
 
 TEST(KeyMap, OwnKeysComeBackFromTheSettings) {
     KeyMap map;
-    map.set(KeyId::Cut, keys("F6", KeyId::Cut));
+    map.set(KeyId::Cut, keys("F11", KeyId::Cut));
     map.set(KeyId::Touch, keys("C", KeyId::Touch));
     map.set(KeyId::Help, keys("Ctrl+=", KeyId::Help));
     map.set(KeyId::ReplayBack, keys("Ctrl+.", KeyId::ReplayBack));
-    map.set(KeyId::Undo, keys("Ctrl+Z; F7", KeyId::Undo));
+    map.set(KeyId::Undo, keys("Ctrl+Z; F12", KeyId::Undo));
     map.set(KeyId::Lean, keys("Alt", KeyId::Lean));
     map.set(KeyId::Pedal, keys("F8", KeyId::Pedal));
     KeyMap read;
@@ -97,10 +97,11 @@ TEST(KeyMap, OwnKeysComeBackFromTheSettings) {
 
 TEST(KeyMap, DamagedLinesGetTheUsualKeyAndTheOthersStay) {
     KeyMap map;
-    const auto refused = map.restore("cut = F6\nfly = F7\ntouch = Hyper+Q\nnonsense\nfit = G\n= =\nlean = X", "Space");
+    const auto refused =
+        map.restore("cut = F11\nfly = F12\ntouch = Hyper+Q\nnonsense\nfit = G\n= =\nlean = X", "Space");
     ASSERT_EQ(refused.size(), 6U);
-    EXPECT_EQ(map.ownText(), "cut = F6");
-    EXPECT_TRUE(map.restore("cut = F6", "Space").empty());
+    EXPECT_EQ(map.ownText(), "cut = F11");
+    EXPECT_TRUE(map.restore("cut = F11", "Space").empty());
 }
 
 TEST(KeyMap, AnyTextLeavesKeysThatDoNotClash) {
@@ -111,7 +112,7 @@ TEST(KeyMap, AnyTextLeavesKeysThatDoNotClash) {
                                  "move_left = Right\nmove_right = Left",
                                  "lean = Ctrl\nturn_tooth = Shift",
                                  "touch = ",
-                                 "touch = F5; F6\ncut = F6",
+                                 "touch = F5; F11\ncut = F11",
                                  "touch = Ctrl+X, Ctrl+Y"};
     for (const char* text : texts) {
         KeyMap map;
