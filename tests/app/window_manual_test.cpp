@@ -154,6 +154,8 @@ void WindowManualTest::inJapanesePagesAreJapaneseOrSaySo() {
         emit browser.anchorClicked(QUrl("keys.ja.md"));
         QVERIFY(browser.toPlainText().contains(QStringLiteral("マウスとキー")));
         browser.open("user/replay.md");
+        QVERIFY(browser.toPlainText().startsWith(QStringLiteral("リプレイ")));
+        browser.open("user/commands.md");
         QVERIFY(browser.toPlainText().startsWith(QStringLiteral("このページはまだ英語だけです。")));
     }
     applyLanguage(*qApp, "en");

@@ -97,7 +97,8 @@ bool WindowSession::waitForQuietPicture() const {
 void WindowSession::waitForRest() const {
     window_->model().setSpindle(window_->model().haptics().spindle);
     waitForSteps(2);
-    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting(), kPatience);
+    const auto* busy = window_->findChild<QProgressBar*>("busy");  // it moves until the instruments are modelled
+    QTRY_VERIFY_WITH_TIMEOUT(view().isAtRest() && window_->loop().isResting() && !busy->isVisible(), kPatience);
 }
 
 QString WindowSession::dismissMessage() const {

@@ -106,8 +106,9 @@ void WindowTest::whatIsSeenFirstIsSeenWhole() {
     QCOMPARE(window_->size(), QSize(1400, 900));
     for (const QScrollArea* area : window_->findChildren<QScrollArea*>()) {
         if (!area->isVisible() || area->widget() == nullptr) continue;
-        QTRY_VERIFY2_WITH_TIMEOUT(area->verticalScrollBar()->maximum() == 0, area->widget()->metaObject()->className(),
-                                  kPatience);
+        const auto hidden = [area] { return area->verticalScrollBar()->maximum(); };
+        const QString what = QString("%1 px of %2").arg(hidden()).arg(area->widget()->metaObject()->className());
+        QTRY_VERIFY2_WITH_TIMEOUT(hidden() == 0, qPrintable(what), kPatience);
     }
 }
 

@@ -107,7 +107,7 @@ QToolButton* ExercisePanel::makeFinishButton() {
     QFont bold = font();
     bold.setBold(true);
     result->setFont(bold);
-    constexpr double kTall = 1.9;  // lines of text
+    constexpr double kTall = 1.7;  // lines of text
     result->setMinimumHeight(static_cast<int>(kTall * fontMetrics().height()));
     return result;
 }

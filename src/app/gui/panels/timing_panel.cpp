@@ -62,7 +62,7 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     body->addWidget(picture_, 1);
     body->addLayout(numbers);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(4, 2, 4, 2);
+    column->setContentsMargins(4, 1, 4, 1);
     column->setSpacing(2);
     column->addLayout(head);
     column->addLayout(body, 1);
