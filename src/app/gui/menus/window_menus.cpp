@@ -52,11 +52,12 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));
+    menu->addAction(&burs_.action());
+    // Not the first entry: there the right arrow, of keys or gamepad, would open it in place of the next menu.
     QMenu* instruments = menu->addMenu(tr("&Instruments"));
     instruments->setObjectName("instruments");
     setLineIcon(*instruments->menuAction(), "handpiece");
     instruments->addActions(panels.tray->actions());
-    menu->addAction(&burs_.action());
     menu->addSeparator();
     menu->addActions({panels.drill->touchAction(), panels.drill->cutAction(), panels.device->clutchAction()});
     menu->addSeparator();
