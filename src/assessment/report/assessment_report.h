@@ -95,6 +95,8 @@ struct ReportFact {
 /// "#2f7d4f"
 [[nodiscard]] std::string_view levelColour(Level level);
 
+inline constexpr int kReportFormat = 1;  ///< of the form of report.json
+
 // Three of the four forms; docs/assessment.md describes them.
 [[nodiscard]] std::string reportJson(const AssessmentReport& report);
 [[nodiscard]] std::string reportCsv(const AssessmentReport& report);

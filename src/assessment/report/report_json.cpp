@@ -62,7 +62,7 @@ Json trendJson(const TrialTrend& trend) {
 
 std::string reportJson(const AssessmentReport& report) {
     const Rubric& rubric = *report.rubric;
-    Json json = {{"format", 1},
+    Json json = {{"format", kReportFormat},
                  {"program", report.program},
                  {"student", report.student},
                  {"expert", report.expert},

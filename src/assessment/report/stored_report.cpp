@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "assessment/report/messages.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/display_text.h"
+#include "geometry/util/natural_order.h"
 
 namespace tactooth {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kFormat = 1;                  // of report.json
 constexpr std::size_t kMostCriteria = 100;  // as in a rubric
 constexpr std::size_t kMostDepth = 20;      // of objects in each other
 
@@ -62,7 +61,7 @@ std::optional<StoredReport::Criterion> criterionOf(const Json& json) {
 
 /// Nothing if the text is no such report.
 std::optional<StoredReport> reportOf(const Json& json) {
-    if (!json.is_object() || numberAt(json, "format") != kFormat) return std::nullopt;
+    if (!json.is_object() || numberAt(json, "format") != kReportFormat) return std::nullopt;
     const auto rubric = json.find("rubric"), criteria = json.find("criteria"), passes = json.find("pass");
     if (rubric == json.end() || !rubric->is_object() || criteria == json.end() || !criteria->is_array() ||
         passes == json.end() || !passes->is_boolean() || criteria->size() > kMostCriteria) {
@@ -89,15 +88,6 @@ std::optional<StoredReport> reportOf(const Json& json) {
     }
     report.ranges = rangesOf(json).dump(-1, ' ', false, Json::error_handler_t::replace);
     return report;
-}
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// The digits at the beginning, without leading zeros.
-std::string_view numberOf(std::string_view text) {
-    std::size_t end = 0;
-    while (end < text.size() && isDigit(text[end])) ++end;
-    return text.substr(0, end);
 }
 
 }  // namespace
@@ -135,24 +125,6 @@ std::optional<Message> whyNotComparable(const StoredReport& one, const StoredRep
         return Message(msg::kMarkedByOther, one.place, displayText(one.rubric), displayText(other.rubric));
     if (one.ranges != other.ranges) return Message(msg::kRubricHasChanged, one.place, displayText(one.rubric));
     return std::nullopt;
-}
-
-bool isNaturallyLess(std::string_view a, std::string_view b) {
-    while (!a.empty() && !b.empty()) {
-        if (isDigit(a[0]) && isDigit(b[0])) {
-            std::string_view x = numberOf(a), y = numberOf(b);
-            a.remove_prefix(x.size());
-            b.remove_prefix(y.size());
-            x.remove_prefix(std::min(x.find_first_not_of('0'), x.size()));
-            y.remove_prefix(std::min(y.find_first_not_of('0'), y.size()));
-            if (x != y) return std::tuple(x.size(), x) < std::tuple(y.size(), y);
-        } else {
-            if (a[0] != b[0]) return a[0] < b[0];
-            a.remove_prefix(1);
-            b.remove_prefix(1);
-        }
-    }
-    return a.size() < b.size();
 }
 
 bool isEarlier(const StoredReport& one, const StoredReport& other) {

@@ -50,9 +50,6 @@ struct StoredReport {
 /// Why the marks of two reports cannot be compared; nothing if they can.
 [[nodiscard]] std::optional<Message> whyNotComparable(const StoredReport& one, const StoredReport& other);
 
-/// Whether a name comes before another, with numbers in them by value: "ann-2" before "ann-10".
-[[nodiscard]] bool isNaturallyLess(std::string_view a, std::string_view b);
-
 /// Whether a trial came before another: by the dates of the works, those without a date first; else by the places of
 /// their reports.
 [[nodiscard]] bool isEarlier(const StoredReport& one, const StoredReport& other);

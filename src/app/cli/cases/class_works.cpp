@@ -7,10 +7,10 @@
 #include <system_error>
 
 #include "app/cli/cases/messages.h"
-#include "assessment/report/stored_report.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/lower_case.h"
 #include "geometry/util/messages.h"
+#include "geometry/util/natural_order.h"
 #include "geometry/util/system_reason.h"
 
 namespace tactooth {
