@@ -47,14 +47,15 @@ Expected<AssessmentReport> assessOne(const ClassWork& work, const AssessOptions&
     assessed->comment = options.comment;
     Expected<AssessmentReport> report = makeReport(*assessed, source.rubric(), options.language);
     if (!report) return report;
+    std::vector<StoredReport> all;
     if (trials != nullptr) {
-        std::vector<StoredReport> all = *trials;
+        all = *trials;
         all.push_back(storedReport(*report));
         if (all.size() > 1) report->trend = trialTrend(all);
     }
     if (auto written = writeReport(folder, *report); !written) return Unexpected{written.error()};
     if (auto named = files.commit(); !named) return Unexpected{named.error()};
-    if (trials != nullptr) trials->push_back(storedReport(*report));
+    if (trials != nullptr) *trials = std::move(all);
     return report;
 }
 
