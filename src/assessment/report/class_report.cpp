@@ -8,7 +8,9 @@
 
 #include "assessment/report/assessment_report.h"
 #include "assessment/report/messages.h"
+#include "assessment/report/page_head.h"
 #include "assessment/report/table_text.h"
+#include "assessment/report/trend_svg.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 
@@ -17,8 +19,7 @@ namespace {
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4 landscape; margin: 12mm }
-body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
-    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 6mm }
+body { font-size: 10pt; line-height: 1.35; color: #1d2730; margin: 6mm }
 h1 { font-size: 17pt; margin: 0 0 2mm }
 table { border-collapse: collapse } tr { page-break-inside: avoid }
 th { text-align: left; vertical-align: bottom; font-weight: 600; font-size: 8.5pt; color: #55636f }
@@ -64,12 +65,9 @@ std::string cellOf(const CriterionScore& each) {
 
 /// The page down to what follows its heading.
 std::string headOf(const std::string& title, const Rubric& rubric, Language language) {
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n<style>{}</style>"
-        "</head><body>\n<h1>{}</h1>\n",
-        languageCode(language), htmlText(title), kStyle, htmlText(title));
     const Message columns(msg::kClassColumns, rubric.nameIn(language), fmt::format("{:.0f}", rubric.passMark));
-    return text + "<p>" + htmlText(columns.in(language)) + "</p>\n";
+    return pageHead(title, kStyle, language) + "<h1>" + htmlText(title) + "</h1>\n<p>" +
+           htmlText(columns.in(language)) + "</p>\n";
 }
 
 std::string linkTo(const std::string& address, const std::string& words) {

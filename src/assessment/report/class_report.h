@@ -24,6 +24,9 @@ struct ClassRow {
 /// One row for each work: mark, result, and the value and the score of each criterion.
 [[nodiscard]] std::string classCsv(const std::vector<ClassRow>& rows, const Rubric& rubric);
 
+/// The same as a page with links to the reports, and with the mean of each column.
+[[nodiscard]] std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric, Language language);
+
 /// The work with the folder of its student: "ann/1.stl".
 [[nodiscard]] std::string workOf(const ClassRow& row);
 
@@ -31,8 +34,5 @@ struct ClassRow {
 /// be assessed; null: none.
 [[nodiscard]] std::string studentHtml(const std::string& student, const std::vector<ClassRow>& rows,
                                       const Rubric& rubric, const TrialTrend* trend, Language language);
-
-/// The same as a page with links to the reports, and with the mean of each column.
-[[nodiscard]] std::string classHtml(const std::vector<ClassRow>& rows, const Rubric& rubric, Language language);
 
 }  // namespace tactooth

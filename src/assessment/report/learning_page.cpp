@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "assessment/report/messages.h"
+#include "assessment/report/page_head.h"
 #include "assessment/report/svg_text.h"
 #include "assessment/report/table_text.h"
 #include "geometry/util/display_text.h"
@@ -23,8 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4; margin: 14mm }
-body { font: 10pt/1.4 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
-    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 0 auto; max-width: 182mm; padding: 6mm }
+body { font-size: 10pt; line-height: 1.4; color: #1d2730; margin: 0 auto; max-width: 182mm; padding: 6mm }
 h1 { font-size: 17pt; margin: 0 0 2mm } p { margin: 1mm 0 } svg { max-width: 100%; height: auto }
 h2 { font-size: 11.5pt; margin: 6mm 0 1mm; border-bottom: 0.3mm solid #c9d2d9; padding-bottom: 1mm }
 section { page-break-inside: avoid } .small { font-size: 8.5pt; color: #55636f }
@@ -181,10 +181,7 @@ std::vector<std::string> learningTexts(const StudentLearning& student, const Lea
 
 std::string learningHtml(const std::vector<StudentLearning>& students, const LearningTest& test, Language language) {
     const std::string_view title = msg::kLearningTitle.in(language);
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n<style>{}</style>"
-        "</head><body>\n<h1>{}</h1>\n",
-        languageCode(language), title, kStyle, title);
+    std::string text = pageHead(title, kStyle, language) + "<h1>" + htmlText(title) + "</h1>\n";
     for (const std::string& each :
          {planText(test, language), cusumText(test, language), std::string(msg::kLearningPoints.in(language))}) {
         text += "<p class=\"small\">" + htmlText(each) + "</p>\n";

@@ -109,16 +109,15 @@ inline constexpr MessageText kLessIsIdeal{"less_is_ideal", "Work on this: %1. It
 inline constexpr MessageText kReportTrend{"report_trend", "Trials of this exercise", "この課題のこれまでの結果"};
 inline constexpr MessageText kTrendInterval{
     "trend_interval",
-    "Median mark of the last %1 trials: %2, with 95 % confidence between %3 and %4 (blue). Dashed: the pass mark. On "
-    "the "
-    "right: the criteria that cost most.",
+    "Median mark of the last %1 trials: %2, with 95 % confidence between %3 and %4 (blue). Dashed: the pass mark. "
+    "On the right: the criteria that cost most.",
     "直近 %1 回の評点の中央値：%2、95 % 信頼区間 %3 から %4（青）。破線：合格点。右：減点の多い評価項目。"};
-inline constexpr MessageText kTrendRange{"trend_range",
-                                         "Median mark of the last %1 trials: %2, from %3 to %4. That is too few trials "
-                                         "for a confidence interval, which needs "
-                                         "six. Dashed: the pass mark. On the right: the criteria that cost most.",
-                                         "直近 %1 回の評点の中央値：%2（%3 から %4）。信頼区間には 6 "
-                                         "回必要で、まだ回数が足りません。破線：合格点。右：減点の多い評価項目。"};
+inline constexpr MessageText kTrendRange{
+    "trend_range",
+    "Median mark of the last %1 trials: %2, from %3 to %4. That is too few trials "
+    "for a confidence interval, which needs six. Dashed: the pass mark. On the right: the criteria that cost most.",
+    "直近 %1 回の評点の中央値：%2（%3 から %4）。信頼区間には 6 "
+    "回必要で、まだ回数が足りません。破線：合格点。右：減点の多い評価項目。"};
 inline constexpr MessageText kNotAReport{
     "not_a_report",
     "%1: this is no report of an assessment; expected a report.json that 'tactooth assess' has written.",
@@ -137,15 +136,13 @@ inline constexpr MessageText kLearningTitle{"learning_title", "Has it been learn
 inline constexpr MessageText kLearningPlan{
     "learning_plan",
     "LC-CUSUM: a student who can do it fails %1 % of the trials, and one who cannot %2 %. One who cannot reaches the "
-    "limit "
-    "of %3 within %4 trials with a probability of at most %5 %.",
+    "limit of %3 within %4 trials with a probability of at most %5 %.",
     "LC-CUSUM：できる学生の不合格率を %1 %、できない学生の不合格率を %2 % とします。できない学生が %4 回以内に限度 %3 "
     "に達する確率は、%5 % 以下です。"};
 inline constexpr MessageText kCusumPlan{
     "cusum_plan",
     "CUSUM: %1 % failed trials are acceptable, %2 % are not. The risk of either wrong decision is %3 %. A sum of %4 "
-    "says "
-    "that the rate of failures is not acceptable, one of %5 that it is; then the count begins at 0 again.",
+    "says that the rate of failures is not acceptable, one of %5 that it is; then the count begins at 0 again.",
     "CUSUM：不合格率 %1 % は許容でき、%2 % は許容できません。判定を誤る確率はどちらも %3 % です。和が %4 "
     "に達すると許容できない、%5 に達すると許容できると判定し、また 0 から数えます。"};
 inline constexpr MessageText kLearningPoints{"learning_points",

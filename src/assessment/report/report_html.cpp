@@ -7,17 +7,17 @@
 #include "assessment/report/assessment_report.h"
 #include "assessment/report/messages.h"
 #include "assessment/report/next_steps.h"
+#include "assessment/report/page_head.h"
 #include "assessment/report/strip_svg.h"
 #include "assessment/report/table_text.h"
+#include "assessment/report/trend_svg.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::string_view kStyle = R"css(
 @page { size: A4; margin: 14mm }
-body { font: 10pt/1.35 "Noto Sans", "Helvetica Neue", Arial, "Hiragino Sans", "Yu Gothic", "Noto Sans CJK JP",
-    "IPAexGothic", "IPAGothic", sans-serif; color: #1d2730; margin: 0 auto;
-  max-width: 182mm; padding: 6mm }
+body { font-size: 10pt; line-height: 1.35; color: #1d2730; margin: 0 auto; max-width: 182mm; padding: 6mm }
 h1 { font-size: 17pt; margin: 0 0 1mm }
 h2 { font-size: 11.5pt; margin: 6mm 0 2mm; border-bottom: 0.3mm solid #c9d2d9; padding-bottom: 1mm }
 p { margin: 1mm 0 }
@@ -178,10 +178,7 @@ std::string allMetrics(const AssessmentReport& report) {
 }  // namespace
 
 std::string reportHtml(const AssessmentReport& report) {
-    std::string text = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"{}\"><head><meta charset=\"utf-8\"><title>{}</title>\n",
-        languageCode(report.language), htmlText(Message(msg::kReportPage, report.student).in(report.language)));
-    text += "<style>" + std::string(kStyle) + "</style></head><body>\n";
+    std::string text = pageHead(Message(msg::kReportPage, report.student).in(report.language), kStyle, report.language);
     text += head(report) + madeOf(report) + advice(report) + trend(report) + pictures(report) + sections(report) +
             strip(report) + allMetrics(report);
     text += "<p class=\"small\">" + htmlText(footerText(report)) + "</p>\n</body></html>\n";

@@ -4,13 +4,15 @@
 
 #include <fmt/core.h>
 
+#include "assessment/report/page_head.h"
+
 namespace tactooth {
 
 std::string svgHead(double width, double height) {
     return fmt::format(
-        "<svg width=\"{0:.1f}mm\" height=\"{1:.1f}mm\" viewBox=\"0 0 {0:.1f} {1:.1f}\" font-family=\"Noto Sans, Arial, "
-        "Hiragino Sans, Yu Gothic, Noto Sans CJK JP, IPAexGothic, IPAGothic, sans-serif\" font-weight=\"normal\">\n",
-        width, height);
+        "<svg width=\"{0:.1f}mm\" height=\"{1:.1f}mm\" viewBox=\"0 0 {0:.1f} {1:.1f}\" font-family=\"{2}\" "
+        "font-weight=\"normal\">\n",
+        width, height, kPageFonts);
 }
 
 std::string svgLine(double x1, double y1, double x2, double y2, std::string_view style) {

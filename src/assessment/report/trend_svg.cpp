@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
+#include "assessment/report/trend_svg.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "assessment/report/messages.h"
 #include "assessment/report/svg_text.h"
 #include "assessment/report/table_text.h"
-#include "assessment/report/trial_trend.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {

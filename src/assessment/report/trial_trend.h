@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "assessment/agreement/interval.h"
-#include "assessment/rubric/rubric.h"
 #include "geometry/util/message.h"
 
 namespace tactooth {
@@ -43,8 +42,5 @@ inline constexpr std::size_t kRecentTrials = 10;
 
 /// In sentences.
 [[nodiscard]] std::vector<std::string> trendTexts(const TrialTrend& trend, Language language);
-/// A drawing (SVG) of this size, mm: the marks with median and interval, and the criteria that cost most.
-[[nodiscard]] std::string trendSvg(const TrialTrend& trend, const Rubric& rubric, double width, double height,
-                                   Language language);
 
 }  // namespace tactooth

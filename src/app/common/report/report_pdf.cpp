@@ -13,6 +13,7 @@
 #include "assessment/report/messages.h"
 #include "assessment/report/next_steps.h"
 #include "assessment/report/strip_svg.h"
+#include "assessment/report/trend_svg.h"
 #include "geometry/util/display_text.h"
 
 namespace tactooth {
