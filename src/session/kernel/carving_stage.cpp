@@ -31,7 +31,7 @@ MaterialTable handMaterials(MaterialTable materials) {
 CarvingStage::CarvingStage(std::shared_ptr<CutModel> model, const Instrument& instrument, MaterialTable materials)
     : model_(std::move(model)),
       tool_(instrument.cutting),
-      scrapes_(instrument.hand == HandInstrument::Excavator),
+      scrapes_(instrument.scrapes()),
       materials_(scrapes_ ? handMaterials(std::move(materials)) : std::move(materials)) {
     TACTOOTH_ASSERT(model_ != nullptr);
 }

@@ -23,6 +23,8 @@ struct Instrument {
 
     /// Whether the carving thread has work with it: the tooth can be cut, and cuts taken back.
     [[nodiscard]] bool carves() const { return cuts || hand; }
+    /// Whether it takes tissue away by the hand alone.
+    [[nodiscard]] bool scrapes() const { return hand == HandInstrument::Excavator; }
 };
 
 /// A tool that only touches: it may have any shape. Not null.

@@ -26,9 +26,7 @@ Vec3 inwardOf(const SessionModel& model) {
 }
 
 /// False for an instrument that only touches.
-bool canCut(const SessionBur& bur) {
-    return !bur.isHandInstrument() || bur.instrument.hand == HandInstrument::Excavator;
-}
+bool canCut(const SessionBur& bur) { return !bur.isHandInstrument() || bur.instrument.scrapes(); }
 
 /// Distance of the head of the bur from one layer.
 std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {

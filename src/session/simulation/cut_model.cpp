@@ -85,11 +85,11 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
     if (!work) return false;
     constexpr std::array kLifts = {0.0, 0.05, 0.1, 0.2, 0.4};  // mm off the tissue
     constexpr double kKept = 5e-4;                             // N*m: 0.5 N along 1 mm
+    const Vec3 way = tick.hand.position - tick.proxy.position;
+    const double feed = std::min(way.norm(), kLongestFeed);
+    if (!(feed > 0)) return false;
     for (const double lift : kLifts) {
         const Pose start{tick.proxy.position + lift * tick.normal, tick.proxy.rotation};
-        const Vec3 way = tick.hand.position - tick.proxy.position;
-        const double feed = std::min(way.norm(), kLongestFeed);
-        if (!(feed > 0)) return false;
         const Pose goal{start.position + feed * way.normalized(), start.rotation};
         const FeedResult result = feedBur(volume_, blade.envelope, start, goal, *work, materials, blade.sharpness);
         if (!std::isfinite(result.wanted)) continue;
