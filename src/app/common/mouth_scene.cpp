@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "instruments/modelling/blend.h"
+
 namespace tactooth {
 namespace {
 
@@ -64,8 +66,7 @@ public:
 private:
     static constexpr SurfaceTag kEnamel = 0, kThin = 1, kIncisal = 2;
     static AppearanceMix share(SurfaceTag other, double part) {
-        const double within = std::clamp(part, 0.0, 1.0);
-        return {kEnamel, other, static_cast<std::uint8_t>(std::lround(255 * within * within * (3 - 2 * within)))};
+        return {kEnamel, other, static_cast<std::uint8_t>(std::lround(255 * smoothStep(0, 1, part)))};
     }
     Pose bodyInTooth_;
     double top_;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "collision/bvh/closest_point.h"
+#include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
@@ -34,31 +35,39 @@ double distanceTo(const Parts& parts, const Vec3& point, double within) {
     return nearest;
 }
 
-/// 1 at `full`, 0 at `none`, smooth between.
-double fading(double full, double none, double x) {
-    const double part = std::clamp((x - none) / (full - none), 0.0, 1.0);
-    return part * part * (3 - 2 * part);
-}
-
 class ToothZones : public AppearanceZones {
 public:
-    ToothZones(const LayeredTooth& tooth, std::size_t firstZone)
-        : materials_(tooth.materials()), firstZone_(firstZone) {
+    ToothZones(const LayeredTooth& tooth, std::size_t firstZone) : firstZone_(firstZone) {
+        for (const MaterialId id : tooth.materials().ids()) tissues_.push_back(tissueOf(tooth.materials(), id));
         for (const LayeredTooth::Layer& layer : tooth.layers()) {
-            if (materials_.hasRole(layer.material, MaterialRole::Dentin)) dentin_.push_back(layer.part);
-            if (materials_.hasRole(layer.material, MaterialRole::Decay)) decay_.push_back(layer.part);
+            const Tissue tissue = tissues_[static_cast<std::size_t>(layer.material)];
+            if (tissue == Tissue::Dentin) dentin_.push_back(layer.part);
+            if (tissue == Tissue::Decay) decay_.push_back(layer.part);
         }
     }
 
     [[nodiscard]] AppearanceMix at(const Place& place) const override {
-        const auto material = static_cast<MaterialId>(place.tag);
-        if (materials_.hasRole(material, MaterialRole::Enamel)) return enamelAt(place);
-        if (materials_.hasRole(material, MaterialRole::Dentin)) return dentinAt(place);
-        if (materials_.hasRole(material, MaterialRole::Decay)) return decayAt(place);
+        switch (place.tag < tissues_.size() ? tissues_[place.tag] : Tissue::Other) {
+            case Tissue::Enamel:
+                return enamelAt(place);
+            case Tissue::Dentin:
+                return dentinAt(place);
+            case Tissue::Decay:
+                return decayAt(place);
+            case Tissue::Other:
+                break;
+        }
         return {place.tag, place.tag, 0};
     }
 
 private:
+    enum class Tissue : std::uint8_t { Enamel, Dentin, Decay, Other };
+
+    static Tissue tissueOf(const MaterialRegistry& materials, MaterialId id) {
+        if (materials.hasRole(id, MaterialRole::Enamel)) return Tissue::Enamel;
+        if (materials.hasRole(id, MaterialRole::Dentin)) return Tissue::Dentin;
+        return materials.hasRole(id, MaterialRole::Decay) ? Tissue::Decay : Tissue::Other;
+    }
     [[nodiscard]] SurfaceTag zone(Zone of) const { return static_cast<SurfaceTag>(firstZone_ + of); }
     [[nodiscard]] static AppearanceMix mix(SurfaceTag first, SurfaceTag second, double share) {
         return {first, second, static_cast<std::uint8_t>(std::lround(255 * share))};
@@ -68,27 +77,27 @@ private:
         const SurfaceTag sound = place.isCut ? zone(kCutEnamel) : place.tag;
         const double toDecay = distanceTo(decay_, place.point, kWhiteSpotReach);
         if (toDecay < kWhiteSpotReach) {
-            return mix(sound, zone(kWhiteSpot), fading(kSoftened, kWhiteSpotReach, toDecay));
+            return mix(sound, zone(kWhiteSpot), smoothStep(kWhiteSpotReach, kSoftened, toDecay));
         }
         if (place.isCut || dentin_.empty()) return {sound, sound, 0};
         const double thickness = distanceTo(dentin_, place.point, kBare);
-        if (thickness < kFull) return mix(sound, zone(kThin), fading(kThinnest, kFull, thickness));
-        return mix(sound, zone(kIncisal), 0.7 * fading(kBare, kThick, thickness));
+        if (thickness < kFull) return mix(sound, zone(kThin), smoothStep(kFull, kThinnest, thickness));
+        return mix(sound, zone(kIncisal), 0.7 * smoothStep(kThick, kBare, thickness));
     }
 
     [[nodiscard]] AppearanceMix dentinAt(const Place& place) const {
         const SurfaceTag sound = place.isCut ? zone(kCutDentin) : place.tag;
         const double toDecay = distanceTo(decay_, place.point, kScleroticReach);
-        return mix(sound, zone(kSclerotic), fading(0, kScleroticReach, toDecay));
+        return mix(sound, zone(kSclerotic), smoothStep(kScleroticReach, 0, toDecay));
     }
 
     [[nodiscard]] AppearanceMix decayAt(const Place& place) const {
         if (!place.isCut) return {place.tag, place.tag, 0};
         return mix(place.tag, zone(kLeathery),
-                   fading(kSoftened, kInfected, distanceTo(decay_, place.point, kInfected)));
+                   smoothStep(kInfected, kSoftened, distanceTo(decay_, place.point, kInfected)));
     }
 
-    const MaterialRegistry& materials_;
+    std::vector<Tissue> tissues_;  // by tag: a picture may outlive the tooth and its materials
     std::size_t firstZone_;
     Parts dentin_, decay_;
 };
