@@ -77,8 +77,7 @@ GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     return {largestPiece(surface.mesh), !repaired};
 }
 
-ShownGingiva shownGingiva(const ToothArrangement& places, bool upper, const MouthRequest& request) {
-    const GingivaBody body = gingivaBody(places, upper, request.missing);
+ShownGingiva shownGingiva(const GingivaBody& body, bool upper, const MouthRequest& request) {
     ShownGingiva shown;
     shown.mesh = largestPiece(gingivaSurface(body, body.shown, upper, gingivaCell(request.triangles)).mesh);
     shown.zones.resize(shown.mesh.vertices.size());
@@ -90,8 +89,7 @@ ShownGingiva shownGingiva(const ToothArrangement& places, bool upper, const Mout
     return shown;
 }
 
-Expected<TriangleMesh> gingivaOf(const ToothArrangement& places, bool upper, const MouthRequest& request) {
-    const GingivaBody body = gingivaBody(places, upper, request.missing);
+Expected<TriangleMesh> gingivaOf(const GingivaBody& body, bool upper, const MouthRequest& request) {
     return firstValidGingiva(gingivaCell(request.triangles),
                              [&](double cell) { return gingivaMesh(body, upper, cell); },
                              {upper ? msg::kUpperGingiva : msg::kLowerGingiva, request.seed, request.triangles});
@@ -131,12 +129,14 @@ Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
         layout.toothInMouth[i] = side.teeth[i % kTeethPerQuadrant].shapeInMouth;
     }
     std::array<Expected<TriangleMesh>, 2> gums = {TriangleMesh(), TriangleMesh()};
+    std::array<GingivaBody, 2> bodies;
+    parallelFor(2, [&](std::size_t i) { bodies[i] = gingivaBody(places, i == 0, request.missing); });
     parallelFor(4, [&](std::size_t i) {
         const bool upper = i % 2 == 0;
         if (i < 2) {
-            gums[i] = gingivaOf(places, upper, request);
+            gums[i] = gingivaOf(bodies[i], upper, request);
         } else {
-            (upper ? layout.upperShown : layout.lowerShown) = shownGingiva(places, upper, request);
+            (upper ? layout.upperShown : layout.lowerShown) = shownGingiva(bodies[i - 2], upper, request);
         }
     });
     for (const auto& gum : gums) {

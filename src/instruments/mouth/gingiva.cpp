@@ -75,6 +75,7 @@ private:
     };
     [[nodiscard]] Place placeOf(const Vec3& p) const;
     [[nodiscard]] double tissue(const Vec3& p, const Place& place) const;
+    [[nodiscard]] double bounded(double body, const Vec3& p, const Place& place) const;
     void addSide(const JawQuadrant& side, bool right, const std::vector<int>& missing);
     void addPapillae(const JawQuadrant& side);
     void heal();
@@ -341,14 +342,18 @@ double Gingiva::tissue(const Vec3& p, const Place& place) const {
     return body;
 }
 
-double Gingiva::operator()(const Vec3& p) const {
-    const Place place = placeOf(p);
-    constexpr double kMarginRound = 0.55, kSlope = 1.3, kEndRound = 6, kBaseRound = 1.5, kSocketRound = 0.45,
-                     kTipRound = 0.5;
-    double body = smoothIntersection(tissue(p, place), -place.depth / kSlope, kMarginRound);
+/// The body as far as the jaw reaches: behind, and away from the crowns.
+double Gingiva::bounded(double body, const Vec3& p, const Place& place) const {
+    constexpr double kEndRound = 6, kBaseRound = 1.5;
     body = smoothIntersection(body, std::abs(place.at.s) - end_ - kBehind, kEndRound);
     body = smoothIntersection(body, back_ - p.y(), kBaseRound);
-    body = smoothIntersection(body, base_ - place.crownward, kBaseRound);
+    return smoothIntersection(body, base_ - place.crownward, kBaseRound);
+}
+
+double Gingiva::operator()(const Vec3& p) const {
+    const Place place = placeOf(p);
+    constexpr double kMarginRound = 0.55, kSlope = 1.3, kSocketRound = 0.45, kTipRound = 0.5;
+    double body = bounded(smoothIntersection(tissue(p, place), -place.depth / kSlope, kMarginRound), p, place);
     constexpr double kGap = 0.15;      // mm: the periodontal ligament's
     constexpr double kThinnest = 0.7;  // mm between two teeth; no tissue is in a narrower gap
     body = smoothIntersection(body, kThinnest - (place.tooth + place.next), kTipRound);
@@ -358,14 +363,11 @@ double Gingiva::operator()(const Vec3& p) const {
 /// The margin falls away from the tooth like a knife's edge that lies on it, and a papilla fills the embrasure.
 double Gingiva::shown(const Vec3& p) const {
     const Place place = placeOf(p);
-    constexpr double kMarginRound = 0.5, kSlope = 1.8, kEndRound = 6, kBaseRound = 1.5;
+    constexpr double kMarginRound = 0.5, kSlope = 1.8;
     constexpr double kFall = 0.55, kFallen = 1.6;  // mm by which it falls, within so many mm from the tooth
     const double away = std::clamp(place.tooth / kFallen, 0.0, 1.0);
     const double depth = place.depth - kFall * away * (2 - away);
-    double body = smoothIntersection(tissue(p, place), -depth / kSlope, kMarginRound);
-    body = smoothIntersection(body, std::abs(place.at.s) - end_ - kBehind, kEndRound);
-    body = smoothIntersection(body, back_ - p.y(), kBaseRound);
-    body = smoothIntersection(body, base_ - place.crownward, kBaseRound);
+    const double body = bounded(smoothIntersection(tissue(p, place), -depth / kSlope, kMarginRound), p, place);
     // Far enough into the teeth that no pixel between them and the margin stays dark, and not so far that it would be
     // seen where the inside of a tooth was cut.
     constexpr double kInto = 0.35;
