@@ -76,11 +76,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     if (student->uncut == nullptr) work.fit = *fit;
     if (exercise_) {
         preparation.ideal = ideal_;
-        work.expert = exercise_->name;
-        work.task = exercise_->task;
-        work.japaneseExpert = exercise_->japanese.name;
-        work.japaneseTask = exercise_->japanese.task;
-        work.tolerance = exercise_->tolerance;
+        setExercise(work, *exercise_);
     } else {
         GivenTooth expert = *expert_;
         Pose expertInTooth;

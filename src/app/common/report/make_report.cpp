@@ -41,6 +41,14 @@ WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
 
 }  // namespace
 
+void setExercise(AssessedWork& work, const Exercise& exercise) {
+    work.expert = exercise.name;
+    work.task = exercise.task;
+    work.japaneseExpert = exercise.japanese.name;
+    work.japaneseTask = exercise.japanese.task;
+    work.tolerance = exercise.tolerance;
+}
+
 Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language) {
     if (const auto font = reportFont(language); !font) return Unexpected{font.error()};
     const PreparationMeasures measures(work.preparation, work.track.get());

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "assessment/exercise.h"
 #include "assessment/preparation/preparation.h"
 #include "assessment/preparation/scan_alignment.h"
 #include "assessment/report/assessment_report.h"
@@ -31,6 +32,9 @@ struct AssessedWork {
     /// Receives the share of the assessment that is done, 0..1; empty: nobody wants to know.
     std::function<void(double)> progress = {};
 };
+
+/// Names the exercise whose ideal the work is compared with, and takes its tolerance.
+void setExercise(AssessedWork& work, const Exercise& exercise);
 
 /// Measures and marks a work, and draws its pictures. Takes some seconds. `rubric` outlives the report. Fails with one
 /// sentence if there is nothing to compare with or to judge, or no font for the language. Without OpenGL the report has

@@ -11,7 +11,6 @@
 #include "app/gui/controllers/examination_controller.h"
 #include "app/gui/controllers/exercise_controller.h"
 #include "app/gui/controllers/file_dialogs.h"
-#include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/finish/hand_in_dialog.h"
 #include "app/gui/finish/report_dialog.h"

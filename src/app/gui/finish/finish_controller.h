@@ -23,7 +23,6 @@ class FileDialogs;
 class HandInDialog;
 class ReplayController;
 class ReportDialog;
-class ToothController;
 class WindowMessages;
 
 /// *Finish*: stops the time of an exercise and its cutting, assesses the work in the background, and shows its report.
@@ -42,7 +41,6 @@ public:
         WindowPanels panels;
         WindowMessages& messages;
         FileDialogs& files;
-        ToothController& teeth;
         ExerciseController& exercise;
         ReplayController& replay;
     };

@@ -68,11 +68,7 @@ Expected<AssessedWork> assessedWork(const FinishedWork& finished) {
     if (!ideal) return Unexpected{ideal.error()};
     AssessedWork work;
     work.student = finished.title;
-    work.expert = exercise.name;
-    work.task = exercise.task;
-    work.japaneseExpert = exercise.japanese.name;
-    work.japaneseTask = exercise.japanese.task;
-    work.tolerance = exercise.tolerance;
+    setExercise(work, exercise);
     Preparation& preparation = work.preparation;
     preparation.original = (*uncut)->ownOuter();
     preparation.mesialX = (*uncut)->toothContext().mesialX;

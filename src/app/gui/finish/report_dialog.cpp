@@ -17,7 +17,6 @@
 #include "app/gui/finish/report_pages_view.h"
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/text/translation.h"
-#include "assessment/preparation/place_name.h"
 #include "assessment/report/next_steps.h"
 #include "geometry/util/display_text.h"
 
@@ -39,16 +38,6 @@ QString valueText(const LostPoint& point, Language language) {
     const Measured& measured = point.score->measured;
     if (!measured.value) return ReportDialog::tr("not measurable");
     return shown(tactooth::valueText(*point.score->criterion->metric, *measured.value, language));
-}
-
-QString whereText(const AssessmentReport& report, const Measured& measured) {
-    QStringList parts;
-    if (measured.place) {
-        const DentalDirections directions(report.axis, report.mesialX);
-        parts << translated(Message(placeName(*measured.place, report.middle, directions)));
-    }
-    if (measured.moment) parts << QString::fromStdString(momentText(*measured.moment));
-    return parts.join(", ");
 }
 
 /// All that is known of a criterion, for the tool tip.
@@ -158,7 +147,7 @@ QTreeWidget* ReportDialog::makeList() {
         item->setText(0, lostText(point, locale()));
         item->setText(1, shown(point.score->criterion->titleIn(language)));
         item->setText(2, valueText(point, language));
-        item->setText(3, whereText(assessment_->report, point.score->measured));
+        item->setText(3, shown(placeAndMomentText(assessment_->report, point.score->measured)));
         item->setSizeHint(1, {0, row});
         for (const int column : {0, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, factsOf(point, language));

@@ -54,7 +54,7 @@ MainWindow::MainWindow(SoundOutput& sound)
       updater_(model_, panels_, sound),
       loop_(model_),
       replay_(*this, model_, examination_, panels_, messages_, files_, updater_, sound),
-      finish_({*this, model_, examination_, examinations_, panels_, messages_, files_, teeth_, exercise_, replay_}) {
+      finish_({*this, model_, examination_, examinations_, panels_, messages_, files_, exercise_, replay_}) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
