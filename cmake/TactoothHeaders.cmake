@@ -14,6 +14,9 @@ function(tactooth_headers name)
   target_link_libraries(${name} PRIVATE ${ARG_LINKS})
   target_compile_options(${name} PRIVATE ${tactooth_headers_options})
   target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+  # The compiler knows a header that it has read by its time. One that ccache keeps would be of another checkout in the
+  # same folder, and its headers would be read twice.
+  set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER "")
 endfunction()
 
 # tactooth_use_headers(TARGET NAME): for a target with no compiler options of its own.
