@@ -15,7 +15,7 @@
 #include "view/camera/second_view.h"
 #include "view/camera/stereo.h"
 #include "view/mesh/appearance_zones.h"
-#include "view/mesh/distance_grid.h"
+#include "view/mesh/distance_colour.h"
 #include "view/scene/appearance.h"
 #include "view/scene/particle.h"
 

@@ -6,7 +6,7 @@
 #include <QPainter>
 
 #include "app/common/legends/legend_frame.h"
-#include "view/mesh/distance_grid.h"
+#include "view/mesh/distance_colour.h"
 
 namespace tactooth {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "view/mesh/distance_grid.h"
+#include "view/mesh/distance_colour.h"
 #include "view/render/image.h"
 
 class QPainter;

@@ -9,7 +9,7 @@
 #include "app/common/view_marks.h"
 #include "app/gui/settings/window_settings.h"
 #include "view/camera/orbit_camera.h"
-#include "view/mesh/distance_grid.h"
+#include "view/mesh/distance_colour.h"
 
 class QWidget;
 

@@ -1,29 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "view/mesh/distance_grid.h"
+#include "collision/solid/distance_grid.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <optional>
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
 namespace tactooth {
-
 namespace {
-
-/// Evenly spaced from -1 to 1, sRGB.
-const std::array<Vec3f, 7> kStops = {{{0.50F, 0.23F, 0.03F},
-                                      {0.88F, 0.51F, 0.08F},
-                                      {0.99F, 0.80F, 0.58F},
-                                      {0.97F, 0.97F, 0.97F},
-                                      {0.70F, 0.82F, 0.93F},
-                                      {0.26F, 0.55F, 0.79F},
-                                      {0.03F, 0.19F, 0.42F}}};
 
 /// The signed distances of points in a row, `spacing` mm apart. Each says much about the next one: its distance differs
 /// by the spacing at most, and both lie on the same side if one of them is farther from the surface than the spacing.
@@ -53,6 +40,35 @@ private:
 
 }  // namespace
 
+std::optional<GridSample> DistanceGrid::at(const Vec3& place) const {
+    const Vec3 steps = (place - low) / spacing;
+    const bool isWithin = (steps.array() >= 0).all() && (steps.array() < counts.cast<double>() - 1).all();
+    if (!isWithin) return std::nullopt;  // also where it is no number
+    const Eigen::Array3i cell = steps.array().floor().cast<int>();
+    const Vec3 part = steps - cell.cast<double>().matrix();
+    const auto valueAt = [&](int corner) {
+        const auto x = static_cast<std::size_t>(cell.x() + (corner & 1));
+        const auto y = static_cast<std::size_t>(cell.y() + (corner >> 1 & 1));
+        const auto z = static_cast<std::size_t>(cell.z() + (corner >> 2 & 1));
+        const auto nx = static_cast<std::size_t>(counts.x()), ny = static_cast<std::size_t>(counts.y());
+        return static_cast<double>(values[x + nx * (y + ny * z)]);
+    };
+    GridSample sample{0, Vec3::Zero()};
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3 weight, slope;  // of each axis
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool isHigh = (corner >> axis & 1) != 0;
+            weight[axis] = isHigh ? part[axis] : 1 - part[axis];
+            slope[axis] = isHigh ? 1 : -1;
+        }
+        const double value = valueAt(corner);
+        sample.distance += value * weight.prod();
+        for (int axis = 0; axis < 3; ++axis)
+            sample.gradient[axis] += value * slope[axis] * weight[(axis + 1) % 3] * weight[(axis + 2) % 3] / spacing;
+    }
+    return sample;
+}
+
 DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest) {
     DistanceGrid grid;
     grid.low = box.min();
@@ -71,21 +87,6 @@ DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int lon
             values[x] = static_cast<float>(sampler.next(grid.low + grid.spacing * Vec3(x, y, z)));
     });
     return grid;
-}
-
-double DistanceScale::shareOf(double distance) const {
-    TACTOOTH_ASSERT(range > 0 && tolerance >= 0 && tolerance < range);
-    if (tolerance == 0) return std::clamp(distance / range, -1.0, 1.0);
-    const double beyond = (std::abs(distance) - tolerance) / (range - tolerance);
-    if (beyond <= 0) return 0;
-    return std::copysign(std::min(1.0, kToleranceStep + (1 - kToleranceStep) * beyond), distance);
-}
-
-Vec3f distanceColour(double share) {
-    const double place = (std::clamp(share, -1.0, 1.0) + 1) / 2 * (kStops.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-    const auto part = static_cast<float>(place - static_cast<double>(below));
-    return (1 - part) * kStops[below] + part * kStops[below + 1];
 }
 
 }  // namespace tactooth

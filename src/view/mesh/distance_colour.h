@@ -3,24 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
-#include "collision/bvh/surface.h"
+#include "collision/solid/distance_grid.h"
 
 namespace tactooth {
-
-/// Signed distances to a surface on a regular grid, mm, negative inside. x varies fastest. The first sample is at
-/// `low`.
-struct DistanceGrid {
-    Vec3 low = Vec3::Zero();
-    double spacing = 1;  ///< mm
-    Eigen::Array3i counts = Eigen::Array3i::Zero();
-    std::vector<float> values;
-};
-
-/// Samples the distance to the closed surface `target` everywhere in `box`, with `longest` samples along its longest
-/// side. The result is the same for any number of threads.
-[[nodiscard]] DistanceGrid sampleDistances(const SurfacePart& target, const Box3& box, int longest = 96);
 
 /// Which colours belong to which distances, mm: those of `distanceColour` from -range to range.
 struct DistanceScale {
