@@ -409,6 +409,16 @@ It is off in an examination.</source>
         <translation>力覚のある装置では、バーをその深さで止め、手を押し返します。
 試験中は使えません。</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>誘導</translation>
+    </message>
+    <message>
+        <source>A device that renders force gently pushes the hand back where the bur goes beyond the walls of the target.
+It can be overcome, and is off in an examination.</source>
+        <translation>力覚のある装置では、バーが目標の窩壁を越えると、手を穏やかに押し戻します。
+力を入れれば越えられます。試験中は使えません。</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::GuidedTour</name>

@@ -16,14 +16,13 @@ PoseReading readingOf(const DeviceSample& sample) {
     return {sample.hand.position, sample.hand.rotation, sample.age, sample.isFresh};
 }
 
-/// The springs of tooth and stop are in a row, and their forces add up. What counts for the passivity controller is the
-/// energy in both.
-void addDepthStop(ForceCommand& wanted, const DepthStop& stop) {
-    if (!(stop.beyond() > 0)) return;
-    wanted.wrench.force += stop.force();
-    const double twiceEnergy = wanted.stiffness * wanted.deflection * wanted.deflection +
-                               DepthStop::kStiffness * stop.beyond() * stop.beyond();
-    wanted.deflection += stop.beyond();
+/// The springs of tooth and fixture are in a row, and their forces add up. What counts for the passivity controller is
+/// the energy in both.
+void addFixture(ForceCommand& wanted, const FixtureForce& fixture) {
+    if (!(fixture.beyond > 0)) return;
+    wanted.wrench.force += fixture.force;
+    const double twiceEnergy = wanted.stiffness * wanted.deflection * wanted.deflection + 2 * fixture.energy;
+    wanted.deflection += fixture.beyond;
     wanted.stiffness = twiceEnergy / (wanted.deflection * wanted.deflection);
     wanted.touching = true;
 }
@@ -97,9 +96,12 @@ void DeviceSet::move(std::size_t instrument, const DeviceControls& controls, dou
     frame.setMotionScaling(controls.motionScaling);
     frame.setClutch(controls.clutch || hand.buttons.clutchHeld());
     const Pose wanted = frame.toolFor(hand.sample.hand);
-    instruments_[instrument] = instrument == kTurbine ? depthStop_.hold(wanted, controls.depthStop, elapsed,
-                                                                        proxy_ ? &proxy_->position : nullptr)
-                                                      : wanted;
+    if (instrument != kTurbine) {
+        instruments_[instrument] = wanted;
+        return;
+    }
+    instruments_[kTurbine] = depthStop_.hold(wanted, controls.depthStop, elapsed, proxy_ ? &proxy_->position : nullptr);
+    if (controls.guide != nullptr) guide_ = controls.guide->push(instruments_[kTurbine]);
 }
 
 void DeviceSet::read(double elapsed, const DeviceControls& controls) {
@@ -113,6 +115,7 @@ void DeviceSet::read(double elapsed, const DeviceControls& controls) {
                                  isNearWorkspaceLimit(hand->device->info(), hand->sample.hand.position,
                                                       hand->atWorkspaceLimit ? kBackIn : kAtEnd);
     }
+    guide_ = {};
     move(kTurbine, controls, elapsed);
     move(kMirror, controls, elapsed);
 }
@@ -121,7 +124,11 @@ ForceCommand DeviceSet::wantedFor(const HeldDevice& hand, const Tick& tick, bool
     const int holder = holders_[kTurbine];
     const bool holds = holder != kNoHolder && devices_[static_cast<std::size_t>(holder)] == &hand;
     ForceCommand wanted = holds ? forceCommandFrom(tick) : ForceCommand{};
-    if (holds) addDepthStop(wanted, depthStop_);
+    if (holds) {
+        const double beyond = depthStop_.beyond();
+        addFixture(wanted, {depthStop_.force(), beyond, DepthStop::kStiffness * beyond * beyond / 2});
+        addFixture(wanted, guide_);
+    }
     const DeviceMapping& frame = hand.frames[kTurbine];
     wanted.wrench = frame.toDevice(wanted.wrench);
     wanted.driveForce = frame.toDevice(Wrench{wanted.driveForce, Vec3::Zero()}).force;

@@ -11,6 +11,7 @@
 #include "session/control/button_actions.h"
 #include "session/control/depth_stop.h"
 #include "session/control/device_mapping.h"
+#include "session/control/wall_guide.h"
 
 namespace tactooth {
 
@@ -20,6 +21,7 @@ struct DeviceControls {
     double motionScaling = 1;  ///< mm of the device for each mm of its instrument
     ButtonMap buttons = {};
     const DepthControl* depthStop = nullptr;  ///< the floor at which the turbine is held; null: it is not held
+    const WallGuide* guide = nullptr;         ///< that the hand with the turbine feels; null: there is none
 };
 
 /// The user's one or two devices, one for each hand, and the two instruments, turbine and mirror. The first device
@@ -96,6 +98,7 @@ private:
                                      Pose{}};
     std::optional<Pose> proxy_;  // of the turbine at the last tick
     DepthStop depthStop_;        // of the turbine
+    FixtureForce guide_;         // of the turbine
     bool silent_ = true;
 };
 

@@ -109,7 +109,8 @@ void LiveRunner::servoTick(double elapsed) {
     const SessionControls& controls = controls_.value();
     const std::uint32_t taken = takeSurfaces();
 
-    devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons, controls.depthStop.get()});
+    devices_.read(elapsed, {controls.clutch, controls.motionScaling, controls.buttons, controls.depthStop.get(),
+                            controls.guide.get()});
     setForce(controls);
     const double pedal = std::max(controls.pedal, devices_.pedal());
     const TickInput input =

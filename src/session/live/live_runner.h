@@ -39,6 +39,7 @@ struct SessionControls {
     double motionScaling = 1;  ///< mm that the hand moves for each mm of the tool: 3 for fine work
     ButtonMap buttons = {};
     std::shared_ptr<const DepthControl> depthStop{};  ///< for devices: the floor at which they stop; null: they do not
+    std::shared_ptr<const WallGuide> guide{};         ///< for devices: what pushes them back; null: nothing
 };
 
 /// A running simulation of one tooth, one instrument and the devices of one or two hands. The servo thread moves the

@@ -73,6 +73,18 @@ void SessionModel::install(SessionBur bur) {
     bur_ = std::move(bur);
     manipulator_.setHoldsHandInstrument(bur_->isHandInstrument());
     needsRunner_ = true;
+    makeWallGuide();
+}
+
+/// A hand instrument feels none: a probe goes as deep as it can.
+void SessionModel::makeWallGuide() {
+    const bool hasBoth = guideWalls_ != nullptr && bur_ && !bur_->isHandInstrument();
+    wallGuide_ = hasBoth ? std::make_shared<const WallGuide>(guideWalls_, bur_->instrument.cutting.envelope) : nullptr;
+}
+
+void SessionModel::setGuideWalls(std::shared_ptr<const DistanceGrid> walls) {
+    guideWalls_ = std::move(walls);
+    makeWallGuide();
 }
 
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
@@ -266,6 +278,7 @@ SessionControls SessionModel::currentControls() const {
     if (depthStop_ && depthStopAllowed_ && hasFloor && devices_.first() != nullptr) {
         now.depthStop = std::make_shared<const DepthControl>(manipulator_.depthControl());
     }
+    if (guide_ && guideAllowed_ && devices_.first() != nullptr) now.guide = wallGuide_;
     return now;
 }
 

@@ -75,6 +75,12 @@ public:
     /// may. Not so in an examination.
     void setDepthStop(bool on) { depthStop_ = on; }
     void setDepthStopAllowed(bool allowed) { depthStopAllowed_ = allowed; }
+    /// Whether a device feels a guide at the walls of the ideal cavity (WallGuide), and whether it may. Not so in an
+    /// examination.
+    void setGuide(bool on) { guide_ = on; }
+    void setGuideAllowed(bool allowed) { guideAllowed_ = allowed; }
+    /// Where these walls are (guideWalls); null: there are none.
+    void setGuideWalls(std::shared_ptr<const DistanceGrid> walls);
     /// From the next tick on, each tick goes there, too. Null: nowhere.
     void streamTo(std::shared_ptr<LiveStream> stream);
     /// Whether ticks may go there. Not so in an examination.
@@ -163,6 +169,7 @@ private:
     void reportOverload(StepResult& stepResult);
     void advanceDepthControl();
     [[nodiscard]] SessionControls currentControls() const;
+    void makeWallGuide();
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
     SoundOutput& sound_;
@@ -186,6 +193,9 @@ private:
     bool paused_ = false;
     bool editsAllowed_ = true;
     bool depthStop_ = false, depthStopAllowed_ = true;
+    bool guide_ = false, guideAllowed_ = true;
+    std::shared_ptr<const DistanceGrid> guideWalls_;
+    std::shared_ptr<const WallGuide> wallGuide_;  // of these walls and the present bur; null: there is none
     std::shared_ptr<LiveStream> stream_;
     std::atomic<bool> streamAllowed_{true};
     WorkHistory history_;

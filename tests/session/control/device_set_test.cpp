@@ -230,6 +230,40 @@ TEST(DeviceSet, ALostDeviceGetsNoForceOfTheDepthStop) {
     EXPECT_EQ(rig.first.force, Vec3::Zero());
 }
 
+/// A guide that wants nothing of the block cut.
+WallGuide guideAtTheBlock() {
+    auto walls =
+        std::make_shared<const DistanceGrid>(guideWalls(*block()->base, Box3(Vec3(-1, -1, -2), Vec3(1, 1, 0))));
+    return {std::move(walls), RevolutionEnvelope::make(test::sphere(Vec3(0, 0, 0.5), 0.5, 48, 24)).value()};
+}
+
+TEST(DeviceSet, AGuideAddsItsSpringAndMovesNothing) {
+    const WallGuide guide = guideAtTheBlock();
+    Rig rig;
+    rig.press(rig.first);
+    const double byTooth = rig.first.force.z();
+    rig.controls.guide = &guide;
+    rig.run(500);
+    EXPECT_NEAR(rig.hands.turbine().position.z(), kPressed, 1e-9) << "what is simulated is the tool of the hand";
+    EXPECT_NEAR(rig.first.force.z() - byTooth, WallGuide::kMostForce, 0.1);
+    EXPECT_LE(rig.first.worstStep, kMaxStep + 1e-9);
+    EXPECT_EQ(rig.second.force, Vec3::Zero()) << "the mirror is free";
+    rig.controls.guide = nullptr;
+    rig.run(500);
+    EXPECT_NEAR(rig.first.force.z(), byTooth, 0.05);
+}
+
+TEST(DeviceSet, ALostDeviceGetsNoForceOfTheGuide) {
+    const WallGuide guide = guideAtTheBlock();
+    Rig rig;
+    rig.controls.guide = &guide;
+    rig.press(rig.first);
+    ASSERT_GT(rig.first.force.z(), 0.5);
+    rig.first.sample.connected = false;
+    rig.run(1);
+    EXPECT_EQ(rig.first.force, Vec3::Zero());
+}
+
 TEST(DeviceSet, ASwapMovesNothingAndExchangesWhatTheyHold) {
     Rig rig;
     rig.run(1);

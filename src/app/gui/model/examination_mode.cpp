@@ -16,6 +16,7 @@ void ExaminationMode::begin(std::shared_ptr<const SigningKey> seal) {
     seal_ = std::move(seal);
     model_.setEditsAllowed(false);
     model_.setDepthStopAllowed(false);
+    model_.setGuideAllowed(false);
     model_.setStreamAllowed(false);
     emit changed();
 }
@@ -25,6 +26,7 @@ void ExaminationMode::finish() {
     seal_.reset();
     model_.setEditsAllowed(true);
     model_.setDepthStopAllowed(true);
+    model_.setGuideAllowed(true);
     model_.setStreamAllowed(true);
     emit changed();
 }

@@ -7,7 +7,7 @@
 
 #include "assessment/cavity_ghost.h"
 #include "assessment/cavity_metrics.h"
-#include "view/mesh/distance_grid.h"
+#include "collision/solid/distance_grid.h"
 
 namespace tactooth {
 
@@ -15,6 +15,7 @@ namespace tactooth {
 struct Target {
     QString name;
     std::shared_ptr<const DistanceGrid> distances;
+    std::shared_ptr<const DistanceGrid> guideWalls;  ///< see WallGuide
     std::shared_ptr<CavityGhost> ghost;
     std::shared_ptr<CavityMetrics> metrics;
 };

@@ -72,9 +72,15 @@ void ForcePanel::addHand(QGridLayout& grid) {
     stop_->setToolTip(
         tr("A device that renders force holds the bur at the depth and pushes the hand back.\nIt is off in an "
            "examination."));
+    guide_ = new QCheckBox(tr("Guide"));
+    guide_->setObjectName("wallGuide");
+    guide_->setToolTip(
+        tr("A device that renders force gently pushes the hand back where the bur goes beyond the walls of the "
+           "target.\nIt can be overcome, and is off in an examination."));
     auto* switches = new QHBoxLayout;  // in one row: the panel is as high as the window at its first start
     switches->addWidget(flat_);
     switches->addWidget(stop_);
+    switches->addWidget(guide_);
     switches->addStretch();
     grid.addLayout(switches, grid.rowCount(), 0, 1, 3);
     press_ =
@@ -91,12 +97,14 @@ void ForcePanel::addHand(QGridLayout& grid) {
     connect(stop_, &QCheckBox::toggled, this, enableDepth);
     connect(depth_, &NumberRow::changed, this, &ForcePanel::handChanged);
     connect(flat_, &QCheckBox::toggled, this, &ForcePanel::handChanged);
+    connect(guide_, &QCheckBox::toggled, this, &ForcePanel::handChanged);
     connect(press_, &NumberRow::changed, this, &ForcePanel::handChanged);
 }
 
 void ForcePanel::applyTo(SessionModel& model) const {
     const ForceSettings now = settings();
     model.setDepthStop(now.depthStop);
+    model.setGuide(now.guide);
     MouseManipulator& hand = model.manipulator();
     hand.setPressMode(now.mouse == kMouseByForce ? PressMode::Force : PressMode::Depth);
     hand.setPressDepth(now.press);
@@ -119,6 +127,7 @@ ForceSettings ForcePanel::settings() const {
             .depth = depth_->value(),
             .flatFloor = flat_->isChecked(),
             .depthStop = stop_->isChecked(),
+            .guide = guide_->isChecked(),
             .friction = friction_->value()};
 }
 
@@ -132,6 +141,7 @@ void ForcePanel::set(const ForceSettings& settings) {
     depth_->setValue(settings.depth);
     flat_->setChecked(settings.flatFloor);
     stop_->setChecked(settings.depthStop);
+    guide_->setChecked(settings.guide);
     friction_->setValue(settings.friction);
 }
 

@@ -56,6 +56,7 @@ private:
     NumberRow* depth_;
     QCheckBox* flat_;
     QCheckBox* stop_;
+    QCheckBox* guide_;
 };
 
 }  // namespace tactooth

@@ -68,6 +68,10 @@ inline constexpr MessageText kOptionForceFlatFloor{"option_force_flat_floor",
 inline constexpr MessageText kOptionForceDepthStop{
     "option_force_depth_stop", "A haptic device stops at that depth, too, and pushes back; not in an examination",
     "力覚装置もその深さで止まり、手を押し返す（試験中を除く）"};
+inline constexpr MessageText kOptionForceGuide{
+    "option_force_guide",
+    "A haptic device gently pushes the hand back at the walls of the target; not in an examination",
+    "力覚装置が目標の窩壁で手を穏やかに押し戻す（試験中を除く）"};
 inline constexpr MessageText kOptionHandDevice{"option_hand_device", "Device that moves the bur", "バーを動かす装置"};
 inline constexpr MessageText kOptionHandSecondDevice{"option_hand_second_device",
                                                      "Device of the other hand, which holds the mirror",

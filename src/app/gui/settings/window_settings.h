@@ -39,6 +39,7 @@ struct ForceSettings {
     double depth = DepthControl::kUsualDepth;  ///< at which kMouseToDepth ends, mm
     bool flatFloor = false;                    ///< the depth counts from one plane
     bool depthStop = false;                    ///< a device stops at that depth, too
+    bool guide = false;                        ///< a device feels the walls of the target
     double friction = enamelNumbers().friction;
 
     bool operator==(const ForceSettings&) const = default;

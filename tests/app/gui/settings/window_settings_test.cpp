@@ -31,6 +31,7 @@ WindowSettings unusual() {
                       .depth = 2.1,
                       .flatFloor = true,
                       .depthStop = true,
+                      .guide = true,
                       .friction = 0.35},
             .hand = {"gamepad:Wireless", "pen:Left", 2.5, 2000, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
