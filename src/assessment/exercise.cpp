@@ -61,8 +61,42 @@ std::optional<std::vector<double>> heightsAt(const std::vector<Vec3>& places, co
     return heights;
 }
 
-/// The paths of the bur's tip, with their heights.
-Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, const LayeredTooth& tooth) {
+Expected<CuttingTool> burOf(const Exercise& exercise) {
+    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
+        const Expected<CustomBur> own = readCustomBur(*file);
+        if (!own) return Unexpected{own.error()};
+        return makeCuttingTool(own->surface);
+    }
+    const std::string& number = std::get<std::string>(exercise.bur);
+    const std::optional<BurSpec> bur = findBur(number);
+    if (!bur) return unexpected(msg::kBurNotInCatalogue, quotedWord(number));
+    return makeCuttingTool(makeBur(*bur).surface);
+}
+
+Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
+                                std::shared_ptr<const LayeredTooth> tooth) {
+    const Quat grip = shortestRotation(Vec3::UnitZ(), plan.outward);
+    const auto paths = tipPaths(plan, *tooth);
+    if (!paths) return Unexpected{paths.error()};
+    CutModel piece(std::move(tooth), kVoxel);
+    Pose before{kClear * plan.outward, grip};
+    for (const std::vector<Vec3>& path : *paths) {
+        // A pear that is lifted leaves a hole wider than its groove.
+        const bool goesOn = (path.front() - before.position).norm() < kNextPath;
+        if (!goesOn) before.position = path.front() + kClear * plan.outward;
+        for (const Vec3& tip : path) {
+            const Pose next{tip, grip};
+            piece.sweep(tool, before, next);
+            before = next;
+        }
+    }
+    piece.refreshSurface();
+    return asReadFromFile(*piece.surface());
+}
+
+}  // namespace
+
+Expected<std::vector<std::vector<Vec3>>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth) {
     const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
     std::vector<std::vector<Vec3>> paths;
     double floor = 0;
@@ -90,41 +124,6 @@ Expected<std::vector<std::vector<Vec3>>> pathsOf(const PreparationPlan& plan, co
     }
     return paths;
 }
-
-Expected<CuttingTool> burOf(const Exercise& exercise) {
-    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
-        const Expected<CustomBur> own = readCustomBur(*file);
-        if (!own) return Unexpected{own.error()};
-        return makeCuttingTool(own->surface);
-    }
-    const std::string& number = std::get<std::string>(exercise.bur);
-    const std::optional<BurSpec> bur = findBur(number);
-    if (!bur) return unexpected(msg::kBurNotInCatalogue, quotedWord(number));
-    return makeCuttingTool(makeBur(*bur).surface);
-}
-
-Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
-                                std::shared_ptr<const LayeredTooth> tooth) {
-    const Quat grip = shortestRotation(Vec3::UnitZ(), plan.outward);
-    const auto paths = pathsOf(plan, *tooth);
-    if (!paths) return Unexpected{paths.error()};
-    CutModel piece(std::move(tooth), kVoxel);
-    Pose before{kClear * plan.outward, grip};
-    for (const std::vector<Vec3>& path : *paths) {
-        // A pear that is lifted leaves a hole wider than its groove.
-        const bool goesOn = (path.front() - before.position).norm() < kNextPath;
-        if (!goesOn) before.position = path.front() + kClear * plan.outward;
-        for (const Vec3& tip : path) {
-            const Pose next{tip, grip};
-            piece.sweep(tool, before, next);
-            before = next;
-        }
-    }
-    piece.refreshSurface();
-    return asReadFromFile(*piece.surface());
-}
-
-}  // namespace
 
 std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth) {
     const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();

@@ -115,6 +115,9 @@ struct BurPath {
 [[nodiscard]] std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth,
                                             const std::shared_ptr<const SurfacePart>& outer);
 
+/// The same as places of the bur's tip at their final depth, tooth frame, mm. Fails with one sentence.
+[[nodiscard]] Expected<std::vector<std::vector<Vec3>>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth);
+
 /// The place from whose height, along PreparationPlan::outward, the depth of a flat floor counts. Nothing where the
 /// first stroke misses the uncut tooth, and where the paths have their own heights.
 [[nodiscard]] std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth);

@@ -421,6 +421,7 @@ int runCommandLine(int argc, const char* const* argv) {
     addAssessCommand(program, chosen);
     addCalibrateCommand(program, chosen);
     addLearnedCommand(program, chosen);
+    addStudyCommand(program, chosen);
     addDemo(program, chosen);
     addSound(program, chosen);
     addSessionCommands(program, chosen);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "assessment/agreement/median.h"
 #include "assessment/messages.h"
 #include "assessment/process/movement.h"
 
@@ -23,12 +25,9 @@ constexpr double kCutoff = 20;             // Hz: hands are slower; faster is th
 constexpr std::size_t kEach = 10;          // samples: the speed is taken at 100 Hz
 constexpr double kSpeedRate = kRate / kEach;
 
-/// The middle one, or the mean of both middle ones.
 Measured median(std::vector<double> values, const MessageText& reason) {
-    if (values.empty()) return Measured::none(reason);
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return Measured::of(values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2);
+    const auto middle = medianOf(std::move(values));
+    return middle ? Measured::of(*middle) : Measured::none(reason);
 }
 
 }  // namespace

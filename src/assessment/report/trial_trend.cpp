@@ -7,16 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/agreement/median.h"
 #include "assessment/report/messages.h"
 #include "geometry/util/assert.h"
 
 namespace tactooth {
 namespace {
-
-double medianOf(const std::vector<double>& sorted) {
-    const std::size_t half = sorted.size() / 2;
-    return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
-}
 
 /// How many marks on each side lie outside the interval of the median: the most for which a fair coin, thrown `count`
 /// times, shows at most so many heads with a probability of 2.5 %. Nothing if even none is too likely.
@@ -41,7 +37,7 @@ RecentMarks recentMarks(std::span<const double> marks) {
     const std::size_t count = std::min(marks.size(), kRecentTrials);
     std::vector<double> sorted(marks.end() - static_cast<std::ptrdiff_t>(count), marks.end());
     std::ranges::sort(sorted);
-    RecentMarks recent{count, medianOf(sorted), sorted.front(), sorted.back(), {}};
+    RecentMarks recent{count, *medianOf(sorted), sorted.front(), sorted.back(), {}};
     if (const auto outside = outsideOfInterval(count))
         recent.interval = Interval{sorted[*outside], sorted[count - 1 - *outside]};
     return recent;

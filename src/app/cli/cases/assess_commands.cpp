@@ -3,6 +3,7 @@
 #include "app/cli/cases/assess_command.h"
 #include "app/cli/cases/calibrate_command.h"
 #include "app/cli/cases/learned_command.h"
+#include "app/cli/cases/study_command.h"
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/number_range.h"
 
@@ -118,6 +119,35 @@ void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
     addRate(*command, "--unacceptable", options->unacceptable, "Share that is not acceptable (default: 0.15)");
     addLanguage(*command, options->language);
     command->add_flag("--json", options->json, "Writes learned.json to the standard output, too");
+}
+
+void addStudyCommand(CLI::App& program, CommandAction& chosen) {
+    const auto options = std::make_shared<StudyOptions>();
+    CLI::App* command = addCommand(program, chosen, "study",
+                                   "Tests the metrics: synthetic hands with known habits work at an exercise, and each "
+                                   "habit must show.",
+                                   options, runStudy);
+    command
+        ->add_option("--exercise", options->exercise,
+                     "Exercise at which they work: a TOML file, or a built-in one, as class-1-46 (docs/exercises.md)")
+        ->required()
+        ->type_name("EXERCISE");
+    command
+        ->add_option("--rubric", options->rubric,
+                     "What the mark is made of, as for 'assess' (default: that of the exercise)")
+        ->type_name("RUBRIC");
+    command->add_option("--hands", options->hands, "Number of hands of each level (default: 5)")
+        ->transform(wholeNumberFrom(2, 100))
+        ->type_name("N:2 to 100");
+    command->add_option("--seed", options->seed, "Another number gives other hands (default: 1)")
+        ->transform(wholeNumberFrom(0, 1000000))
+        ->type_name("N:0 to 1000000");
+    command->add_option("--out", options->out, "Folder for study.html, study.csv and study.json")
+        ->required()
+        ->type_name("DIR");
+    command->add_flag("--record", options->record, "Also leaves a recording of each hand, in the folder 'hands'");
+    addLanguage(*command, options->language);
+    command->add_flag("--json", options->json, "Writes study.json to the standard output, too");
 }
 
 }  // namespace tactooth

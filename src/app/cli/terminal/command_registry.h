@@ -36,6 +36,7 @@ void addSessionCommands(CLI::App& program, CommandAction& chosen);
 void addAssessCommand(CLI::App& program, CommandAction& chosen);
 void addCalibrateCommand(CLI::App& program, CommandAction& chosen);
 void addLearnedCommand(CLI::App& program, CommandAction& chosen);
+void addStudyCommand(CLI::App& program, CommandAction& chosen);
 /// Patient cases.
 void addCaseCommands(CLI::App& program, CommandAction& chosen);
 /// Changes to surfaces.

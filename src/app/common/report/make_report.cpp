@@ -41,6 +41,8 @@ WorkStrip stripOf(const AssessedWork& work, const AssessmentReport& report) {
 
 }  // namespace
 
+std::string programText() { return std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit; }
+
 void setExercise(AssessedWork& work, const Exercise& exercise) {
     work.expert = exercise.name;
     work.task = exercise.task;
@@ -83,7 +85,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     const bool isOver = overMax.value.value_or(0) > work.tolerance;
     report.sections =
         reportSections(work.preparation, measures.surfaces, isOver ? overMax.place : std::nullopt, language);
-    report.program = std::string("Tactooth ") + TACTOOTH_VERSION + ", " + kCommit;
+    report.program = programText();
     Expected<std::vector<ReportPicture>> pictures =
         reportPictures(work.preparation, measures.surfaces, work.tolerance, language);
     if (pictures) {

@@ -33,6 +33,9 @@ struct AssessedWork {
     std::function<void(double)> progress = {};
 };
 
+/// Version and commit of this program.
+[[nodiscard]] std::string programText();
+
 /// Names the exercise whose ideal the work is compared with, and takes its tolerance.
 void setExercise(AssessedWork& work, const Exercise& exercise);
 

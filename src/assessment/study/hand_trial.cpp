@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/study/hand_trial.h"
+
+#include "assessment/ideal_shape.h"
+#include "assessment/messages.h"
+#include "assessment/study/messages.h"
+#include "geometry/util/messages.h"
+#include "haptics/force_pipeline.h"
+#include "instruments/bur_shape.h"
+#include "session/cases/custom_bur.h"
+#include "session/control/surface_ray.h"
+#include "session/track/track_tick.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kVoxel = 0.05;  // mm, as for a student's tooth
+constexpr double kTick = 0.001;  // s
+constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 ms
+constexpr double kFarAway = 60;  // mm
+
+Expected<Instrument> instrumentOf(const Exercise& exercise) {
+    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
+        Expected<CustomBur> own = readCustomBur(*file);
+        if (!own) return Unexpected{own.error()};
+        Expected<CuttingTool> cutting = makeCuttingTool(own->surface, own->sharpness);
+        if (!cutting) return unexpected(msg::kNamedSentence, own->name, cutting.error());
+        const BurEdge edge = own->edge();
+        return Instrument{std::make_shared<const ToolShape>(std::move(own->surface)), std::move(*cutting), edge};
+    }
+    const std::optional<BurSpec> spec = findBur(std::get<std::string>(exercise.bur));
+    if (!spec) return unexpected(msg::kBurNotInCatalogue, std::get<std::string>(exercise.bur));
+    TriangleMesh surface = makeBur(*spec).surface;
+    Expected<CuttingTool> cutting = makeCuttingTool(surface, spec->sharpness);
+    if (!cutting) return unexpected(msg::kNamedSentence, spec->name, cutting.error());
+    return Instrument{std::make_shared<const ToolShape>(std::move(surface)), std::move(*cutting), spec->edge()};
+}
+
+/// Depth of each place below the uncut surface along the shaft, mm; negative above it.
+std::vector<double> depthsOf(const std::vector<Vec3>& path, const Surface& uncut, const Vec3& outward) {
+    std::vector<double> depths;
+    for (const Vec3& place : path) {
+        const auto hit = firstHit(uncut, {place + kFarAway * outward, -outward});
+        depths.push_back(hit ? kFarAway - *hit : 0);  // beside the tooth there is no surface
+    }
+    return depths;
+}
+
+}  // namespace
+
+Expected<StudyScene> studyScene(const Exercise& exercise, Preparation preparation) {
+    const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
+    if (plan == nullptr) return unexpected(msg::kStudyNeedsAPlan, exercise.name);
+    auto paths = tipPaths(*plan, *preparation.tooth);
+    if (!paths) return Unexpected{paths.error()};
+    Expected<Instrument> instrument = instrumentOf(exercise);
+    if (!instrument) return Unexpected{instrument.error()};
+    StudyScene scene{std::move(preparation), {std::move(*paths), {}, plan->outward}, std::move(*instrument)};
+    const Surface uncut{.base = scene.preparation.original};
+    for (const std::vector<Vec3>& path : scene.task.paths)
+        scene.task.depths.push_back(depthsOf(path, uncut, plan->outward));
+    return scene;
+}
+
+std::shared_ptr<CutModel> uncutModel(const StudyScene& scene) {
+    return std::make_shared<CutModel>(scene.preparation.tooth, kVoxel);
+}
+
+HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& model, const HandHabits& habits,
+                   std::uint64_t seed, const StepwiseSession::EventSink& sink) {
+    SyntheticHand hand(routeOf(scene.task, habits), scene.task.outward, habits, seed);
+    HapticSettings settings;
+    settings.materials = MaterialTable(scene.preparation.tooth->materials());
+    StepwiseSession session(model, {scene.instrument, settings, Placement::AtOnce}, sink);
+    ForcePipeline pipeline(ForceLimits{});
+    HandWorkMeter meter;
+    Vec3 force = Vec3::Zero();
+    const auto longest = static_cast<std::int64_t>(kLongestTrial / kTick);
+    std::int64_t tick = 0;
+    for (; tick < longest && !hand.isDone(); ++tick) {
+        const double time = kTick * static_cast<double>(tick);
+        const Tick now = session.step({hand.move(kTick, force.norm()), 1, true}, kTick, time);
+        force = pipeline.pass(forceCommandFrom(now), kTick).force();
+        meter.add(TrackTick::of(now.time, now));
+        if (tick % kTicksPerCut == 0) (void)session.carve();
+        session.list();
+    }
+    session.finish(/*dropsPieces=*/true);
+    HandTrial trial;
+    trial.isFinished = hand.isDone();
+    trial.toothHash = model->hash();
+    Preparation preparation = scene.preparation;
+    preparation.prepared = std::make_shared<const SurfacePart>(asReadFromFile(*model->surface()));
+    PreparationMeasures measures(preparation);
+    measures.hasSession = true;
+    measures.hand = meter.finish();
+    trial.metrics = measureAll(measures);
+    return trial;
+}
+
+}  // namespace tactooth

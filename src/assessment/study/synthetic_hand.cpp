@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/study/synthetic_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "assessment/agreement/seeded_random.h"
+#include "geometry/util/assert.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kCutting = 3;   // mm/s in the tooth
+constexpr double kTravel = 20;   // mm/s above it
+constexpr double kLift = 2;      // mm above the highest place of the paths' surface
+constexpr double kNextPath = 1;  // mm: to a path that begins so near, the bur goes without leaving the tooth
+constexpr double kAbove = 0.2;   // mm above the surface, where a layer has nothing to cut
+constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
+
+/// Mean of all places without their height.
+Vec3 middleOf(const HandTask& task) {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (const auto& path : task.paths) {
+        for (const Vec3& place : path) sum += place;
+        count += static_cast<double>(path.size());
+    }
+    return sum / count;
+}
+
+double lengthOf(std::span<const HandStation> route) {
+    double length = 0;
+    for (std::size_t i = 1; i < route.size(); ++i) {
+        if (route[i].isInTooth) length += (route[i].tip - route[i - 1].tip).norm();
+    }
+    return length;
+}
+
+/// Adds stations; lifts the bur where the next run begins elsewhere.
+class RouteBuilder {
+public:
+    RouteBuilder(const Vec3& outward, double clearHeight) : outward_(outward), clear_(clearHeight) {}
+
+    void add(const std::vector<Vec3>& run) {
+        if (run.empty()) return;
+        const bool goesOn = !route_.empty() && (run.front() - route_.back().tip).norm() < kNextPath;
+        if (!goesOn) {
+            lift();
+            route_.push_back({cleared(run.front())});
+        }
+        for (const Vec3& place : run) route_.push_back({place, true});
+    }
+    void lift() {
+        if (!route_.empty()) route_.push_back({cleared(route_.back().tip)});
+    }
+    [[nodiscard]] std::vector<HandStation>& route() { return route_; }
+
+private:
+    [[nodiscard]] Vec3 cleared(const Vec3& place) const { return place + (clear_ - outward_.dot(place)) * outward_; }
+
+    Vec3 outward_;
+    double clear_;  // height along outward, mm
+    std::vector<HandStation> route_;
+};
+
+/// Ends the route before the last `share` of its way through the tooth.
+void cutShort(std::vector<HandStation>& route, double share) {
+    double left = lengthOf(route) * (1 - share);
+    for (std::size_t i = 1; i < route.size(); ++i) {
+        if (!route[i].isInTooth) continue;
+        left -= (route[i].tip - route[i - 1].tip).norm();
+        if (left >= 0) continue;
+        route.resize(i + 1);
+        return;
+    }
+}
+
+}  // namespace
+
+std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits) {
+    TACTOOTH_ASSERT(!task.paths.empty() && task.paths.size() == task.depths.size());
+    TACTOOTH_ASSERT(habits.layer > 0);
+    double deepest = 0, highest = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < task.paths.size(); ++i) {
+        for (std::size_t k = 0; k < task.paths[i].size(); ++k) {
+            deepest = std::max(deepest, task.depths[i][k] + habits.deeper);
+            highest = std::max(highest, task.outward.dot(task.paths[i][k]) + std::max(task.depths[i][k], 0.0));
+        }
+    }
+    const Vec3 middle = middleOf(task);
+    const auto shifted = [&](const Vec3& place) {
+        Vec3 aside = place - middle;
+        aside -= aside.dot(task.outward) * task.outward;
+        const double distance = aside.norm();
+        if (distance > 0) aside *= habits.wider / distance;
+        return Vec3(place + aside - habits.deeper * task.outward);
+    };
+    RouteBuilder builder(task.outward, highest + kLift);
+    const int layers = std::max(1, static_cast<int>(std::ceil(deepest / habits.layer)));
+    for (int layer = layers - 1; layer >= 0; --layer) {
+        const double raised = habits.layer * layer;
+        for (std::size_t i = 0; i < task.paths.size(); ++i) {
+            std::vector<Vec3> run;
+            for (std::size_t k = 0; k < task.paths[i].size(); ++k) {
+                const double depth = task.depths[i][k] + habits.deeper - raised;
+                if (depth > -kAbove) {
+                    run.push_back(shifted(task.paths[i][k]) + raised * task.outward);
+                } else {
+                    builder.add(run);
+                    run.clear();
+                }
+            }
+            builder.add(run);
+        }
+    }
+    std::vector<HandStation> route = std::move(builder.route());
+    cutShort(route, habits.undone);
+    RouteBuilder end(task.outward, highest + kLift);
+    end.route() = std::move(route);
+    end.lift();
+    return std::move(end.route());
+}
+
+SyntheticHand::SyntheticHand(std::vector<HandStation> route, const Vec3& outward, const HandHabits& habits,
+                             std::uint64_t seed)
+    : route_(std::move(route)), habits_(habits), grip_(shortestRotation(Vec3::UnitZ(), outward)) {
+    TACTOOTH_ASSERT(!route_.empty() && habits.force > 0 && habits.delay >= 0);
+    at_ = route_.front().tip;
+    SeededRandom random(seed);
+    for (Wave& wave : waves_) {
+        wave.frequency = 2 * std::numbers::pi * (kLowest + (kHighest - kLowest) * random.share());
+        for (double& phase : wave.at) phase = 2 * std::numbers::pi * random.share();
+    }
+}
+
+double SyntheticHand::feltForce(double force) {
+    feelings_.push_back({time_, force});
+    while (!feelings_.empty() && feelings_.front().time <= time_ - habits_.delay) {
+        felt_ = feelings_.front().force;
+        feelings_.pop_front();
+    }
+    return felt_;
+}
+
+Vec3 SyntheticHand::trembling() const {
+    // Each sine has the mean square 1/2.
+    const double height = habits_.tremor * std::sqrt(2.0 / static_cast<double>(waves_.size()));
+    Vec3 shift = Vec3::Zero();
+    for (const Wave& wave : waves_) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            shift[static_cast<Eigen::Index>(axis)] += height * std::sin(wave.frequency * time_ + wave.at[axis]);
+    }
+    return shift;
+}
+
+Pose SyntheticHand::move(double elapsed, double force) {
+    time_ += elapsed;
+    const double felt = feltForce(force);
+    // Full speed up to half of the force that the hand accepts, none from there on.
+    const double eagerness = std::clamp(2 * (1 - felt / habits_.force), 0.0, 1.0);
+    double seconds = elapsed;
+    while (!isDone() && seconds > 0) {
+        const HandStation& goal = route_[next_];
+        const double speed = goal.isInTooth ? kCutting * eagerness : kTravel;
+        const Vec3 way = goal.tip - at_;
+        const double needed = way.norm();
+        if (needed > speed * seconds) {
+            at_ += way * (speed * seconds / needed);
+            break;
+        }
+        at_ = goal.tip;
+        if (speed > 0) seconds -= needed / speed;
+        ++next_;
+    }
+    return {at_ + trembling(), grip_};
+}
+
+}  // namespace tactooth

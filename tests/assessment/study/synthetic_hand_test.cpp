@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/study/synthetic_hand.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tactooth {
+namespace {
+
+constexpr double kTick = 0.001;  // s
+
+/// A straight groove along x, 4 mm long and 1 mm deep, in a block with its top at z = 0.
+HandTask groove() {
+    HandTask task;
+    std::vector<Vec3> path;
+    for (int i = 0; i <= 40; ++i) path.emplace_back(-2 + 0.1 * i, 0, -1);
+    task.depths.emplace_back(path.size(), 1.0);
+    task.paths.push_back(std::move(path));
+    return task;
+}
+
+HandHabits calm() { return {.tremor = 0, .delay = 0.1, .force = 1, .layer = 0.4}; }
+
+/// Places of the bur, one each millisecond, with a constant force on the hand.
+std::vector<Vec3> walk(const HandHabits& habits, double force, double longest = 100, std::uint64_t seed = 1) {
+    const HandTask task = groove();
+    SyntheticHand hand(routeOf(task, habits), task.outward, habits, seed);
+    std::vector<Vec3> places;
+    while (!hand.isDone() && static_cast<double>(places.size()) * kTick < longest)
+        places.push_back(hand.move(kTick, force).position);
+    return places;
+}
+
+double lowest(const std::vector<Vec3>& places) {
+    double z = 1e9;
+    for (const Vec3& each : places) z = std::min(z, each.z());
+    return z;
+}
+
+TEST(SyntheticHand, GoesDownInLayersAndEndsAboveTheTooth) {
+    for (const double layer : {0.4, 1.2}) {
+        HandHabits habits = calm();
+        habits.layer = layer;
+        const HandTask task = groove();
+        const std::vector<HandStation> route = routeOf(task, habits);
+        std::vector<double> heights;
+        for (const HandStation& each : route) {
+            if (each.isInTooth && (heights.empty() || heights.back() != each.tip.z())) heights.push_back(each.tip.z());
+        }
+        const auto layers = static_cast<std::size_t>(std::ceil(1 / layer));
+        ASSERT_EQ(heights.size(), layers);
+        EXPECT_TRUE(std::ranges::is_sorted(heights, std::ranges::greater()));
+        EXPECT_DOUBLE_EQ(heights.back(), -1);
+        EXPECT_FALSE(route.back().isInTooth);
+        EXPECT_GT(route.back().tip.z(), 1);
+    }
+}
+
+TEST(SyntheticHand, GoesTooDeepTooWideOrNotToTheEndAsItsHabitsSay) {
+    HandHabits habits = calm();
+    EXPECT_NEAR(lowest(walk(habits, 0)), -1, 1e-9);
+    habits.deeper = 0.3;
+    EXPECT_NEAR(lowest(walk(habits, 0)), -1.3, 1e-9);
+    habits.deeper = 0;
+    habits.wider = 0.25;
+    double widest = 0;
+    for (const Vec3& each : walk(habits, 0)) widest = std::max(widest, std::abs(each.x()));
+    EXPECT_NEAR(widest, 2.25, 1e-9);
+    habits.wider = 0;
+    const auto inTooth = [&](double undone) {
+        habits.undone = undone;
+        const std::vector<HandStation> route = routeOf(groove(), habits);
+        return std::ranges::count(route, true, &HandStation::isInTooth);
+    };
+    const auto all = static_cast<double>(inTooth(0));
+    EXPECT_NEAR(static_cast<double>(inTooth(0.25)) / all, 0.75, 0.05);
+}
+
+TEST(SyntheticHand, TremblesByItsRootMeanSquareAtEightToTwelveHertz) {
+    HandHabits still = calm(), trembling = calm();
+    trembling.tremor = 0.05;
+    const std::vector<Vec3> smooth = walk(still, 0), rough = walk(trembling, 0);
+    ASSERT_EQ(smooth.size(), rough.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        double squares = 0;
+        int turns = 0;  // of the sign
+        double last = 0;
+        for (std::size_t i = 0; i < smooth.size(); ++i) {
+            const double shift = rough[i][axis] - smooth[i][axis];
+            squares += shift * shift;
+            turns += shift * last < 0;
+            last = shift;
+        }
+        const auto count = static_cast<double>(smooth.size());
+        EXPECT_NEAR(std::sqrt(squares / count), 0.05, 0.012);
+        const double frequency = turns / 2.0 / (count * kTick);
+        EXPECT_GT(frequency, 7.5);
+        EXPECT_LT(frequency, 12.5);
+    }
+    EXPECT_EQ(rough, walk(trembling, 0));
+    EXPECT_NE(rough, walk(trembling, 0, 100, 2));
+}
+
+TEST(SyntheticHand, HoldsBackAtTheForceThatItAccepts) {
+    const auto seconds = [](double force) { return static_cast<double>(walk(calm(), force).size()) * kTick; };
+    const double free = seconds(0);
+    EXPECT_NEAR(seconds(0.4), free, 0.01) << "less than half of it does not slow the hand";
+    EXPECT_GT(seconds(0.75), 1.5 * free);
+    EXPECT_NEAR(walk(calm(), 1.01, 5).size(), 5000, 1) << "at this force it stands";
+}
+
+/// The force begins with the first touch of the tooth: the hand goes on for its delay, and no longer.
+TEST(SyntheticHand, AnswersAsLateAsItsDelay) {
+    for (const double delay : {0.1, 0.35}) {
+        HandHabits habits = calm();
+        habits.delay = delay;
+        const HandTask task = groove();
+        SyntheticHand hand(routeOf(task, habits), task.outward, habits, 1);
+        Vec3 last = Vec3::Zero();
+        double touched = -1, stopped = -1;
+        for (int i = 0; i < 5000 && stopped < 0; ++i) {
+            const bool touches = touched >= 0 || last.z() < -0.1;
+            const Vec3 place = hand.move(kTick, touches && i > 0 ? 2 : 0).position;
+            if (touches && touched < 0 && i > 0) touched = i * kTick;
+            if (touched >= 0 && place == last) stopped = i * kTick;
+            last = place;
+        }
+        EXPECT_NEAR(stopped - touched, delay, 0.003);
+    }
+}
+
+}  // namespace
+}  // namespace tactooth
