@@ -107,20 +107,24 @@ void addShare(const Brick& brick, std::uint16_t node, double share, double spaci
     volumes[static_cast<std::size_t>(brick.neighbour[node])] += beyond;
 }
 
+/// Finds what is gone of the voxels of these nodes.
+void findGone(const Brick& brick, std::span<CutSample> lowered, double spacing) {
+    RemovedFractions shares(brick, spacing);
+    for (CutSample& each : lowered) shares.find(each.node, brick.cut[each.node], brick.cutNormal[each.node], each.gone);
+    shares.finish();
+}
+
 /// The volumes that lowering the cut field of these nodes removes.
 MaterialVolumes volumesOf(const Brick& brick, std::span<const CutSample> lowered, double spacing) {
     TACTOOTH_ASSERT(lowered.size() <= kBrickNodes);
-    std::array<double, kBrickNodes> before, after;
+    std::array<double, kBrickNodes> after;
     RemovedFractions shares(brick, spacing);
-    for (std::size_t i = 0; i < lowered.size(); ++i) {
-        const auto& [node, distance, normal] = lowered[i];
-        shares.find(node, brick.cut[node], brick.cutNormal[node], before[i]);
-        shares.find(node, distance, normal, after[i]);
-    }
+    for (std::size_t i = 0; i < lowered.size(); ++i)
+        shares.find(lowered[i].node, lowered[i].distance, lowered[i].normal, after[i]);
     shares.finish();
     MaterialVolumes volumes{};
     for (std::size_t i = 0; i < lowered.size(); ++i) {
-        addShare(brick, lowered[i].node, after[i] - before[i], spacing, volumes);
+        addShare(brick, lowered[i].node, after[i] - lowered[i].gone, spacing, volumes);
     }
     return volumes;
 }
@@ -167,7 +171,7 @@ public:
         limit_ = choose(isLower, withoutRounding(samples.distance), limit_);
     }
 
-    /// Calls `visit(sample)` for each lowered node. Values are clamped at -`band` (mm).
+    /// Calls `visit(sample, lane)` for each lowered node. Values are clamped at -`band` (mm).
     template <class Visit>
     void forEachLowered(float band, const Visit& visit) const {
         if (lowered_ == 0) return;
@@ -176,7 +180,8 @@ public:
         const std::array<OctahedralNormal, 8> normal = OctahedralNormal::pack(gradient_);
         for (std::uint32_t left = lowered_; left != 0; left &= left - 1) {
             const int lane = std::countr_zero(left);
-            visit(CutSample{node_[lane], distance[lane], normal[lane]});
+            const auto place = static_cast<std::size_t>(lane);
+            visit(CutSample{node_[place], distance[place], normal[place]}, place);
         }
     }
 
@@ -214,9 +219,11 @@ BrickRemoval removableFromBrick(const Brick& brick, const BrickKey& key, const L
         for (int eight = 0; eight < kBlockNodes / 8; ++eight) {
             LoweredNodes8 nodes(brick, block, eight, band);
             for (const SweepLanes& step : near) nodes.lower(step);
-            nodes.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
+            nodes.forEachLowered(band,
+                                 [&](const CutSample& lowered, std::size_t) { result.lowered.push_back(lowered); });
         }
     }
+    findGone(brick, result.lowered, spacing);
     result.volumes = volumesOf(brick, result.lowered, spacing);
     return result;
 }
@@ -234,6 +241,7 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
         const int block = blockOf(most->node);
         const std::vector<SweepLanes>& near = sweep.nearNodes(block, band);
         while (most != whole.lowered.end() && blockOf(most->node) == block) {
+            const auto first = most;
             std::array<std::uint16_t, 8> nodes;
             std::size_t count = 0;
             for (; count < 8 && most != whole.lowered.end() && blockOf(most->node) == block; ++most) {
@@ -241,7 +249,10 @@ BrickRemoval removableFromNodes(const Brick& brick, const BrickRemoval& whole, c
             }
             LoweredNodes8 eight(brick, {nodes.data(), count}, band);
             for (const SweepLanes& step : near) eight.lower(step);
-            eight.forEachLowered(band, [&](const CutSample& lowered) { result.lowered.push_back(lowered); });
+            eight.forEachLowered(band, [&](CutSample lowered, std::size_t lane) {
+                lowered.gone = first[static_cast<std::ptrdiff_t>(lane)].gone;
+                result.lowered.push_back(lowered);
+            });
         }
     }
     result.volumes = volumesOf(brick, result.lowered, spacing);

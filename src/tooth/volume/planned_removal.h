@@ -18,6 +18,7 @@ struct BrickRemoval {
         std::uint16_t node;  ///< nodeIndex
         float distance;      ///< new value of the cut field, mm
         OctahedralNormal normal;
+        double gone = 0;  ///< share of the node's voxel that lies in the tooth and is removed already, 0..1
     };
     BrickKey key{};
     MaterialVolumes volumes{};
