@@ -75,13 +75,13 @@ HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& mod
     StepwiseSession session(model, {scene.instrument, settings, Placement::AtOnce}, sink);
     ForcePipeline pipeline(ForceLimits{});
     HandWorkMeter meter;
-    Vec3 force = Vec3::Zero();
+    HandSense sense{0, hand.place()};
     const auto longest = static_cast<std::int64_t>(kLongestTrial / kTick);
     std::int64_t tick = 0;
     for (; tick < longest && !hand.isDone(); ++tick) {
         const double time = kTick * static_cast<double>(tick);
-        const Tick now = session.step({hand.move(kTick, force.norm()), 1, true}, kTick, time);
-        force = pipeline.pass(forceCommandFrom(now), kTick).force();
+        const Tick now = session.step({hand.move(kTick, sense), 1, true}, kTick, time);
+        sense = {pipeline.pass(forceCommandFrom(now), kTick).force().norm(), now.proxy.position};
         meter.add(TrackTick::of(now.time, now));
         if (tick % kTicksPerCut == 0) (void)session.carve();
         session.list();

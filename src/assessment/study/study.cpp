@@ -124,11 +124,17 @@ TrialValue metricValue(std::size_t index) {
 
 std::optional<double> markValue(const StudyTrial& trial) { return trial.mark.value; }
 
+bool ShownHabit::isMeasured() const {
+    return std::ranges::any_of(values, [](const std::optional<double>& value) { return value.has_value(); });
+}
+
 std::vector<ShownHabit> shownHabits(const std::vector<StudyTrial>& trials) {
     std::vector<ShownHabit> all;
     for (const HandHabit& habit : handHabits()) {
         for (const HabitEffect& effect : habit.effects) {
-            if (!effect.metric.empty()) all.push_back(shownHabit(habit, effect, trials));
+            if (effect.metric.empty()) continue;
+            ShownHabit shown = shownHabit(habit, effect, trials);
+            if (shown.isMeasured()) all.push_back(std::move(shown));
         }
     }
     return all;

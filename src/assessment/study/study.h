@@ -58,10 +58,13 @@ struct ShownHabit {
     /// Kendall's tau of amount and value (M. G. Kendall, "A new measure of rank correlation", Biometrika 30, 1938);
     /// nothing where a value cannot be measured.
     std::optional<double> tau = {};
+    /// Whether this exercise has anything to measure there, for one of the hands.
+    [[nodiscard]] bool isMeasured() const;
     /// In the direction that it must have, with at most one pair of amounts in the wrong order, and the most of the
     /// habit beyond the least.
     bool isShown = false;
 };
+/// Those that the exercise can measure.
 [[nodiscard]] std::vector<ShownHabit> shownHabits(const std::vector<StudyTrial>& trials);
 
 /// Whether the marks put each expert above each beginner, and each habit is shown by the metrics that must show it.

@@ -13,11 +13,14 @@
 namespace tactooth {
 namespace {
 
-constexpr double kCutting = 3;   // mm/s in the tooth
-constexpr double kTravel = 20;   // mm/s above it
-constexpr double kLift = 2;      // mm above the highest place of the paths' surface
-constexpr double kNextPath = 1;  // mm: to a path that begins so near, the bur goes without leaving the tooth
-constexpr double kAbove = 0.2;   // mm above the surface, where a layer has nothing to cut
+constexpr double kCutting = 3;     // mm/s in the tooth
+constexpr double kTravel = 20;     // mm/s above it
+constexpr double kLift = 2;        // mm above the highest place of the paths' surface
+constexpr double kNextPath = 1;    // mm: to a path that begins so near, the bur goes without leaving the tooth
+constexpr double kReached = 0.05;  // mm from the bur to a station: as near as the eye can tell
+constexpr double kPatience = 0.8;  // s until the hand gives a station up, at a wall that holds the bur
+constexpr double kMostLead = 1;    // mm beyond a station
+constexpr double kAbove = 0.2;     // mm above the surface, where a layer has nothing to cut
 constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
 
 /// Mean of all places without their height.
@@ -136,13 +139,12 @@ SyntheticHand::SyntheticHand(std::vector<HandStation> route, const Vec3& outward
     }
 }
 
-double SyntheticHand::feltForce(double force) {
-    feelings_.push_back({time_, force});
-    while (!feelings_.empty() && feelings_.front().time <= time_ - habits_.delay) {
-        felt_ = feelings_.front().force;
-        feelings_.pop_front();
+void SyntheticHand::sense(const HandSense& now) {
+    coming_.push_back({time_, now.force, now.bur - at_});
+    while (!coming_.empty() && coming_.front().time <= time_ - habits_.delay) {
+        known_ = coming_.front();
+        coming_.pop_front();
     }
-    return felt_;
 }
 
 Vec3 SyntheticHand::trembling() const {
@@ -156,24 +158,39 @@ Vec3 SyntheticHand::trembling() const {
     return shift;
 }
 
-Pose SyntheticHand::move(double elapsed, double force) {
+/// Above the tooth it is enough that the hand is there.
+bool SyntheticHand::hasReached(const HandStation& goal) const {
+    if (!goal.isInTooth) return at_ == goal.tip;
+    return (at_ + known_.lag - goal.tip).norm() < kReached || waited_ > kPatience;
+}
+
+/// Moves on toward a station. In the tooth the hand aims beyond it, as far as the bur is still short of it.
+void SyntheticHand::press(const HandStation& goal, double elapsed) {
+    Vec3 aim = goal.tip;
+    double speed = kTravel;
+    if (goal.isInTooth) {
+        // Full speed up to half of the force that the hand accepts, none at it, and back beyond it.
+        const double eagerness = std::clamp(2 * (1 - known_.force / habits_.force), -1.0, 1.0);
+        const double lag = known_.lag.norm();
+        if (eagerness > 0) aim -= known_.lag * (lag > kMostLead ? kMostLead / lag : 1);
+        if (eagerness < 0) aim = at_ + known_.lag;
+        speed = kCutting * std::abs(eagerness);
+    }
+    const Vec3 way = aim - at_;
+    const double needed = way.norm();
+    at_ = needed <= speed * elapsed ? aim : Vec3(at_ + way * (speed * elapsed / needed));
+}
+
+Pose SyntheticHand::move(double elapsed, const HandSense& now) {
     time_ += elapsed;
-    const double felt = feltForce(force);
-    // Full speed up to half of the force that the hand accepts, none from there on.
-    const double eagerness = std::clamp(2 * (1 - felt / habits_.force), 0.0, 1.0);
-    double seconds = elapsed;
-    while (!isDone() && seconds > 0) {
-        const HandStation& goal = route_[next_];
-        const double speed = goal.isInTooth ? kCutting * eagerness : kTravel;
-        const Vec3 way = goal.tip - at_;
-        const double needed = way.norm();
-        if (needed > speed * seconds) {
-            at_ += way * (speed * seconds / needed);
-            break;
-        }
-        at_ = goal.tip;
-        if (speed > 0) seconds -= needed / speed;
+    sense(now);
+    while (!isDone() && hasReached(route_[next_])) {
         ++next_;
+        waited_ = 0;
+    }
+    if (!isDone()) {
+        waited_ += elapsed;
+        press(route_[next_], elapsed);
     }
     return {at_ + trembling(), grip_};
 }

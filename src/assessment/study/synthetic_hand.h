@@ -30,15 +30,24 @@ struct HandTask {
 /// `deeper`, `wider` and `undone` shape it.
 [[nodiscard]] std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits);
 
-/// A hand that follows a route, trembles, feels the force late, and holds back when it presses too hard. The same seed
-/// gives the same movement, bit for bit.
+/// What a hand feels and sees.
+struct HandSense {
+    double force = 0;  ///< N
+    Vec3 bur;          ///< place of its tip as the tooth lets it be, tooth frame, mm
+};
+
+/// A hand that leads a bur along a route. It sees how far the bur stays behind, aims as far beyond, waits until the bur
+/// is where it should be, and holds back when it feels too much force. It feels and sees late, but knows its own
+/// movement, and it trembles. The same seed gives the same movement, bit for bit.
 class SyntheticHand {
 public:
     /// `route`: not empty, as `routeOf` gives it.
     SyntheticHand(std::vector<HandStation> route, const Vec3& outward, const HandHabits& habits, std::uint64_t seed);
 
-    /// The pose of the tool, `elapsed` s after the last one. `force`: that the hand feels now, N.
-    [[nodiscard]] Pose move(double elapsed, double force);
+    /// The pose of the tool that the hand wants, `elapsed` s after the last one.
+    [[nodiscard]] Pose move(double elapsed, const HandSense& now);
+    /// Where the hand wants the tip of the bur, without its tremor, tooth frame, mm.
+    [[nodiscard]] const Vec3& place() const { return at_; }
     /// Whether it is at the end of its route.
     [[nodiscard]] bool isDone() const { return next_ >= route_.size(); }
 
@@ -47,10 +56,13 @@ private:
         double frequency;          // rad/s
         std::array<double, 3> at;  // phase, rad
     };
-    struct Feeling {
+    struct Sensed {
         double time, force;
+        Vec3 lag;  // from the hand to the bur, mm
     };
-    [[nodiscard]] double feltForce(double force);
+    void sense(const HandSense& now);
+    [[nodiscard]] bool hasReached(const HandStation& goal) const;
+    void press(const HandStation& goal, double elapsed);
     [[nodiscard]] Vec3 trembling() const;
 
     std::vector<HandStation> route_;
@@ -58,9 +70,10 @@ private:
     Quat grip_;
     std::size_t next_ = 1;
     Vec3 at_;
-    double time_ = 0;  // s
-    double felt_ = 0;  // N
-    std::deque<Feeling> feelings_;
+    double time_ = 0;                   // s
+    double waited_ = 0;                 // s at the present station
+    Sensed known_{0, 0, Vec3::Zero()};  // what has reached the hand by now
+    std::deque<Sensed> coming_;
     std::array<Wave, 4> waves_;
 };
 
