@@ -217,6 +217,10 @@ TEST_F(AssessCommand, ReadsASavedToothWithoutAnOriginal) {
     EXPECT_NEAR(metric(report(), "over_max")["value"], 0.4, 0.02);
     ASSERT_FALSE(metric(report(), "over_max")["moment"].is_null());
     EXPECT_NEAR(metric(report(), "over_max")["moment"], 0.39, 0.02);
+    const auto cause = metric(report(), "over_max")["cause"];
+    ASSERT_FALSE(cause.is_null());
+    EXPECT_LE(cause["from"], cause["to"]);
+    EXPECT_GT(cause["to"], 0.3);
     EXPECT_GT(report()["seconds"], 0.3);
     EXPECT_EQ(metric(report(), "path_length")["reason"], "no hand has touched the tooth in this session");
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "assessment/preparation/removal_cause.h"
 #include "collision/bvh/closest_point.h"
 
 namespace tactooth {
@@ -22,6 +23,24 @@ Vec3 outwardAt(const CutSurfaces& surfaces, const Vec3& place) {
         if ((facet.centre - place).squaredNorm() < kAround * kAround) sum += facet.area * facet.normal;
     }
     return sum.norm() > 0 ? Vec3(sum.normalized()) : sum;
+}
+
+/// What was removed beside an error: over each facet around `place` a piece as large as the facet. `least`: how far the
+/// facets lie beyond the ideal surface, mm; nothing: anywhere.
+std::vector<RemovedPoint> removedAround(const Preparation& preparation, const CutSurfaces& surfaces, const Vec3& place,
+                                        std::optional<double> least) {
+    constexpr double kAround = 1.0;     // mm
+    constexpr std::size_t kMost = 200;  // points: more say nothing new
+    std::vector<RemovedPoint> points;
+    for (const Facet& facet : surfaces.facets) {
+        if ((facet.centre - place).squaredNorm() > kAround * kAround) continue;
+        if (least && -signedDistance(*preparation.ideal, facet.centre) < *least) continue;
+        points.push_back({facet.centre + kBefore * facet.normal, facet.area});
+    }
+    const std::size_t step = points.size() / kMost + 1;
+    std::vector<RemovedPoint> some;
+    for (std::size_t i = 0; i < points.size(); i += step) some.push_back(points[i]);
+    return some;
 }
 
 }  // namespace
@@ -42,7 +61,7 @@ std::optional<double> removalMoment(const SessionTrack& track, TrackTooth& tooth
     return track.tickBefore(gone).time;
 }
 
-void addMoments(std::vector<MetricResult>& results, const PreparationMeasures& measures,
+void addMoments(std::vector<MetricResult>& results, const Preparation& preparation, const PreparationMeasures& measures,
                 const std::shared_ptr<const SessionTrack>& track) {
     if (measures.surfaces.facets.empty()) return;
     TrackTooth tooth(track);
@@ -51,6 +70,11 @@ void addMoments(std::vector<MetricResult>& results, const PreparationMeasures& m
         if (!isOfRemoval || !result.measured.place) continue;
         const Vec3& place = *result.measured.place;
         result.measured.moment = removalMoment(*track, tooth, place, outwardAt(measures.surfaces, place));
+        if (!result.measured.moment) continue;
+        const bool isOver = result.metric->id == "over_max";
+        const auto points = removedAround(preparation, measures.surfaces, place,
+                                          isOver ? std::optional(*result.measured.value / 2) : std::nullopt);
+        result.measured.cause = removalCause(*track, tooth, points, preparation.axis);
     }
 }
 

@@ -15,9 +15,9 @@ namespace tactooth {
 [[nodiscard]] std::optional<double> removalMoment(const SessionTrack& track, TrackTooth& tooth, const Vec3& place,
                                                   const Vec3& outward);
 
-/// Adds the moments of what a student has removed at the places of `results` that name a cut too deep or too near:
-/// over-preparation, undercut, pulp and ridges. `track` is finished.
-void addMoments(std::vector<MetricResult>& results, const PreparationMeasures& measures,
+/// Adds the moments and causes of what a student has removed at the places of `results` that name a cut too deep or too
+/// near: over-preparation, undercut, pulp and ridges. `track` is finished.
+void addMoments(std::vector<MetricResult>& results, const Preparation& preparation, const PreparationMeasures& measures,
                 const std::shared_ptr<const SessionTrack>& track);
 
 }  // namespace tactooth

@@ -66,6 +66,13 @@ struct AssessmentReport {
 [[nodiscard]] inline std::string placeAndMomentText(const AssessmentReport& report, const Measured& measured) {
     return placeAndMomentText(report, measured, report.language);
 }
+/// How an error was made, in a sentence; empty where nothing is known. Only errors of a recorded session have a cause.
+[[nodiscard]] std::string causeText(const AssessmentReport& report, const CriterionScore& error, Language language);
+/// The same of the errors that cost most, the worst first, at most four.
+[[nodiscard]] std::vector<std::string> causeTexts(const AssessmentReport& report, Language language);
+[[nodiscard]] inline std::vector<std::string> causeTexts(const AssessmentReport& report) {
+    return causeTexts(report, report.language);
+}
 /// "0.42 mm"; a share of 0 to 1 in %.
 [[nodiscard]] std::string valueText(const PreparationMetric& metric, double value,
                                     Language language = Language::English);

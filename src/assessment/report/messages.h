@@ -64,6 +64,11 @@ inline constexpr MessageText kCriticalCriterion{"critical_criterion", "%1 (criti
 inline constexpr MessageText kNotMeasurable{"not_measurable", "not measurable", "計測不能"};
 inline constexpr MessageText kOnlyLimit{"only_limit", "limit", "上限"};
 inline constexpr MessageText kPlaceAndMoment{"place_and_moment", "%1, %2", "%1、%2"};
+inline constexpr MessageText kCause{"cause", "%1: %2, %3, cut between %4 and %5 with %6 N.",
+                                    "%1：%2、%3。%4 から %5 の間に %6 N で削りました。"};
+inline constexpr MessageText kCauseTilted{
+    "cause_tilted", "%1: %2, %3, cut between %4 and %5 with %6 N and the bur tilted by %7 degrees.",
+    "%1：%2、%3。%4 から %5 の間に、%6 N、バーの傾き %7 度で削りました。"};
 inline constexpr MessageText kMeasuredThere{"measured_there", "%1 (%2)", "%1（%2）"};
 inline constexpr MessageText kErrorAt{"error_at", "%1: %2, %3", "%1：%2、%3"};
 inline constexpr MessageText kNotMeasured{"not_measured", "Not measurable, because %1: %2.",

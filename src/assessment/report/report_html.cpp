@@ -100,6 +100,7 @@ std::string madeOf(const AssessmentReport& report) {
     for (const Criterion* each : mark.limitedBy) {
         text += "<p><b>" + htmlText(limitedByText(report, *each)) + "</b></p>\n";
     }
+    for (const std::string& each : causeTexts(report)) text += "<p>" + htmlText(each) + "</p>\n";
     return text;
 }
 

@@ -20,6 +20,11 @@ Json placeJson(const AssessmentReport& report, const Measured& measured) {
     return {{"x", at.x()}, {"y", at.y()}, {"z", at.z()}, {"name", placeText(report, at, Language::English)}};
 }
 
+Json causeJson(const std::optional<RemovalCause>& cause) {
+    if (!cause) return {};
+    return {{"from", cause->from}, {"to", cause->to}, {"force", cause->force}, {"tilt", orNull(cause->tilt)}};
+}
+
 /// Adds what was measured to the object of a metric or of a criterion.
 void addMeasured(Json& json, const AssessmentReport& report, const PreparationMetric& metric,
                  const Measured& measured) {
@@ -27,6 +32,7 @@ void addMeasured(Json& json, const AssessmentReport& report, const PreparationMe
     json["unit"] = metric.unit;
     json["place"] = placeJson(report, measured);
     json["moment"] = orNull(measured.moment);
+    json["cause"] = causeJson(measured.cause);
     if (measured.reason != nullptr) json["reason"] = measured.reason->english;
 }
 

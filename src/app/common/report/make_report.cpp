@@ -57,7 +57,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
     std::vector<MetricResult> results = measureAll(measures);
     showProgress(work, kMeasured);
-    if (work.track != nullptr) addMoments(results, measures, work.track);
+    if (work.track != nullptr) addMoments(results, work.preparation, measures, work.track);
     AssessmentReport report{.student = work.student,
                             .expert = work.expert,
                             .task = work.task,

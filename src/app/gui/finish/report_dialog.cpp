@@ -41,7 +41,8 @@ QString valueText(const LostPoint& point, Language language) {
 }
 
 /// All that is known of a criterion, for the tool tip.
-QString factsOf(const LostPoint& point, Language language) {
+QString factsOf(const AssessmentReport& report, const LostPoint& point) {
+    const Language language = report.language;
     const CriterionScore& score = *point.score;
     QStringList lines{shown(score.criterion->titleIn(language))};
     if (score.score) lines << ReportDialog::tr("Score %1 of 100").arg(*score.score, 0, 'f', 0);
@@ -50,6 +51,7 @@ QString factsOf(const LostPoint& point, Language language) {
         lines << translated(Message(*score.measured.reason));
     }
     if (point.limitsMark) lines << ReportDialog::tr("The mark is no better because of this.");
+    if (const std::string cause = causeText(report, score, language); !cause.empty()) lines << shown(cause);
     return lines.join('\n');
 }
 
@@ -150,7 +152,8 @@ QTreeWidget* ReportDialog::makeList() {
         item->setText(3, shown(placeAndMomentText(assessment_->report, point.score->measured)));
         item->setSizeHint(1, {0, row});
         for (const int column : {0, 2}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-        for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, factsOf(point, language));
+        const QString facts = factsOf(assessment_->report, point);
+        for (int column = 0; column < list->columnCount(); ++column) item->setToolTip(column, facts);
         const bool costs = point.limitsMark || point.score->lost > 0;
         if (costs) item->setForeground(0, QColor(kBad));
     }
