@@ -53,10 +53,11 @@ inline constexpr MessageText kStudyLevelsNote{
 inline constexpr MessageText kStudyHabits{"study_habits", "Habits", "癖"};
 inline constexpr MessageText kStudyHabitsNote{
     "study_habits_note",
-    "An expert's hand with four amounts of one habit. The metric must go up (↑) or down (↓) with it; one pair of "
-    "neighbours may be in the wrong order.",
+    "An expert's hand with four amounts of one habit. The metric must go up (↑) or down (↓) with it; one pair may be "
+    "in "
+    "the wrong order. What this exercise cannot measure is left out.",
     "熟練者の手で一つの癖だけを四段階に変えました。評価項目は癖とともに上がるか（↑）下がらなければ"
-    "（↓）なりません。隣り合う一組だけは逆でもかまいません。"};
+    "（↓）なりません。一組だけは逆でもかまいません。この課題で計測できないものは除きます。"};
 inline constexpr MessageText kStudyMetric{"study_metric", "Metric", "評価項目"};
 inline constexpr MessageText kStudyHabit{"study_habit", "Habit", "癖"};
 inline constexpr MessageText kStudyApart{"study_apart", "Expert over beginner", "熟練者 > 初心者"};

@@ -125,7 +125,7 @@ TrialValue metricValue(std::size_t index) {
 std::optional<double> markValue(const StudyTrial& trial) { return trial.mark.value; }
 
 bool ShownHabit::isMeasured() const {
-    return std::ranges::any_of(values, [](const std::optional<double>& value) { return value.has_value(); });
+    return std::ranges::all_of(values, [](const std::optional<double>& value) { return value.has_value(); });
 }
 
 std::vector<ShownHabit> shownHabits(const std::vector<StudyTrial>& trials) {

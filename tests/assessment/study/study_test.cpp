@@ -132,10 +132,13 @@ TEST_F(StudyOfMetrics, OnePairMayBeInTheWrongOrderButNotTheEnds) {
     EXPECT_THAT(studyResultText(report_, Language::English), HasSubstr("1 of"));
 }
 
-TEST_F(StudyOfMetrics, AMetricWithoutAValueShowsNothing) {
-    of(*of("wider")[2], "dice") = Measured::none(MessageText{"none", "none", "none"});
-    EXPECT_FALSE(shown("wider", "dice").isShown);
-    EXPECT_FALSE(shown("wider", "dice").tau);
+TEST_F(StudyOfMetrics, AMetricThatCannotBeMeasuredForEachHandIsLeftOut) {
+    const std::size_t all = shownHabits(report_.trials).size();
+    static const MessageText reason{"none", "none", "none"};
+    of(*of("wider")[2], "dice") = Measured::none(reason);
+    EXPECT_EQ(shownHabits(report_.trials).size(), all - 1);
+    EXPECT_THROW((void)shown("wider", "dice"), std::logic_error);
+    EXPECT_TRUE(passesSelfTest(report_.trials));
 }
 
 TEST_F(StudyOfMetrics, FailsWhereABeginnerHasTheMarkOfAnExpert) {
