@@ -74,8 +74,11 @@ void cutShort(std::vector<HandStation>& route, double share) {
     double left = lengthOf(route) * (1 - share);
     for (std::size_t i = 1; i < route.size(); ++i) {
         if (!route[i].isInTooth) continue;
-        left -= (route[i].tip - route[i - 1].tip).norm();
+        const Vec3 way = route[i].tip - route[i - 1].tip;
+        const double length = way.norm();
+        left -= length;
         if (left >= 0) continue;
+        route[i].tip += left / length * way;
         route.resize(i + 1);
         return;
     }

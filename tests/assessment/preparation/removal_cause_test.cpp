@@ -66,7 +66,7 @@ protected:
         const double began = isSecond ? kSecondHole : 1;
         const double down = std::clamp(time - began, 0.0, 1.0) * (time < began + 1 ? 1 : 0);
         const Quat grip(isSecond ? Eigen::AngleAxisd(kTilt, Vec3::UnitY()) : Eigen::AngleAxisd::Identity());
-        return {Vec3(isSecond ? 1 : -1, 0, 0.3 - 0.9 * down), grip};
+        return {Vec3(isSecond ? 1 : -1, 0, 0.3 - 1.6 * down), grip};
     }
     /// Points in a hole, 0.05 to 0.3 mm deep.
     static std::vector<RemovedPoint> pointsAt(double x, double size = 1) {
