@@ -13,8 +13,18 @@ layout(location = 0) out vec4 fragment;
 const float kCells = 8.0;  // drops per radius of the disc: each is a little more than a millimetre
 const int kTaps = 12;
 
+// Two random numbers from 0 to 1: pcg2d (M. Jarzynski, M. Olano, "Hash functions for GPU rendering", Journal of Computer
+// Graphics Techniques 9(3), 2020). Whole numbers are the same with every driver, a sine is not.
 vec2 hash(vec2 cell) {
-    return fract(sin(vec2(dot(cell, vec2(127.1, 311.7)), dot(cell, vec2(269.5, 183.3)))) * 43758.5453);
+    const uint kFactor = 1664525u;
+    uvec2 v = uvec2(ivec2(cell)) * kFactor + 1013904223u;
+    v.x += v.y * kFactor;
+    v.y += v.x * kFactor;
+    v ^= v >> 16u;
+    v.x += v.y * kFactor;
+    v.y += v.x * kFactor;
+    v ^= v >> 16u;
+    return vec2(v >> 8u) / 16777216.0;
 }
 
 vec3 seen(vec2 pixel) { return texelFetch(reflection, ivec2(clamp(pixel, covered.xy, covered.zw)), 0).rgb; }
