@@ -7,6 +7,7 @@
 
 #include "assessment/ideal_shape.h"
 #include "assessment/messages.h"
+#include "assessment/outline/outline_paths.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/messages.h"
@@ -61,6 +62,11 @@ std::optional<std::vector<double>> heightsAt(const std::vector<Vec3>& places, co
     return heights;
 }
 
+const MessageText& noPathsIn(const PreparationPlan& plan) {
+    if (plan.outline) return msg::kNoRoomInOutline;
+    return plan.body ? msg::kNoSuchBody : msg::kNoFissureFound;
+}
+
 Expected<CuttingTool> burOf(const Exercise& exercise) {
     if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
         const Expected<CustomBur> own = readCustomBur(*file);
@@ -80,9 +86,9 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
     if (!paths) return Unexpected{paths.error()};
     CutModel piece(std::move(tooth), kVoxel);
     Pose before{kClear * plan.outward, grip};
-    for (const std::vector<Vec3>& path : *paths) {
+    for (const auto& [path, depth, lifts] : *paths) {
         // A pear that is lifted leaves a hole wider than its groove.
-        const bool goesOn = (path.front() - before.position).norm() < kNextPath;
+        const bool goesOn = !lifts && (path.front() - before.position).norm() < kNextPath;
         if (!goesOn) before.position = path.front() + kClear * plan.outward;
         for (const Vec3& tip : path) {
             const Pose next{tip, grip};
@@ -96,37 +102,34 @@ Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& 
 
 }  // namespace
 
-Expected<std::vector<std::vector<Vec3>>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth) {
+Expected<std::vector<BurPath>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth) {
     const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
-    std::vector<std::vector<Vec3>> paths;
     double floor = 0;
-    const std::vector<BurPath> planned = burPaths(plan, tooth, outer);
-    if (planned.empty()) return unexpected(plan.body ? msg::kNoSuchBody : msg::kNoFissureFound);
-    for (const BurPath& one : planned) {
-        std::vector<Vec3> path = one.places;
-        if (!one.depth) {
-            paths.push_back(std::move(path));
-            continue;
-        }
+    std::vector<BurPath> planned = burPaths(plan, tooth, outer);
+    if (planned.empty()) return unexpected(noPathsIn(plan));
+    for (std::size_t number = 0; number < planned.size(); ++number) {
+        BurPath& one = planned[number];
+        std::vector<Vec3>& path = one.places;
+        if (!one.depth) continue;
         std::vector<double> heights;
-        const bool needsHeights = !plan.fissure || paths.empty();  // a box goes past the outside of the tooth
+        const bool needsHeights = !plan.fissure || number == 0;  // a box goes past the outside of the tooth
         if (needsHeights) {
             auto found = heightsAt(path, *outer, plan.outward);
-            if (!found) return unexpected(msg::kStrokePastTooth, paths.size() + 1);
+            if (!found) return unexpected(msg::kStrokePastTooth, number + 1);
             heights = std::move(*found);
         }
-        if (paths.empty()) floor = meanOf(heights);
+        if (number == 0) floor = meanOf(heights);
         for (std::size_t i = 0; i < path.size(); ++i) {
             const double height = (plan.isFlat ? floor : heights[i]) - *one.depth;
             path[i] += (height - plan.outward.dot(path[i])) * plan.outward;
         }
-        paths.push_back(std::move(path));
     }
-    return paths;
+    return planned;
 }
 
 std::optional<Vec3> floorReference(const PreparationPlan& plan, const LayeredTooth& tooth) {
     const std::shared_ptr<const SurfacePart> outer = tooth.ownOuter();
+    if (plan.outline) return outlineReference(plan, *outer);
     const std::vector<BurPath> paths = burPaths(plan, tooth, outer);
     if (paths.empty() || !paths.front().depth) return std::nullopt;
     const std::vector<Vec3>& places = paths.front().places;

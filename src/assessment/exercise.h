@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "assessment/forbidden_zone.h"
 #include "collision/bvh/surface.h"
 #include "geometry/util/message.h"
 #include "instruments/builtin_tooth.h"
@@ -25,6 +26,8 @@ struct FissureOutline {
     /// Tooth that is left between the cavity and the outside of the crown, toward +x and -x, mm. Nothing: a box ends
     /// the cavity there.
     std::optional<double> leftPlusX, leftMinusX;
+
+    bool operator==(const FissureOutline&) const = default;
 };
 
 /// The box of a Class II cavity: it opens the proximal side and is deeper than the occlusal part.
@@ -33,6 +36,8 @@ struct ProximalBox {
     double width;        ///< buccolingual, mm
     double axialDepth;   ///< from the outside of the tooth at the height of the box's floor to the axial wall, mm
     double axialHeight;  ///< of the axial wall, from the box's floor to the pulpal floor, mm
+
+    bool operator==(const ProximalBox&) const = default;
 };
 
 /// A cavity that removes a body inside the tooth, with what lies over it: decay, or the roof of the pulp chamber.
@@ -42,6 +47,19 @@ struct BodyOutline {
     double burLength;   ///< of its head, mm
     /// Only what lies above this depth below the top of the body, mm, with a flat floor there; nothing: all of it.
     std::optional<double> below;
+
+    bool operator==(const BodyOutline&) const = default;
+};
+
+/// A cavity below a closed outline that somebody has drawn on the tooth, seen along PreparationPlan::outward.
+struct DrawnOutline {
+    std::vector<Vec3> corners;  ///< on the surface, the first not repeated, mm
+    /// How much the walls lean from the shaft, so that the cavity is widest at the outline; 0: as the bur makes them.
+    double taperDegrees = 0;
+    double burRadius;  ///< mm
+    double burLength;  ///< of its head, mm
+
+    bool operator==(const DrawnOutline&) const = default;
 };
 
 /// The path of the bur through an ideal cavity: strokes of its tip, with the shaft in one direction.
@@ -54,11 +72,17 @@ struct PreparationPlan {
     struct Stroke {
         Vec3 from, to;                     ///< tooth frame, mm; the height along `outward` is computed
         std::optional<double> depth = {};  ///< nothing: that of the plan
+
+        bool operator==(const Stroke&) const = default;
     };
     std::vector<Stroke> strokes;            ///< empty: the paths follow from what comes next
     std::optional<FissureOutline> fissure;  ///< in place of strokes; from the occlusal side with a flat floor
-    std::vector<ProximalBox> boxes;         ///< only with a fissure
+    std::vector<ProximalBox> boxes;         ///< only with a fissure or an outline
     std::optional<BodyOutline> body;        ///< in place of strokes
+    /// In place of strokes; with boxes only from the occlusal side with a flat floor.
+    std::optional<DrawnOutline> outline = {};
+
+    bool operator==(const PreparationPlan&) const = default;
 };
 
 /// What an exercise trains. Lists show the exercises in this order.
@@ -73,6 +97,8 @@ struct ExerciseWords {
     std::string name;   ///< its title
     std::string task;   ///< a sentence
     std::string brief;  ///< how to go about it
+
+    bool operator==(const ExerciseWords&) const = default;
 };
 
 /// A task for a student: a cavity in a tooth. Tooth frame.
@@ -88,11 +114,14 @@ struct Exercise {
     std::string id = {};                                         ///< of a built-in one: "class-1-46"
     ExerciseGroup group = ExerciseGroup::Own;
     ExerciseLevel level = ExerciseLevel::Usual;
-    bool inMouth = false;                     ///< a built-in tooth stands in the whole mouth, with its neighbours
-    std::vector<std::string> otherBurs = {};  ///< numbers of burs of the catalogue that serve as well
-    std::optional<int> minutes = {};          ///< time for the task
-    double tolerance = 0.3;                   ///< mm from the ideal surface that count as right in pictures
-    std::string rubric = {};                  ///< a built-in one, or a file; empty: the usual one
+    bool inMouth = false;                       ///< a built-in tooth stands in the whole mouth, with its neighbours
+    std::vector<std::string> otherBurs = {};    ///< numbers of burs of the catalogue that serve as well
+    std::optional<int> minutes = {};            ///< time for the task
+    double tolerance = 0.3;                     ///< mm from the ideal surface that count as right in pictures
+    std::string rubric = {};                    ///< a built-in one, or a file; empty: the usual one
+    std::vector<ForbiddenZone> forbidden = {};  ///< a cut there is a critical error
+
+    bool operator==(const Exercise&) const = default;
 
     /// Whether the ideal cavity reaches the pulp.
     [[nodiscard]] bool opensPulp() const;
@@ -109,14 +138,15 @@ struct Exercise {
 struct BurPath {
     std::vector<Vec3> places;     ///< tooth frame, mm
     std::optional<double> depth;  ///< below the surface, mm, as PreparationPlan::depth; nothing: the places have it
+    bool lifts = false;           ///< the bur leaves the tooth before it, however near the path before ends
 };
-/// All paths of a plan on an uncut tooth; none where it has no fissure to follow, or no such body. `outer`:
-/// LayeredTooth::ownOuter, which takes some time in a mouth.
+/// All paths of a plan on an uncut tooth; none where it has no fissure to follow, no such body, or no room inside its
+/// outline. `outer`: LayeredTooth::ownOuter, which takes some time in a mouth.
 [[nodiscard]] std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth,
                                             const std::shared_ptr<const SurfacePart>& outer);
 
-/// The same as places of the bur's tip at their final depth, tooth frame, mm. Fails with one sentence.
-[[nodiscard]] Expected<std::vector<std::vector<Vec3>>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth);
+/// The same with the places of the bur's tip at their final depth. Fails with one sentence.
+[[nodiscard]] Expected<std::vector<BurPath>> tipPaths(const PreparationPlan& plan, const LayeredTooth& tooth);
 
 /// The place from whose height, along PreparationPlan::outward, the depth of a flat floor counts. Nothing where the
 /// first stroke misses the uncut tooth, and where the paths have their own heights.

@@ -94,8 +94,38 @@ inline constexpr MessageText kOutlineNeedsBur{"outline_needs_bur",
                                               "an outline that is found on the tooth needs a bur of the catalogue",
                                               "歯の形から求める外形には、カタログのバーが必要です"};
 inline constexpr MessageText kBoxWithoutFissure{
-    "box_without_fissure", "a box ends a cavity along a fissure; give [cavity.fissure]",
-    "隣接面窩洞は裂溝に沿う窩洞の端に付きます。[cavity.fissure] を書いてください"};
+    "box_without_fissure",
+    "a box ends a cavity along a fissure or below an outline; give [cavity.fissure] or [cavity.outline]",
+    "隣接面窩洞は、裂溝に沿う窩洞か、外形のある窩洞の端に付きます。[cavity.fissure] か [cavity.outline] "
+    "を書いてください"};
+inline constexpr MessageText kAnOutline{"an_outline", "an outline", "外形"};
+inline constexpr MessageText kAForbiddenZone{"a_forbidden_zone", "a table 'forbidden'", "'forbidden' の表"};
+inline constexpr MessageText kOutlineUnfit{"outline_unfit", "an outline takes the place of strokes and of 'removes'",
+                                           "外形は、ストロークや 'removes' の代わりに指定します"};
+inline constexpr MessageText kBoxUnfit{"box_unfit", "a box needs a cavity from the occlusal side with a flat floor",
+                                       "隣接面窩洞が付くのは、咬合面からの、窩底の平らな窩洞だけです"};
+inline constexpr MessageText kCornersNeeded{
+    "corners_needed", "'corners' must be a list of 3 to %1 places, each [x, y, z] in mm near the tooth",
+    "'corners' は 3 個から %1 個までの位置の並びで、それぞれ歯の近くの [x, y, z]（mm）でなければなりません"};
+inline constexpr MessageText kDrawnOutlineCrosses{"drawn_outline_crosses",
+                                                  "the outline crosses itself, seen from its side",
+                                                  "外形が、その向きから見て自分自身と交わっています"};
+inline constexpr MessageText kTooManyZones{"too_many_zones", "there are more than %1 tables 'forbidden'",
+                                           "'forbidden' の表が %1 個を超えています"};
+inline constexpr MessageText kPlaceTooFar{"place_too_far", "this place is far away from any tooth; places are in mm",
+                                          "この位置は歯から遠すぎます。位置の単位は mm です"};
+inline constexpr MessageText kDecaySiteOrPlace{"decay_site_or_place",
+                                               "decay has either a 'site' or a place, 'at', not both",
+                                               "う蝕には 'site' か位置 'at' のどちらか一方を書いてください"};
+inline constexpr MessageText kNoRoomInOutline{
+    "no_room_in_outline",
+    "the outline is narrower than the bur, lies beside the tooth, or does not reach its box; draw it anew.",
+    "外形がバーより狭いか、歯から外れているか、隣接面窩洞に届いていません。描き直してください。"};
+inline constexpr MessageText kMustLieInFolder{"must_lie_in_folder",
+                                              "%1 must lie in the folder of the exercise, %2, or below it; save it "
+                                              "there.",
+                                              "%1 は課題のフォルダー %2 かその下に置く必要があります。"
+                                              "課題をそのフォルダーに保存してください。"};
 inline constexpr MessageText kBoxTwice{"box_twice", "there is already a box on this side",
                                        "この側には、すでに隣接面窩洞があります"};
 inline constexpr MessageText kBoxSide{"box_side", "'side' of a box must be mesial or distal",
@@ -147,6 +177,8 @@ inline constexpr MessageText kNoRidge{"no_ridge", "the tooth has no outside towa
 inline constexpr MessageText kNoPulpKnown{"no_pulp_known", "the files have no pulp", "ファイルに歯髄がありません"};
 inline constexpr MessageText kNoNeighbourKnown{"no_neighbour_known", "the files have no tooth beside",
                                                "ファイルに隣在歯がありません"};
+inline constexpr MessageText kNoForbiddenZone{"no_forbidden_zone", "the exercise has no forbidden zone",
+                                              "この課題に切削禁止域はありません"};
 inline constexpr MessageText kNoTissueKnown{"no_tissue_known", "the files do not say what is enamel and dentin",
                                             "ファイルにエナメル質と象牙質の区別がありません"};
 inline constexpr MessageText kNoDecayKnown{"no_decay_known", "the tooth has no decay", "この歯にう蝕はありません"};
@@ -201,6 +233,8 @@ inline constexpr MessageText kCriterionWithoutEffect{
 inline constexpr MessageText kRubricUnknown{
     "rubric_unknown", "there is no rubric %1; give a file that ends in .toml, or one of %2.",
     "%1 という評価基準表はありません。末尾が .toml のファイルか、%2 のいずれかを指定してください。"};
+
+inline constexpr MessageText kForbiddenCriterion{"forbidden_criterion", "Forbidden zones", "切削禁止域"};
 
 // Marks of teachers.
 inline constexpr MessageText kMarksNameEmpty{"marks_name_empty", "the column '%1' is empty here; write a name.",

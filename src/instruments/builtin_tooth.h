@@ -57,6 +57,11 @@ struct Lesion {
     LesionSite site = LesionSite::Usual;
     double width = kDefaultLesionWidth;  ///< mm, width in the dentin, at most 4
     std::optional<double> depth;         ///< mm below the surface; none: the depth that fits the width
+    /// In place of `site`: where it begins, in the frame of the tooth, mm. It begins at the nearest place of the
+    /// surface and grows inwards, square to it.
+    std::optional<Vec3> place = {};
+
+    bool operator==(const Lesion&) const = default;
 };
 
 /// One tooth of the built-in mouth.
@@ -65,6 +70,8 @@ struct ToothRequest {
     int triangles = 20000;   ///< of `outer`, about; the other layers have the same resolution
     std::uint32_t seed = 0;  ///< 0: the average tooth; any other number: the same tooth of another patient
     std::optional<Lesion> lesion{};
+
+    bool operator==(const ToothRequest&) const = default;
 };
 
 /// Whether a number is one of 11-18, 21-28, 31-38, 41-48.

@@ -116,6 +116,30 @@ TEST(ExerciseFile, EndsAFissureWithARidgeOrABox) {
     EXPECT_EQ(plan.boxes[0].axialHeight, 1.1);
 }
 
+const std::string kOutline = "[cavity.outline]\ntaper = 4\ncorners = [[-2, -1, 6], [3, -1, 6], [3, 1, 6]]\n";
+
+TEST(ExerciseFile, HasAnOutlineThatSomebodyHasDrawn) {
+    const auto exercise = parsed(exerciseWith(kStroke, kOutline + kBox));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    const auto& plan = std::get<PreparationPlan>(exercise->ideal);
+    ASSERT_TRUE(plan.outline);
+    EXPECT_EQ(plan.outline->corners[1], Vec3(3, -1, 6));
+    EXPECT_EQ(plan.outline->taperDegrees, 4);
+    EXPECT_EQ(plan.outline->burRadius, 0.4);
+    EXPECT_EQ(plan.outline->burLength, 1.6);
+    EXPECT_EQ(plan.boxes.size(), 1U);
+}
+
+TEST(ExerciseFile, NamesPlacesOfDecayAndWhereNothingMayBeCut) {
+    const auto exercise = parsed(exerciseWith("tooth = 36", "tooth = 36\ndecay = {at = [1, 2, 6.5], width = 2}") +
+                                 "[[forbidden]]\nside = \"mesial\"\ncorners = [[3, 0, 1], [3, 1, 1], [3, 1, 2]]\n");
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    EXPECT_EQ(std::get<ToothRequest>(exercise->tooth).lesion->place, Vec3(1, 2, 6.5));
+    ASSERT_EQ(exercise->forbidden.size(), 1U);
+    EXPECT_EQ(exercise->forbidden[0].outward, Vec3::UnitX());
+    EXPECT_EQ(exercise->forbidden[0].corners[2], Vec3(3, 1, 2));
+}
+
 TEST(ExerciseFile, ASoundToothHasNoDecayToRemove) {
     const auto exercise = parsed(exerciseWith(kStroke, "[cavity.removes]\ntissue = \"caries\"\n"));
     ASSERT_TRUE(exercise) << exercise.error().message();
@@ -140,6 +164,16 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {"bur = \"330\"", "bur = \"999\"", "line 4: there is no bur '999'"},
         {"bur = \"330\"", "bur = 330", "line 4: 'bur' must be a text"},
         {"[cavity]", "ideal = \"i.stl\"\n[cavity]", "give the ideal shape either"},
+        {kStroke, "[cavity.outline]\ncorners = [[0, 0, 0], [1, 0, 0]]\n", "line 8: 'corners' must be a list of 3 to"},
+        {kStroke, "[cavity.outline]\ncorners = [[0, 0, 0], [1, 0, 0], [1, 1]]\n", "line 8: 'corners' must be a list"},
+        {kStroke, "[cavity.outline]\ncorners = [[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]\n", "crosses itself"},
+        {kStroke, "[cavity.outline]\n", "'corners' must be a list"},
+        {kStroke, kStroke + kOutline, "an outline takes the place of strokes"},
+        {"[cavity]\ndepth = 1.5\n" + kStroke, "[cavity]\ndepth = 1.5\nside = \"buccal\"\n" + kOutline + kBox,
+         "a box needs a cavity from the occlusal side"},
+        {"tooth = 36", "tooth = 36\ndecay = {site = \"buccal\", at = [0, 0, 0]}", "either a 'site' or a place"},
+        {"tooth = 36", "tooth = 36\ndecay = {at = [0, 0, 9000]}", "far away from any tooth"},
+        {"[cavity]", "[[forbidden]]\nside = \"mesial\"\n[cavity]", "'corners' must be a list"},
         {"depth = 1.5", "depth = 0", "line 6: 'depth' must be a number from 0.05 to 15"},
         {"depth = 1.5\n", "", "the key 'depth' is missing"},
         {"depth = 1.5", "depth = 1.5\nside = \"above\"", "'side' must be"},

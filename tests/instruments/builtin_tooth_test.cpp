@@ -227,6 +227,33 @@ TEST(BuiltinTooth, LesionGrowsWithItsWidthAndZeroMeansSound) {
     EXPECT_TRUE(makeBuiltinTooth(LowerFirstMolar, 8000, 0).caries.empty());
 }
 
+/// On teeth of both sides of the mouth, whose frames are mirror images.
+TEST(BuiltinTooth, DecayBeginsWhereItIsPlaced) {
+    std::mt19937 random(5);
+    for (const int fdi : {36, 46, 11}) {
+        const BuiltinTooth sound = makeTooth({.fdi = fdi});
+        std::vector<Vec3> crown;
+        for (const Vec3f& vertex : sound.outer.vertices) {
+            if (vertex.z() > 1.5F && vertex.z() < 5) crown.push_back(vertex.cast<double>());
+        }
+        for (int i = 0; i < test::cases(3, 1); ++i) {
+            const Vec3 place = crown[std::uniform_int_distribution<std::size_t>(0, crown.size() - 1)(random)];
+            const Lesion lesion{.site = LesionSite::Usual, .width = 1.6, .depth = 1.2, .place = place};
+            const BuiltinTooth decayed = makeTooth({.fdi = fdi, .lesion = lesion});
+            ASSERT_FALSE(decayed.caries.empty());
+            double nearest = 100, farthest = 0;
+            for (const Vec3f& vertex : decayed.caries.vertices) {
+                const double distance = (vertex.cast<double>() - place).norm();
+                nearest = std::min(nearest, distance);
+                farthest = std::max(farthest, distance);
+            }
+            EXPECT_LT(nearest, 0.2) << fdi;
+            EXPECT_LT(farthest, 1.7) << fdi;
+            EXPECT_GT(farthest, 0.7) << fdi;
+        }
+    }
+}
+
 TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {
     // A. S. Deutsch, B. L. Musikant 2004, lower molars: chamber ceiling 6.36 +- 0.93 mm and floor 7.95 +- 0.79 mm below
     // the cusp, measured in the chamber's middle.

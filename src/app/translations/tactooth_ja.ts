@@ -37,6 +37,101 @@
     </message>
 </context>
 <context>
+    <name>tactooth::CavityFields</name>
+    <message>
+        <source>Cavity</source>
+        <translation>窩洞</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>Occlusal</source>
+        <translation>咬合面</translation>
+    </message>
+    <message>
+        <source>Buccal</source>
+        <translation>頬側</translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation>舌側</translation>
+    </message>
+    <message>
+        <source>Mesial</source>
+        <translation>近心</translation>
+    </message>
+    <message>
+        <source>Distal</source>
+        <translation>遠心</translation>
+    </message>
+    <message>
+        <source>Seen from</source>
+        <translation>見る向き</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深さ</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Taper of the walls</source>
+        <translation>側壁の傾き</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>How much the walls lean outward; 0: as the bur makes them</source>
+        <translation>側壁が外へ開く角度。0 ならバーの形のとおり</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>窩底</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>平ら</translation>
+    </message>
+    <message>
+        <source>Follows the surface</source>
+        <translation>歯の表面に沿う</translation>
+    </message>
+    <message>
+        <source>Mesial box</source>
+        <translation>近心の隣接面窩洞</translation>
+    </message>
+    <message>
+        <source>Distal box</source>
+        <translation>遠心の隣接面窩洞</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Axial depth</source>
+        <translation>軸側壁の深さ</translation>
+    </message>
+    <message>
+        <source>Axial height</source>
+        <translation>軸側壁の高さ</translation>
+    </message>
+    <message>
+        <source>Choose Decay above, and click where it begins</source>
+        <translation>上で「う蝕」を選び、始まる場所をクリックします</translation>
+    </message>
+    <message>
+        <source>fits the width</source>
+        <translation>幅に合わせる</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::DrillBar</name>
     <message>
         <source>Drill</source>
@@ -97,6 +192,151 @@
     <message>
         <source>Puts back all that was cut (%1); Undo takes that back</source>
         <translation>削ったところをすべて元に戻します（%1）。「元に戻す」で取り消せます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::EditorController</name>
+    <message>
+        <source>Edit a copy</source>
+        <translation>写しを編集</translation>
+    </message>
+    <message>
+        <source>Exercise to begin with:</source>
+        <translation>もとにする課題：</translation>
+    </message>
+    <message>
+        <source>An examination has begun: finish it before you make an exercise</source>
+        <translation>試験中です。課題を作るのは試験を終えてからにしてください</translation>
+    </message>
+    <message>
+        <source>New exercise</source>
+        <translation>新しい課題</translation>
+    </message>
+    <message>
+        <source>Preparing the tooth of the exercise…</source>
+        <translation>課題の歯を準備しています…</translation>
+    </message>
+    <message>
+        <source>The mouse draws the exercise on the tooth; right: turn, Ctrl and wheel: nearer</source>
+        <translation>マウスで課題を歯に描きます。右ボタン：回す、Ctrl とホイール：近づける</translation>
+    </message>
+    <message>
+        <source>Exercise editor</source>
+        <translation>課題の編集</translation>
+    </message>
+    <message>
+        <source>Click the next point, or the first one to close the line.</source>
+        <translation>次の点をクリックします。最初の点をクリックすると線が閉じます。</translation>
+    </message>
+    <message>
+        <source>Click where the decay begins.</source>
+        <translation>う蝕の始まる場所をクリックします。</translation>
+    </message>
+    <message>
+        <source>Click: add a point. Drag: move it. Right click: remove it.</source>
+        <translation>クリック：点を加える。ドラッグ：動かす。右クリック：消す。</translation>
+    </message>
+    <message>
+        <source>Save exercise</source>
+        <translation>課題を保存</translation>
+    </message>
+    <message>
+        <source>Exercises (*.toml)</source>
+        <translation>課題 (*.toml)</translation>
+    </message>
+    <message>
+        <source>The exercise was saved to %1</source>
+        <translation>課題を %1 に保存しました</translation>
+    </message>
+    <message>
+        <source>Unsaved exercise</source>
+        <translation>保存していない課題</translation>
+    </message>
+    <message>
+        <source>The exercise has changes that are not saved. Save it first?</source>
+        <translation>課題に保存していない変更があります。先に保存しますか？</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::EditorPanel</name>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Takes the last change back</source>
+        <translation>直前の変更を取り消します</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Makes it again</source>
+        <translation>取り消した変更をもう一度行います</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>試す</translation>
+    </message>
+    <message>
+        <source>Starts the exercise as a student sees it</source>
+        <translation>学生と同じ見え方で課題を始めます</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Writes the file of the exercise, and adds it to your own</source>
+        <translation>課題をファイルに書き、自作の課題に加えます</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Leaves the editor; what is not saved is asked about</source>
+        <translation>編集を終えます。保存していない変更があれば確かめます</translation>
+    </message>
+    <message>
+        <source>You are trying the exercise as a student sees it. Nothing of what you cut is kept.</source>
+        <translation>学生と同じ見え方で課題を試しています。削ったものは残りません。</translation>
+    </message>
+    <message>
+        <source>Back to the editor</source>
+        <translation>編集に戻る</translation>
+    </message>
+    <message>
+        <source>The exercise is as you left it</source>
+        <translation>課題は元のままです</translation>
+    </message>
+    <message>
+        <source>The exercise is complete.</source>
+        <translation>課題はそろっています。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ExerciseMenu</name>
+    <message>
+        <source>E&amp;xercise</source>
+        <translation>課題(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;New exercise…</source>
+        <translation>新しい課題(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Edit a &amp;copy…</source>
+        <translation>写しを編集(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Your own</source>
+        <translation>自作の課題(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>まだありません</translation>
     </message>
 </context>
 <context>
@@ -912,6 +1152,69 @@ It can be overcome, and is off in an examination.</source>
     </message>
 </context>
 <context>
+    <name>tactooth::TaskFields</name>
+    <message>
+        <source>Task</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>How to do it</source>
+        <translation>進め方</translation>
+    </message>
+    <message>
+        <source>Bur</source>
+        <translation>バー</translation>
+    </message>
+    <message>
+        <source>Other burs</source>
+        <translation>ほかのバー</translation>
+    </message>
+    <message>
+        <source>Burs that serve as well</source>
+        <translation>代わりに使えるバー</translation>
+    </message>
+    <message>
+        <source>The usual one</source>
+        <translation>標準のもの</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>難しさ</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>許容差</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Rubric</source>
+        <translation>評価基準表</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::ToothController</name>
     <message>
         <source>A recording is shown. Leave the replay to save the tooth.</source>
@@ -980,6 +1283,77 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>Loading was cancelled: the tooth stays as it is</source>
         <translation>読み込みを中止しました。歯はそのままです</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ToothFields</name>
+    <message>
+        <source>Tooth and drawing</source>
+        <translation>歯と描画</translation>
+    </message>
+    <message>
+        <source>In the mouth, with its neighbours</source>
+        <translation>口腔内（隣在歯あり）</translation>
+    </message>
+    <message>
+        <source>Remove zone</source>
+        <translation>禁止域を削除</translation>
+    </message>
+    <message>
+        <source>Tooth</source>
+        <translation>歯</translation>
+    </message>
+    <message>
+        <source>Class I</source>
+        <translation>1 級</translation>
+    </message>
+    <message>
+        <source>Class II, mesial</source>
+        <translation>2 級 近心</translation>
+    </message>
+    <message>
+        <source>Class II, distal</source>
+        <translation>2 級 遠心</translation>
+    </message>
+    <message>
+        <source>Class V</source>
+        <translation>5 級</translation>
+    </message>
+    <message>
+        <source>Draws the outline of such a cavity on the tooth, in place of the one that is there</source>
+        <translation>この窩洞の外形を、いまの外形の代わりに歯に描きます</translation>
+    </message>
+    <message>
+        <source>Free outline</source>
+        <translation>自由な外形</translation>
+    </message>
+    <message>
+        <source>Takes the outline away: draw it point by point</source>
+        <translation>外形を消します。点を一つずつ描いてください</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>ひな形</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>外形</translation>
+    </message>
+    <message>
+        <source>Forbidden zone</source>
+        <translation>切削禁止域</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <translation>う蝕</translation>
+    </message>
+    <message>
+        <source>New zone</source>
+        <translation>新しい禁止域</translation>
+    </message>
+    <message>
+        <source>A click draws</source>
+        <translation>クリックで描くもの</translation>
     </message>
 </context>
 <context>

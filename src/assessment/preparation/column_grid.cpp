@@ -72,4 +72,9 @@ ColumnGrid::Vec2 ColumnGrid::lineOf(int i, int j) const {
     return spacing_ * Vec2(i + x - std::floor(x), j + y - std::floor(y));
 }
 
+Vec3 ColumnGrid::placeOf(std::size_t column) const {
+    const Vec2 at = low_ + lineOf(static_cast<int>(column % columns_), static_cast<int>(column / columns_));
+    return at.x() * u_ + at.y() * v_;
+}
+
 }  // namespace tactooth

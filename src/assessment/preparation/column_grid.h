@@ -27,6 +27,13 @@ public:
     [[nodiscard]] double area() const { return spacing_ * spacing_; }
     /// Whether one of the surfaces lies over or under the column.
     [[nodiscard]] bool isCovered(std::size_t column) const { return isCovered_[column] != 0; }
+    /// Covers only those columns whose line `isWanted(place)` accepts, by any place on it.
+    template <class Wanted>
+    void keep(const Wanted& isWanted) {
+        for (std::size_t column = 0; column < size(); ++column) {
+            if (isCovered_[column] != 0 && !isWanted(placeOf(column))) isCovered_[column] = 0;
+        }
+    }
     /// Whether `place` lies in a column that is covered.
     [[nodiscard]] bool covers(const Vec3& place) const;
     /// Whether a ball may lie over or under the grid.
@@ -54,6 +61,8 @@ private:
     };
     [[nodiscard]] Range rangeOf(const Vec2& low, const Vec2& high) const;
     [[nodiscard]] Vec2 lineOf(int i, int j) const;
+    /// A place on the line of a column.
+    [[nodiscard]] Vec3 placeOf(std::size_t column) const;
 
     /// The side of an edge on which a line runs, the same for both triangles of the edge.
     static bool isLeftOf(const Vec2& line, std::uint32_t from, const Vec3& a, std::uint32_t to, const Vec3& b) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/cavity_walls.h"
+#include "assessment/forbidden_zone.h"
 
 namespace tactooth {
 
@@ -20,6 +21,7 @@ struct Preparation {
     std::vector<std::shared_ptr<const SurfacePart>> pulps = {};  ///< closed; empty: the files have none
     std::shared_ptr<const SurfacePart> neighbours = {};          ///< uncut; null: the files have none
     TriangleMesh cutNeighbours = {};                             ///< the pieces of surface that cutting them has made
+    std::vector<ForbiddenZone> forbidden = {};                   ///< of the exercise
 };
 
 /// Four directions around the axis of a preparation, unit, square to it.

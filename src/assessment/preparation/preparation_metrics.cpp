@@ -7,6 +7,7 @@
 
 #include "assessment/messages.h"
 #include "assessment/preparation/enamel_support.h"
+#include "assessment/preparation/forbidden_volume.h"
 
 namespace tactooth {
 namespace {
@@ -132,6 +133,10 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.damage.neighbourDepth; },
                       "Greatest depth of a cut below the surface of a tooth beside.", "隣在歯の傷の最大深さ",
                       "隣在歯の表面からの、切削の深さの最大値。"},
+    PreparationMetric{"forbidden_volume", "Cut in forbidden zones", "mm^3", Better::Lower,
+                      [](All m) { return m.forbiddenVolume; },
+                      "Volume that was removed below the outlines of the exercise's forbidden zones.",
+                      "切削禁止域の削除量", "課題の切削禁止域の外形の下で削除した体積。"},
     PreparationMetric{"unsupported_enamel", "Unsupported enamel", "mm^2", Better::Lower,
                       [](All m) { return m.unsupportedEnamel; },
                       "Area of cut enamel below which, square to the uncut surface, there is no dentin.",
@@ -249,6 +254,7 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const S
     volumes = preparedVolumes(preparation, columns);
     deviation = surfaceDeviation(preparation, columns);
     tissues = tissueVolumes(preparation, volumes, kSpacing);
+    forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
     hasSession = track != nullptr;
     if (hasSession) hand = handWork(*track);
 }

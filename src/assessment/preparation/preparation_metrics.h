@@ -35,6 +35,7 @@ struct PreparationMeasures {
     Measured unsupportedEnamel;
     MarginLine margin;
     TissueVolumes tissues;
+    Measured forbiddenVolume;
     bool hasSession = false;
     std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
 };

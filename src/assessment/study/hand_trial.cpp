@@ -52,11 +52,13 @@ std::vector<double> depthsOf(const std::vector<Vec3>& path, const Surface& uncut
 Expected<StudyScene> studyScene(const Exercise& exercise, Preparation preparation) {
     const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
     if (plan == nullptr) return unexpected(msg::kStudyNeedsAPlan, exercise.name);
-    auto paths = tipPaths(*plan, *preparation.tooth);
-    if (!paths) return Unexpected{paths.error()};
+    const auto planned = tipPaths(*plan, *preparation.tooth);
+    if (!planned) return Unexpected{planned.error()};
+    std::vector<std::vector<Vec3>> paths;
+    for (const BurPath& path : *planned) paths.push_back(path.places);
     Expected<Instrument> instrument = instrumentOf(exercise);
     if (!instrument) return Unexpected{instrument.error()};
-    StudyScene scene{std::move(preparation), {std::move(*paths), {}, plan->outward}, std::move(*instrument)};
+    StudyScene scene{std::move(preparation), {std::move(paths), {}, plan->outward}, std::move(*instrument)};
     const Surface uncut{.base = scene.preparation.original};
     for (const std::vector<Vec3>& path : scene.task.paths)
         scene.task.depths.push_back(depthsOf(path, uncut, plan->outward));

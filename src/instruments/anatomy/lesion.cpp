@@ -49,6 +49,32 @@ LesionOrigin placeAlong(const ToothShape& shape, const Vec3& from, const Vec3& o
     return place;
 }
 
+/// Out of the tooth, not normalised.
+Vec3 gradientAt(const ToothShape& shape, const Vec3& place) {
+    Vec3 gradient;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 step = kStep * Vec3::Unit(i);
+        gradient[i] = (shape.outer(place + step) - shape.outer(place - step)) / (2 * kStep);
+    }
+    return gradient;
+}
+
+/// The nearest place of the surface, by Newton's method along the gradient.
+LesionOrigin nearestTo(const ToothShape& shape, const Vec3& place) {
+    constexpr int kSteps = 30;         // a place on the mesh of the tooth needs two or three
+    constexpr double kThickest = 4.0;  // mm: more than any enamel
+    LesionOrigin origin{.site = place, .inward = -Vec3::UnitZ(), .enamel = 0};
+    for (int i = 0; i < kSteps; ++i) {
+        const Vec3 gradient = gradientAt(shape, origin.site);
+        if (!(gradient.squaredNorm() > 0)) break;
+        origin.inward = -gradient.normalized();
+        origin.site -= shape.outer(origin.site) / gradient.squaredNorm() * gradient;
+    }
+    while (origin.enamel < kThickest && shape.core(origin.site + origin.enamel * origin.inward) >= 0)
+        origin.enamel += kStep;
+    return origin;
+}
+
 LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
     constexpr double kContact = 0.60;  // share of the crown's height: just below the contact, where plaque stays
     constexpr double kNeck = 1.4;      // mm above the cervical line
@@ -69,12 +95,18 @@ LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
     return {shape.lesionSite, shape.lesionInward, shape.lesionEnamel};
 }
 
+/// From the frame of the tooth into that of its shape, where +x is mesial for every tooth.
+Vec3 inShape(const ToothShape& shape, const Vec3& place) {
+    return {mesialX(shape.fdi) * place.x(), place.y(), place.z()};
+}
+
 }  // namespace
 
 ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
     TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= kMaxLesionWidth);
     TACTOOTH_ASSERT(!lesion.depth || *lesion.depth > 0);
-    const LesionOrigin place = placeOf(shape, lesion.site);
+    const LesionOrigin place =
+        lesion.place ? nearestTo(shape, inShape(shape, *lesion.place)) : placeOf(shape, lesion.site);
     const double width = lesion.width;
     // Depth of the middle of the part in the dentin below the enamel, and its half height.
     double middle = 0.10 * width, half = 0.36 * width;

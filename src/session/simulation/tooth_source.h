@@ -19,11 +19,15 @@ struct ToothSource {
     struct Layer {
         std::string material;  ///< its name
         std::filesystem::path file;
+
+        bool operator==(const Layer&) const = default;
     };
     std::filesystem::path outer;                  ///< the surface that is touched
     std::vector<Layer> layers;                    ///< closed bodies inside it
     std::string material = {};                    ///< of the whole tooth, if there are no layers; empty: enamel
     const MaterialRegistry* materials = nullptr;  ///< null: those of a case, else the built-in ones
+
+    bool operator==(const ToothSource&) const = default;
 };
 
 /// Parses "NAME=FILE.stl" of a command line.

@@ -198,6 +198,23 @@ TEST(PreparationMetrics, MeasureAScratchInTheNeighbour) {
     }
 }
 
+/// A zone of 4 x 2 mm, of which the cavity from x = -2 to 2 and y = -1.5 to 1.5, 2 mm deep, takes 2 x 1 mm.
+TEST(PreparationMetrics, CountWhatIsCutBelowTheOutlineOfAForbiddenZone) {
+    Preparation preparation = blockPreparation(blockWithBox(-2, 2, -1.5, 1.5, 3), kIdeal);
+    EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "forbidden_volume"), "no_forbidden_zone");
+    const ForbiddenZone zone{.corners = {{0, 0.5, 5}, {4, 0.5, 5}, {4, 2.5, 5}, {0, 2.5, 5}}, .outward = Vec3::UnitZ()};
+    preparation.forbidden = {zone};
+    EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "forbidden_volume"), 2 * 1 * 2, 4 * kShare);
+    preparation.forbidden = {{.corners = {{3, 0, 5}, {4, 0, 5}, {4, 2, 5}}, .outward = Vec3::UnitZ()}};
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "forbidden_volume"), 0);
+    // The same zone seen from the side, over the upper 2 mm: 4 mm of the cavity lie behind 1 mm of its height.
+    preparation.forbidden = {
+        {.corners = {{5, -0.5, 4}, {5, 0.5, 4}, {5, 0.5, 6}, {5, -0.5, 6}}, .outward = Vec3::UnitX()}, zone};
+    EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "forbidden_volume"), 4 * 1 * 1 + 4, 8 * kShare);
+    preparation.prepared = preparation.original;
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "forbidden_volume"), 0);
+}
+
 TEST(PreparationMetrics, OfAnUncutToothHaveReasonsInsteadOfZeros) {
     const PreparationMeasures nothing = measured(box(Vec3(-5, -5, -5), Vec3(5, 5, 5)));
     EXPECT_EQ(valueOf(nothing, "cleared_share"), 0);

@@ -7,7 +7,7 @@
 #include "app/common/report/preparation_parts.h"
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
-#include "assessment/rubric/rubric_file.h"
+#include "assessment/rubric/exercise_rubric.h"
 #include "geometry/files/file_bytes.h"
 #include "session/cases/loaded_tooth.h"
 
@@ -26,14 +26,12 @@ Expected<AssessSource> AssessSource::load(const ComparisonOptions& options) {
     AssessSource source;
     if (!options.original.empty()) source.originalName_ = displayName(options.original);
     source.align_ = options.align;
-    std::string rubric(kUsualRubric);
     if (!options.exercise.empty()) {
         Expected<Exercise> found = findExercise(options.exercise);
         if (!found) return Unexpected{found.error()};
         source.exercise_ = std::move(*found);
-        if (!source.exercise_->rubric.empty()) rubric = source.exercise_->rubric;
     }
-    Expected<Rubric> named = findRubric(options.rubric.empty() ? rubric : options.rubric);
+    Expected<Rubric> named = rubricOf(source.exercise_.value_or(Exercise{}), options.rubric);
     if (!named) return Unexpected{named.error()};
     source.rubric_ = std::move(*named);
     if (!options.original.empty()) {

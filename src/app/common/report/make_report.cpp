@@ -49,6 +49,7 @@ void setExercise(AssessedWork& work, const Exercise& exercise) {
     work.japaneseExpert = exercise.japanese.name;
     work.japaneseTask = exercise.japanese.task;
     work.tolerance = exercise.tolerance;
+    work.preparation.forbidden = exercise.forbidden;
 }
 
 Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language) {

@@ -36,7 +36,7 @@ struct AssessedWork {
 /// Version and commit of this program.
 [[nodiscard]] std::string programText();
 
-/// Names the exercise whose ideal the work is compared with, and takes its tolerance.
+/// Names the exercise whose ideal the work is compared with, and takes its tolerance and its forbidden zones.
 void setExercise(AssessedWork& work, const Exercise& exercise);
 
 /// Measures and marks a work, and draws its pictures. Takes some seconds. `rubric` outlives the report. Fails with one

@@ -11,9 +11,11 @@
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/model/examination_mode.h"
 #include "app/gui/model/exercise_tooth.h"
+#include "app/gui/model/own_exercises.h"
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/scene/surface_line.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 #include "assessment/cavity_view.h"
@@ -57,11 +59,35 @@ void ExerciseController::open(const QString& file) {
     start(std::make_shared<const Exercise>(std::move(*read)));
 }
 
+void ExerciseController::addOwn() {
+    const OwnExercises own = readOwnExercises(ownExerciseFolder());
+    for (const auto& exercise : own.exercises) add(exercise);
+    if (!own.faults.empty()) messages_.setHint(QString::fromStdString(own.faults.front().in(windowLanguage())));
+}
+
+void ExerciseController::add(const std::shared_ptr<const Exercise>& exercise) { panels_.exercise->add(exercise); }
+
+void ExerciseController::remove(const std::shared_ptr<const Exercise>& exercise) { panels_.exercise->remove(exercise); }
+
 void ExerciseController::takeTooth() {
     clock_.restart();
     clearTarget();
     active_ = exerciseOf(*model_.tooth());
     showActive();
+    showZones();
+}
+
+/// Where nothing may be cut.
+void ExerciseController::showZones() {
+    OutlineMarks marks;
+    for (std::size_t i = 0; active_ != nullptr && i < active_->forbidden.size(); ++i) {
+        const ForbiddenZone& zone = active_->forbidden[i];
+        const auto outer = model_.tooth()->piece->tooth().ownOuter();
+        marks.lines.push_back({.kind = OutlineMarks::Kind::Forbidden,
+                               .places = lineOnSurface(zone.corners, zone.outward, true, outer),
+                               .outward = zone.outward});
+    }
+    panels_.view->outlines().setMarks(OutlineOverlay::Layer::Exercise, std::move(marks));
 }
 
 void ExerciseController::beginExercise() {
@@ -126,6 +152,7 @@ void ExerciseController::openTarget(const QString& file) {
     messages_.setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
     active_ = nullptr;
     showActive();
+    showZones();
     targetFile_ = file;
     pendingTarget_.start(
         [file, outer = model_.tooth()->piece->tooth().ownOuter(), box = model_.tooth()->box()]() -> Expected<Target> {
@@ -140,6 +167,7 @@ void ExerciseController::clearTarget() {
     active_ = nullptr;
     targetFile_.clear();
     setTarget({});
+    showZones();
 }
 
 void ExerciseController::setTarget(Target target) {

@@ -36,6 +36,12 @@ public:
     /// Writes the report of the work; shows a message if that fails.
     void exportReport(const QString& file);
     void askForExercise();
+    /// Adds the exercises of the user's own folder to the list; the status line names a file that cannot be used.
+    void addOwn();
+    /// Adds one, or puts it in the place of the one from the same file.
+    void add(const std::shared_ptr<const Exercise>& exercise);
+    /// Takes one out of the list, unless it is active.
+    void remove(const std::shared_ptr<const Exercise>& exercise);
 
     /// The target as another window takes it over.
     struct TargetState {
@@ -74,6 +80,7 @@ signals:
 
 private:
     void showCavity();
+    void showZones();
     void prepareHand();
     void loadIdealShape();
     void setTarget(Target target);

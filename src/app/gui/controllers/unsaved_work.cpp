@@ -8,7 +8,14 @@
 
 namespace tactooth {
 
+bool UnsavedWork::isUnsaved() const { return model_.isModified() || (other_.isUnsaved && other_.isUnsaved()); }
+
 void UnsavedWork::confirmDiscard(Function then, const Function& otherwise) {
+    if (!other_.isUnsaved || !other_.isUnsaved()) return confirmCuts(std::move(then), otherwise);
+    other_.confirm([this, then = std::move(then), otherwise] { confirmCuts(then, otherwise); }, otherwise);
+}
+
+void UnsavedWork::confirmCuts(Function then, const Function& otherwise) {
     if (!model_.isModified()) return then();
     const auto cancel = [otherwise] {
         if (otherwise) otherwise();
@@ -33,6 +40,6 @@ void UnsavedWork::confirmDiscard(Function then, const Function& otherwise) {
     question_->open();
 }
 
-void UnsavedWork::showState() { window_.setWindowModified(model_.isModified()); }
+void UnsavedWork::showState() { window_.setWindowModified(isUnsaved()); }
 
 }  // namespace tactooth

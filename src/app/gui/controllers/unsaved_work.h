@@ -11,9 +11,9 @@ namespace tactooth {
 
 class SessionModel;
 
-/// Asks before cuts are lost that were neither saved nor exported. Whatever replaces the tooth or ends the program goes
-/// through `confirmDiscard`, and nothing else may: ToothController does it for all that loads a tooth, and the window
-/// when it closes.
+/// Asks before cuts are lost that were neither saved nor exported, and before an exercise is lost that is being made.
+/// Whatever replaces the tooth or ends the program goes through `confirmDiscard`, and nothing else may: ToothController
+/// does it for all that loads a tooth, and the window when it closes.
 class UnsavedWork final : public QObject {
     Q_OBJECT
 
@@ -26,6 +26,16 @@ public:
     using Saver = std::function<void(Function saved)>;
     void setSaver(Saver saver) { save_ = std::move(saver); }
 
+    /// Other work that is lost with the tooth: an exercise that is being made.
+    struct Other {
+        std::function<bool()> isUnsaved;
+        /// Asks about it: calls `then` where it was saved or may be lost, `otherwise` where it may not.
+        std::function<void(Function then, Function otherwise)> confirm;
+    };
+    void setOther(Other other) { other_ = std::move(other); }
+    /// Whether anything would be asked.
+    [[nodiscard]] bool isUnsaved() const;
+
     /// Calls `then` at once if nothing is lost by it. Otherwise it asks, and returns at once: Save calls `then` after
     /// the tooth was saved, Discard calls it, Cancel calls `otherwise`. While a question is open, another one is
     /// cancelled.
@@ -34,9 +44,12 @@ public:
     void showState();
 
 private:
+    void confirmCuts(Function then, const Function& otherwise);
+
     SessionModel& model_;
     QWidget& window_;
     Saver save_;
+    Other other_;
     QPointer<QMessageBox> question_;
 };
 

@@ -13,7 +13,7 @@
 #include "app/common/report/preparation_parts.h"
 #include "app/common/report/report_font.h"
 #include "assessment/ideal_shape.h"
-#include "assessment/rubric/rubric_file.h"
+#include "assessment/rubric/exercise_rubric.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
@@ -116,8 +116,7 @@ Expected<std::shared_ptr<const WorkAssessment>> assessWork(FinishedWork work, As
     const auto assessment = std::make_shared<WorkAssessment>();
     assessment->work = std::move(work);
     const FinishedWork& finished = assessment->work;
-    const std::string& rubric = finished.exercise->rubric;
-    Expected<Rubric> found = findRubric(rubric.empty() ? std::string(kUsualRubric) : rubric);
+    Expected<Rubric> found = rubricOf(*finished.exercise);
     if (!found) return Unexpected{found.error()};
     assessment->rubric = std::move(*found);
     const Recorded recorded = replay(*assessment, progress);

@@ -18,16 +18,27 @@ struct Row {
 };
 /// The first row that fits counts: the picture of a replay is a picture, too.
 constexpr std::array kRows = {
-    Row{"tactooth::ReplayPanel", "user/replay.md"},  Row{"finishExamination", "user/examinations.md"},
-    Row{"tactooth::ReportDialog", "user/finish.md"}, Row{"tactooth::HandInDialog", "user/finish.md"},
-    Row{"tactooth::KeyEditor", "user/keys.md"},      Row{"tactooth::ImportDialog", kFirst, 7},
-    Row{"tactooth::OpenToothDialog", kFirst, 7},     Row{"tactooth::SettingsDialog", kFirst, 10},
-    Row{"tactooth::ToothView", "user/keys.md"},      Row{"tactooth::DrillBar", kFirst, 3},
-    Row{"tactooth::DrivePanel", kFirst, 3},          Row{"tactooth::ForcePanel", kFirst, 3},
-    Row{"tactooth::HistoryPanel", kFirst, 3},        Row{"tactooth::DevicePanel", kFirst, 8},
-    Row{"tactooth::InspectionPanel", kFirst, 5},     Row{"tactooth::ExercisePanel", kFirst, 6},
-    Row{"tactooth::PlotPanel", kFirst, 2},           Row{"tactooth::EventPanel", kFirst, 10},
-    Row{"tactooth::SoundPanel", kFirst, 10},         Row{"tactooth::TimingPanel", kFirst, 10},
+    Row{"tactooth::ReplayPanel", "user/replay.md"},
+    Row{"finishExamination", "user/examinations.md"},
+    Row{"tactooth::EditorPanel", "user/editor.md"},
+    Row{"tactooth::ReportDialog", "user/finish.md"},
+    Row{"tactooth::HandInDialog", "user/finish.md"},
+    Row{"tactooth::KeyEditor", "user/keys.md"},
+    Row{"tactooth::ImportDialog", kFirst, 7},
+    Row{"tactooth::OpenToothDialog", kFirst, 7},
+    Row{"tactooth::SettingsDialog", kFirst, 10},
+    Row{"tactooth::ToothView", "user/keys.md"},
+    Row{"tactooth::DrillBar", kFirst, 3},
+    Row{"tactooth::DrivePanel", kFirst, 3},
+    Row{"tactooth::ForcePanel", kFirst, 3},
+    Row{"tactooth::HistoryPanel", kFirst, 3},
+    Row{"tactooth::DevicePanel", kFirst, 8},
+    Row{"tactooth::InspectionPanel", kFirst, 5},
+    Row{"tactooth::ExercisePanel", kFirst, 6},
+    Row{"tactooth::PlotPanel", kFirst, 2},
+    Row{"tactooth::EventPanel", kFirst, 10},
+    Row{"tactooth::SoundPanel", kFirst, 10},
+    Row{"tactooth::TimingPanel", kFirst, 10},
 };
 
 }  // namespace

@@ -24,6 +24,7 @@ const QStringList& firstPages() {
     static const QStringList kFirst = {"user/first-ten-minutes.md",
                                        kKeys,
                                        "user/finish.md",
+                                       "user/editor.md",
                                        "user/examinations.md",
                                        "user/replay.md",
                                        "user/metrics.md"};

@@ -9,7 +9,6 @@
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/device_panel.h"
 #include "app/gui/panels/drill_bar.h"
-#include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/instrument_tray.h"
 #include "app/gui/panels/sound_panel.h"
@@ -27,6 +26,7 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
+    exercise_ = std::make_unique<ExerciseMenu>(*window.menuBar(), exercise, *panels.exercise);
     addSoundMenu(*window.menuBar(), *panels.sound);
     help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages, keys, manual);
 }
@@ -76,8 +76,6 @@ void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     instruments_.addSpraySwitches(*menu);
     menu->addSeparator();
     menu->addActions({panels.drill->undoAction(), panels.drill->redoAction(), panels.drill->resetAction()});
-    menu->addSeparator();
-    menu->addAction(panels.exercise->finishAction());
 }
 
 void WindowMenus::addSoundMenu(QMenuBar& bar, SoundPanel& panel) {

@@ -7,6 +7,7 @@
 #include "app/gui/controllers/dock_layout.h"
 #include "app/gui/menus/appearance_menu.h"
 #include "app/gui/menus/bur_entry.h"
+#include "app/gui/menus/exercise_menu.h"
 #include "app/gui/menus/file_menu.h"
 #include "app/gui/menus/help_menu.h"
 #include "app/gui/menus/instrument_menus.h"
@@ -16,7 +17,7 @@
 
 namespace tactooth {
 
-/// The menu bar of the window: files, view, drill, sound and help.
+/// The menu bar of the window: files, view, drill, exercises, sound and help.
 class WindowMenus final : public QObject {
     Q_OBJECT
 
@@ -30,6 +31,7 @@ public:
     [[nodiscard]] FileMenu& file() { return file_; }
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
     [[nodiscard]] InstrumentMenus& instruments() { return instruments_; }
+    [[nodiscard]] ExerciseMenu& exercise() const { return *exercise_; }
     /// Shows three ways to begin.
     void welcome() { help_->welcome(); }
 
@@ -53,6 +55,7 @@ private:
     std::unique_ptr<ViewAidsMenu> aids_;
     std::unique_ptr<MeasureMenu> measure_;
     std::unique_ptr<AppearanceMenu> appearance_;
+    std::unique_ptr<ExerciseMenu> exercise_;
     std::unique_ptr<HelpMenu> help_;
 };
 

@@ -25,9 +25,11 @@ constexpr int kMostRows = 30;  // of the list without scrolling
 /// The title with its level.
 QString titleInList(const Exercise& exercise) {
     const QString title = exerciseTitle(exercise);
-    if (exercise.group == ExerciseGroup::Own) return title;
+    if (exercise.group == ExerciseGroup::Own) return title;  // nobody has said how hard it is
     return QString("%1 (%2)").arg(title, translated(titleOf(exercise.level)));
 }
+
+ExerciseGroup headingOf(const Exercise& exercise) { return exercise.id.empty() ? ExerciseGroup::Own : exercise.group; }
 
 /// Task and brief.
 QString textOf(const Exercise& exercise) {
@@ -121,10 +123,11 @@ void ExercisePanel::showFinish(const QString& obstacle, bool isStopped) {
     finish_->setToolTip(QString("%1 (%2)").arg(obstacle.isEmpty() ? what : obstacle, keyOf(*finish_)));
 }
 
+/// Those from files are the user's own, whatever they train.
 void ExercisePanel::addToList(const std::shared_ptr<const Exercise>& exercise) {
-    const bool isNewGroup = known_.back() == nullptr || known_.back()->group != exercise->group;
+    const bool isNewGroup = known_.back() == nullptr || headingOf(*known_.back()) != headingOf(*exercise);
     if (isNewGroup) {
-        exercises_->addItem(translated(titleOf(exercise->group)));
+        exercises_->addItem(translated(titleOf(headingOf(*exercise))));
         auto* heading = qobject_cast<QStandardItemModel*>(exercises_->model())->item(exercises_->count() - 1);
         heading->setFlags(Qt::NoItemFlags);
         QFont bold = exercises_->font();
@@ -234,7 +237,7 @@ void ExercisePanel::setMaterials(const MaterialRegistry& materials) {
 
 QString ExercisePanel::number(double value, int digits) const { return locale().toString(value, 'f', digits); }
 
-void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
+std::size_t ExercisePanel::placeOf(const std::shared_ptr<const Exercise>& exercise) {
     const auto isSame = [&](const auto& known) {
         return known == exercise || (known && exercise && !known->file.empty() && known->file == exercise->file);
     };
@@ -243,11 +246,33 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
         addToList(exercise);
         place = known_.end() - 1;
     }
-    const int row = rowOf(static_cast<std::size_t>(place - known_.begin()));
-    if (exercise != nullptr) exercises_->setItemText(row, titleInList(*exercise));
     *place = exercise;
+    const auto number = static_cast<std::size_t>(place - known_.begin());
+    if (exercise != nullptr) exercises_->setItemText(rowOf(number), titleInList(*exercise));
+    return number;
+}
+
+void ExercisePanel::add(const std::shared_ptr<const Exercise>& exercise) { placeOf(exercise); }
+
+void ExercisePanel::remove(const std::shared_ptr<const Exercise>& exercise) {
+    const auto place = std::find(known_.begin(), known_.end(), exercise);
+    if (exercise == nullptr || exercise == active_ || place == known_.end()) return;
+    const auto number = static_cast<int>(place - known_.begin());
+    int row = rowOf(static_cast<std::size_t>(number));
+    exercises_->removeItem(row);
+    const bool wasAlone = !exercises_->itemData(row - 1).isValid() &&
+                          (row == exercises_->count() || !exercises_->itemData(row).isValid());
+    if (wasAlone) exercises_->removeItem(--row);  // its heading
+    for (; row < exercises_->count(); ++row) {
+        if (exercises_->itemData(row).isValid()) exercises_->setItemData(row, exercises_->itemData(row).toInt() - 1);
+    }
+    known_.erase(place);
+}
+
+void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
+    const std::size_t number = placeOf(exercise);
     active_ = exercise;
-    exercises_->setCurrentIndex(row);
+    exercises_->setCurrentIndex(rowOf(number));
     task_->setText(exercise != nullptr ? textOf(*exercise)
                                        : tr("Choose an exercise, or a target of your own under Look inside."));
 }

@@ -32,6 +32,10 @@ public:
     /// Shows the active exercise; null: free practice. Adds an unknown exercise to the list, in place of one from the
     /// same file. Emits nothing.
     void show(const std::shared_ptr<const Exercise>& exercise);
+    /// Adds an exercise from a file to the list, in place of one from the same file. Emits nothing.
+    void add(const std::shared_ptr<const Exercise>& exercise);
+    /// Takes an exercise out of the list; the active one stays.
+    void remove(const std::shared_ptr<const Exercise>& exercise);
     /// `seconds`: since the first contact; `materials`: of the tooth; `cavity`: none without a target.
     void show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,
               const std::optional<CavityProgress>& cavity);
@@ -64,6 +68,8 @@ private:
     /// Adds one to the list, below the heading of its group.
     void addToList(const std::shared_ptr<const Exercise>& exercise);
     [[nodiscard]] int rowOf(std::size_t known) const;
+    /// Its place in known_; it is added if it is not there.
+    std::size_t placeOf(const std::shared_ptr<const Exercise>& exercise);
 
     // The data of a row is the place of its exercise here. The first: free practice.
     std::vector<std::shared_ptr<const Exercise>> known_;

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/scene/tooth_view.h"
 
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -21,8 +19,6 @@ namespace {
 constexpr int kRestMs = 400;                               // without a change until the full-quality picture is drawn
 constexpr double kPressStep = 0.1;                         // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
-constexpr double kKeyStep = 0.006;  // of the picture's height for one press of an arrow key: 0.2 mm on a molar
-constexpr double kKeyTurn = 6;      // times kKeyStep for a turn of the tooth
 
 }  // namespace
 
@@ -32,6 +28,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
       mirrorMouse_(model),
       aim_(new AimOverlay(this)),
       measure_(new MeasureTool(*this)),
+      outlines_(new OutlineOverlay(this)),
       secondFrame_(new SecondViewFrame(this)),
       overlays_(new ViewOverlays(*this)) {
     secondFrame_->hide();
@@ -75,7 +72,10 @@ void ToothView::forgetRenderer() {
 }
 
 SceneContents ToothView::contents() const {
-    return contents_ ? contents_(showsTurbine_, showsMirror_) : sceneContents(model_, showsTurbine_, showsMirror_);
+    if (contents_) return contents_(showsTurbine_, showsMirror_);
+    SceneContents contents = sceneContents(model_, showsTurbine_, showsMirror_ && tool_ == nullptr);
+    if (tool_ != nullptr) contents.tool.reset();  // nothing in front of the tooth
+    return contents;
 }
 
 /// Adds what the glass needs to know about the hand.
@@ -113,8 +113,13 @@ void ToothView::initializeGL() {
 void ToothView::redraw() {
     isStale_ = true;
     overlays_->follow(camera_, pictureSize(*this), model_.mesialX());
-    if (measure_->isOn()) measure_->follow(viewport());
+    followLines();
     update();
+}
+
+void ToothView::followLines() {
+    if (measure_->isOn()) measure_->follow(viewport());
+    outlines_->follow(viewport());
 }
 
 void ToothView::paintGL() {
@@ -254,7 +259,8 @@ bool ToothView::isMeasuring() const { return measure_->isOn() && !contents_ && m
 
 /// Not in stereo, where a flat line would lie in front of everything.
 void ToothView::showAim() {
-    if (!showsAim_ || contents_ || isMeasuring() || stereo_ != Stereo::Mode::Off) return aim_->showNothing();
+    if (!showsAim_ || contents_ || isMeasuring() || tool_ != nullptr || stereo_ != Stereo::Mode::Off)
+        return aim_->showNothing();
     aim_->show(model_, viewport());
 }
 
@@ -266,7 +272,8 @@ void ToothView::setAids(const ViewAids& aids) {
 
 /// Not without an instrument, and not in stereo.
 bool ToothView::magnifies() const {
-    return aids_.magnifier && (contents_ || model_.runner() != nullptr) && stereo_ == Stereo::Mode::Off;
+    return aids_.magnifier && (contents_ || (model_.runner() != nullptr && tool_ == nullptr)) &&
+           stereo_ == Stereo::Mode::Off;
 }
 
 void ToothView::showOverlays() {
@@ -296,18 +303,37 @@ void ToothView::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
     secondFrame_->fitTo(pictureSize(*this));
     aim_->setGeometry(rect());
+    outlines_->setGeometry(rect());
     overlays_->follow(camera_, pictureSize(*this), model_.mesialX());
-    if (measure_->isOn()) measure_->follow(viewport());
+    followLines();
 }
+
+void ToothView::setSurfaceTool(SurfaceTool* tool) {
+    tool_ = tool;
+    model_.manipulator().release();
+    showAim();
+    redraw();
+}
+
+SurfaceTool* ToothView::activeTool() const { return !contents_ && model_.runner() != nullptr ? tool_ : nullptr; }
 
 void ToothView::mousePressEvent(QMouseEvent* event) {
     mouse_ = pixelAt(*this, event->position());
+    if (event->button() == Qt::RightButton) rightPress_ = mouse_;
     if (event->button() != Qt::LeftButton) return;
+    if (SurfaceTool* tool = activeTool()) return tool->press(*touchableSurface(model_), viewport(), mouse_);
     if (isMeasuring()) return measure_->pick(*touchableSurface(model_), viewport(), mouse_);
     if (!contents_ && !mirrorMouse_.isHeld()) model_.manipulator().press(viewport(), mouse_);
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
+    if (SurfaceTool* tool = activeTool()) {
+        constexpr double kClick = 4;  // pixels: a mouse that has moved farther has turned the tooth
+        const Vec2 now = pixelAt(*this, event->position());
+        if (event->button() == Qt::LeftButton) tool->release();
+        const bool isClick = (now - rightPress_).norm() <= kClick * devicePixelRatioF();
+        if (event->button() == Qt::RightButton && isClick) tool->clickRight(viewport(), now);
+    }
     if (event->button() == Qt::LeftButton) model_.manipulator().release();
 }
 
@@ -335,7 +361,9 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     const Vec2 from = std::exchange(mouse_, to);
     const Vec2 displacement = to - from;
     if (model_.runner() == nullptr) return;
-    if (isMeasuring() && !mirrorMouse_.isHeld()) {
+    if (SurfaceTool* tool = activeTool()) {
+        tool->move(*touchableSurface(model_), viewport(), to);
+    } else if (isMeasuring() && !mirrorMouse_.isHeld()) {
         measure_->point(*touchableSurface(model_), viewport(), to);
     } else if (mirrorMouse_.isHeld()) {
         mirrorMouse_.move(viewport(), from, to, (with & keys_.lean) != 0);
@@ -346,57 +374,6 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
     } else {
         model_.manipulator().aim(viewport(), to, *touchableSurface(model_));
     }
-}
-
-/// Four keys move the hand like the mouse; with a modifier they turn the tooth. One presses while it is held.
-bool ToothView::obeyKey(const QKeyEvent& key) {
-    const std::array<std::pair<int, Vec2>, 4> directions = {
-        {{keys_.left, Vec2(-1, 0)}, {keys_.right, Vec2(1, 0)}, {keys_.up, Vec2(0, -1)}, {keys_.down, Vec2(0, 1)}}};
-    const ImageSize size = pictureSize(*this);
-    if (mouse_.x() < 0) mouse_ = Vec2(size.width / 2.0, size.height / 2.0);
-    for (const auto& [code, displacement] : directions) {
-        if (key.key() != code) continue;
-        const Vec2 pixels = kKeyStep * size.height * displacement;
-        if (contents_ || (key.modifiers() & keys_.turn)) {
-            moveCamera(kKeyTurn * pixels, Qt::RightButton);
-        } else {
-            moveHand(mouse_ + pixels, key.modifiers());
-        }
-        return true;
-    }
-    if (!contents_ && isPress(key)) {
-        if (key.isAutoRepeat()) return true;
-        if (isMeasuring()) {
-            measure_->pick(*touchableSurface(model_), viewport(), mouse_);
-            return true;
-        }
-        model_.manipulator().press(viewport(), mouse_);
-        isPressedByKey_ = true;
-        return true;
-    }
-    if (!contents_ && key.key() == keys_.holdMirror) {
-        holdMirror(true);
-        return true;
-    }
-    if (key.key() != keys_.nearer && key.key() != keys_.farther) return false;
-    camera_.zoom(key.key() == keys_.nearer ? kZoomStep : 1 / kZoomStep, mouse_, size);
-    redraw();
-    return true;
-}
-
-/// The large and the small Enter key are one.
-bool ToothView::isPress(const QKeyEvent& key) const {
-    return key.key() == keys_.press || (keys_.press == Qt::Key_Return && key.key() == Qt::Key_Enter);
-}
-
-void ToothView::keyPressEvent(QKeyEvent* event) {
-    if (!obeyKey(*event)) QOpenGLWidget::keyPressEvent(event);
-}
-
-void ToothView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == keys_.holdMirror && !event->isAutoRepeat()) return holdMirror(false);
-    if (!isPress(*event)) return QOpenGLWidget::keyReleaseEvent(event);
-    if (!event->isAutoRepeat()) endKeyPress();
 }
 
 /// A dialog in front receives the key's release.

@@ -16,7 +16,9 @@
 #include "app/gui/scene/aim_overlay.h"
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/measure_tool.h"
+#include "app/gui/scene/outline_overlay.h"
 #include "app/gui/scene/second_view_frame.h"
+#include "app/gui/scene/surface_tool.h"
 #include "app/gui/scene/view_overlays.h"
 #include "app/gui/settings/window_settings.h"
 #include "session/model/session_model.h"
@@ -73,6 +75,11 @@ public:
     /// Off: the aim shows no numbers and no warnings.
     void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
     [[nodiscard]] MeasureTool& measureTool() { return *measure_; }
+    /// Gives the mouse on the tooth to `tool`, and hides the instruments meanwhile; null: the mouse holds the bur
+    /// again. `tool` stays there until then.
+    void setSurfaceTool(SurfaceTool* tool);
+    /// The lines on the tooth.
+    [[nodiscard]] OutlineOverlay& outlines() const { return *outlines_; }
     /// What helps to find one's way in the picture.
     void setAids(const ViewAids& aids);
     /// The keys that work in the picture.
@@ -100,6 +107,7 @@ signals:
     void failed(const QString& sentence);
 
 protected:
+    bool event(QEvent* event) override;
     void initializeGL() override;
     void resizeEvent(QResizeEvent* event) override;
     void paintGL() override;
@@ -125,6 +133,9 @@ private:
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
     [[nodiscard]] bool isMeasuring() const;
+    /// That takes the mouse now; null: none does.
+    [[nodiscard]] SurfaceTool* activeTool() const;
+    void followLines();
     void turnWheel(double notches, Qt::KeyboardModifiers with);
     [[nodiscard]] bool obeyKey(const QKeyEvent& key);
     [[nodiscard]] bool isPress(const QKeyEvent& key) const;
@@ -148,6 +159,9 @@ private:
     std::optional<StandardView> second_;
     AimOverlay* aim_;
     MeasureTool* measure_;
+    OutlineOverlay* outlines_;
+    SurfaceTool* tool_ = nullptr;
+    Vec2 rightPress_ = Vec2::Zero();  // where the right button went down
     bool showsAim_ = true;
     SecondViewFrame* secondFrame_;
     ViewOverlays* overlays_;

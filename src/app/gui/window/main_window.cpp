@@ -54,7 +54,8 @@ MainWindow::MainWindow(SoundOutput& sound)
       updater_(model_, panels_, sound),
       loop_(model_),
       replay_(*this, model_, examination_, panels_, messages_, files_, updater_, sound),
-      finish_({*this, model_, examination_, examinations_, panels_, messages_, files_, exercise_, replay_}) {
+      finish_({*this, model_, examination_, examinations_, panels_, messages_, files_, exercise_, replay_}),
+      editor_({*this, model_, examination_, panels_, messages_, files_, teeth_, exercise_, unsaved_}) {
     setWindowTitle(tr("Tactooth"));
     setAcceptDrops(true);
     messages_.setHint(tr("Preparing the tooth…"));
@@ -71,6 +72,9 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&keys_, &KeyController::changed, &hints_, &WindowHints::showUsual);
     connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
     connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
+    connect(&menus_.exercise(), &ExerciseMenu::newExerciseWanted, &editor_, &EditorController::beginNew);
+    connect(&menus_.exercise(), &ExerciseMenu::copyWanted, &editor_, &EditorController::askForCopy);
+    connect(&editor_, &EditorController::panelMade, &docks_, &DockLayout::fitLater);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &docks_, &DockLayout::fit);
     connect(&menus_.appearance(), &AppearanceMenu::coloursChanged, panels_.plots, &PlotPanel::setColours);
@@ -173,6 +177,7 @@ void MainWindow::showNewTooth() {
     panels_.view->resetView();
     panels_.view->measureTool().takeTooth();
     exercise_.takeTooth();
+    editor_.takeTooth();
     restorer_.takeTooth();
     panels_.force->setMaterials(model_.haptics().materials);
     if (!pendingViewState_) {
@@ -214,6 +219,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     devices_.apply(hand);
     sounds_.restore(settings);
     recordings_.restore(settings);
+    exercise_.addOwn();
 }
 
 WindowSettings MainWindow::settings() const {
@@ -270,6 +276,7 @@ MainWindow::SessionState MainWindow::releaseSession() {
         work.tooth->work = currentWork(model_, exercise_.active(), exercise_.targetFile().toStdString());
     }
     work.keeper = model_.releaseKeeper();
+    work.draft = editor_.release();
     return work;
 }
 
@@ -281,6 +288,7 @@ void MainWindow::restoreSession(SessionState work) {
         work.tooth->bur.reset();  // the user may have put another one into the handpiece
         model_.install(std::move(*work.tooth));
         pendingViewState_ = std::move(work.viewState);
+        if (work.draft) editor_.adopt(std::move(*work.draft));
     }
     if (work.bur) model_.install(std::move(*work.bur));
     if (work.cutting) panels_.drill->cutAction()->setChecked(true);
@@ -293,7 +301,7 @@ void MainWindow::saveBeforeEnd() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (mayClose_ || !model_.isModified()) {
+    if (mayClose_ || !unsaved_.isUnsaved()) {
         manual_.close();
         return QMainWindow::closeEvent(event);
     }

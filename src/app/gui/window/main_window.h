@@ -23,6 +23,7 @@
 #include "app/gui/controllers/unsaved_work.h"
 #include "app/gui/controllers/window_hints.h"
 #include "app/gui/controllers/window_messages.h"
+#include "app/gui/editor/editor_controller.h"
 #include "app/gui/finish/finish_controller.h"
 #include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
@@ -52,6 +53,7 @@ public:
     [[nodiscard]] RestoreController& restorer() { return restorer_; }
     [[nodiscard]] ReplayController& replay() { return replay_; }
     [[nodiscard]] FinishController& finish() { return finish_; }
+    [[nodiscard]] EditorController& editor() { return editor_; }
     [[nodiscard]] WindowMessages& messages() { return messages_; }
     [[nodiscard]] ManualController& manual() { return manual_; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
@@ -82,8 +84,9 @@ public:
         ViewState viewState;
         std::unique_ptr<SessionKeeper> keeper;  ///< its recording goes on
         WorkHistory history;
-        bool cutting = false;      ///< touch or cut
-        bool pedalIsKept = false;  ///< "Keep down"
+        bool cutting = false;                     ///< touch or cut
+        bool pedalIsKept = false;                 ///< "Keep down"
+        std::optional<ExerciseDraft> draft = {};  ///< that is being edited
     };
     /// Ends the simulation: the work goes on in another window.
     [[nodiscard]] SessionState releaseSession();
@@ -142,6 +145,7 @@ private:
     StepLoop loop_;
     ReplayController replay_;
     FinishController finish_;
+    EditorController editor_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
     bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet

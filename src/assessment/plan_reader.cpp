@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/plan_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "assessment/exercise_keys.h"
+#include "assessment/messages.h"
+#include "assessment/outline/flat_outline.h"
+#include "session/io/messages.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
+constexpr std::size_t kMaxStrokes = 200;
+constexpr double kMostLeft = 10;      // mm of tooth beside a cavity: a whole crown
+constexpr double kWidestOutline = 8;  // mm
+
+}  // namespace
+
+Vec3 sideIn(TomlReader& toml, const toml::table& table, double mesialX) {
+    const toml::node* node = table.get("side");
+    if (node != nullptr && node->is_array()) {
+        Vec3 outward = Vec3::Zero();
+        toml.numbers(table, "side", {outward.data(), 3});
+        constexpr double kExact = 1e-12;  // numbers that this program has written come back bit for bit
+        if (outward.norm() > 0) return std::abs(outward.norm() - 1) < kExact ? outward : outward.normalized();
+        toml.fail(*node, msg::kSideWithoutDirection);
+        return Vec3::UnitZ();
+    }
+    const std::string name = toml.text(table, "side", false);
+    for (const auto& [key, outward] : sideKeys(mesialX)) {
+        if (name == key) return outward;
+    }
+    if (!name.empty()) toml.fail(*node, msg::kSideUnknown);
+    return Vec3::UnitZ();
+}
+
+Vec3 placeIn(TomlReader& toml, const toml::table& table, std::string_view key) {
+    Vec3 place = Vec3::Zero();
+    toml.numbers(table, key, {place.data(), 3});
+    if (place.cwiseAbs().maxCoeff() > kFarthest) toml.fail(*table.get(key), msg::kPlaceTooFar);
+    return place;
+}
+
+std::vector<Vec3> cornersIn(TomlReader& toml, const toml::table& table, const Vec3& outward) {
+    std::vector<Vec3> corners;
+    const toml::node* node = table.get("corners");
+    const toml::array* list = node != nullptr ? node->as_array() : nullptr;
+    if (list == nullptr || list->size() < 3 || list->size() > kMostCorners) {
+        toml.fail(node != nullptr ? *node : static_cast<const toml::node&>(table), {msg::kCornersNeeded, kMostCorners});
+        return corners;
+    }
+    for (const toml::node& each : *list) {
+        const toml::array* place = each.as_array();
+        Vec3 corner = Vec3::Zero();
+        bool isPlace = place != nullptr && place->size() == 3;
+        for (std::size_t i = 0; isPlace && i < 3; ++i) {
+            const auto number = place->get(i)->value<double>();
+            isPlace = place->get(i)->is_number() && number && std::abs(*number) <= kFarthest;
+            if (isPlace) corner[static_cast<Eigen::Index>(i)] = *number;
+        }
+        if (!isPlace) {
+            toml.fail(each, {msg::kCornersNeeded, kMostCorners});
+            return {};
+        }
+        corners.push_back(corner);
+    }
+    if (FlatOutline(corners, outward).crossesItself()) toml.fail(*node, msg::kDrawnOutlineCrosses);
+    return corners;
+}
+
+PlanReader::PlanReader(TomlReader& toml, const std::variant<ToothRequest, ToothSource>& tooth,
+                       std::optional<BurSpec> bur)
+    : toml_(toml), tooth_(tooth), bur_(std::move(bur)), mesialX_(toothMesialX(tooth)) {}
+
+PreparationPlan PlanReader::read(const toml::table& cavity) {
+    toml_.allow(cavity, msg::kACavity,
+                {"side", "depth", "floor", "depth_stop", "strokes", "fissure", "outline", "boxes", "removes"});
+    PreparationPlan plan;
+    plan.outward = sideIn(toml_, cavity, mesialX_);
+    if (cavity.get("depth") == nullptr) toml_.fail(cavity, {msg::kKeyMissing, "depth"});
+    plan.depth = toml_.number(cavity, "depth", 1, kMinDepth, kMaxDepth);
+    const std::string floor = toml_.text(cavity, "floor", false);
+    plan.isFlat = floor != "surface";
+    if (!floor.empty() && floor != "flat" && floor != "surface") {
+        toml_.fail(*cavity.get("floor"), msg::kFloorUnknown);
+    }
+    plan.stopsDevice = toml_.flag(cavity, "depth_stop", false);
+    const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
+    const bool isFromAbove = plan.isFlat && plan.outward == Vec3::UnitZ();
+    const std::vector<const toml::table*> boxes = toml_.tables(cavity, "boxes");
+    if (const toml::table* fissure = toml_.table(cavity, "fissure")) {
+        if (!isFromAbove || !strokes.empty() || cavity.get("outline") != nullptr)
+            toml_.fail(*fissure, msg::kFissureUnfit);
+        readBoxes(boxes, plan);
+        readFissure(*fissure, plan);
+        return plan;
+    }
+    if (const toml::table* outline = toml_.table(cavity, "outline")) {
+        if (!strokes.empty() || cavity.get("removes") != nullptr) toml_.fail(*outline, msg::kOutlineUnfit);
+        if (!boxes.empty() && !isFromAbove) toml_.fail(*boxes.front(), msg::kBoxUnfit);
+        readBoxes(boxes, plan);
+        readOutline(*outline, plan);
+        return plan;
+    }
+    if (const toml::table* body = toml_.table(cavity, "removes")) {
+        if (!strokes.empty()) toml_.fail(*body, msg::kBodyUnfit);
+        readBody(*body, plan);
+        return plan;
+    }
+    if (cavity.get("boxes") != nullptr) toml_.fail(*cavity.get("boxes"), msg::kBoxWithoutFissure);
+    if (strokes.empty()) toml_.fail(cavity, msg::kNoStrokes);
+    if (strokes.size() > kMaxStrokes) toml_.fail(cavity, msg::kTooManyStrokes);
+    for (const toml::table* each : strokes) plan.strokes.push_back(stroke(*each));
+    return plan;
+}
+
+/// An outline along the fissure, with the boxes at its ends.
+void PlanReader::readFissure(const toml::table& table, PreparationPlan& plan) {
+    toml_.allow(table, msg::kAFissure, {"width", "mesial", "distal"});
+    const auto* request = std::get_if<ToothRequest>(&tooth_);
+    if (request != nullptr && isAnteriorTooth(request->fdi)) toml_.fail(table, msg::kNoFissure);
+    if (!bur_) return toml_.fail(table, msg::kOutlineNeedsBur);
+    FissureOutline outline{
+        .width = toml_.number(table, "width", bur_->headDiameter, bur_->headDiameter, kWidestOutline),
+        .burRadius = bur_->headDiameter / 2,
+        .leftPlusX = {},
+        .leftMinusX = {}};
+    for (const std::string_view name : {"mesial", "distal"}) {
+        const double towardX = name == "mesial" ? mesialX_ : -mesialX_;
+        const bool hasBox = std::ranges::count(plan.boxes, towardX, &ProximalBox::towardX) > 0;
+        if (hasBox == (table.get(name) != nullptr)) toml_.fail(table, {msg::kRidgeOrBox, name});
+        if (!hasBox)
+            (towardX > 0 ? outline.leftPlusX : outline.leftMinusX) = toml_.number(table, name, 0, 0, kMostLeft);
+    }
+    plan.fissure = outline;
+}
+
+/// An outline that somebody has drawn.
+void PlanReader::readOutline(const toml::table& table, PreparationPlan& plan) {
+    toml_.allow(table, msg::kAnOutline, {"corners", "taper"});
+    if (!bur_) return toml_.fail(table, msg::kOutlineNeedsBur);
+    plan.outline = {.corners = cornersIn(toml_, table, plan.outward),
+                    .taperDegrees = toml_.number(table, "taper", 0, 0, kMostTaper),
+                    .burRadius = bur_->headDiameter / 2,
+                    .burLength = bur_->headLength};
+}
+
+/// A body inside the tooth that the cavity removes.
+void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
+    toml_.allow(table, msg::kABody, {"tissue", "below"});
+    constexpr std::array<std::string_view, 2> kTissues = {"caries", "pulp"};
+    const bool isPulp = choice(toml_, table, "tissue", kTissues, msg::kTissueUnknown, 0) == 1;
+    if (!bur_) return toml_.fail(table, msg::kOutlineNeedsBur);
+    plan.body = {.role = isPulp ? MaterialRole::Pulp : MaterialRole::Decay,
+                 .burRadius = bur_->headDiameter / 2,
+                 .burLength = bur_->headLength,
+                 .below = {}};
+    if (isPulp && table.get("below") == nullptr) toml_.fail(table, {msg::kKeyMissing, "below"});
+    if (table.get("below") != nullptr) plan.body->below = toml_.number(table, "below", 1, kMinDepth, kMaxDepth);
+}
+
+void PlanReader::readBoxes(const std::vector<const toml::table*>& boxes, PreparationPlan& plan) {
+    if (!bur_) return;
+    for (const toml::table* each : boxes) plan.boxes.push_back(box(*each));
+    if (plan.boxes.size() > 2 || (plan.boxes.size() == 2 && plan.boxes[0].towardX == plan.boxes[1].towardX))
+        toml_.fail(*boxes.back(), msg::kBoxTwice);
+}
+
+ProximalBox PlanReader::box(const toml::table& table) {
+    const double diameter = bur_->headDiameter;
+    toml_.allow(table, msg::kABox, {"side", "width", "axial_depth", "axial_height"});
+    for (const std::string_view key : {"width", "axial_depth", "axial_height"}) {
+        if (table.get(key) == nullptr) toml_.fail(table, {msg::kKeyMissing, key});
+    }
+    constexpr std::array<std::string_view, 2> kSidesOfBox = {"mesial", "distal"};
+    const bool isDistal = choice(toml_, table, "side", kSidesOfBox, msg::kBoxSide, 0) == 1;
+    return {.towardX = isDistal ? -mesialX_ : mesialX_,
+            .width = toml_.number(table, "width", diameter, diameter, kMaxBox),
+            .axialDepth = toml_.number(table, "axial_depth", diameter, diameter, kMaxBox),
+            .axialHeight = toml_.number(table, "axial_height", 1, kMinDepth, kMaxBox)};
+}
+
+PreparationPlan::Stroke PlanReader::stroke(const toml::table& table) {
+    toml_.allow(table, msg::kAStroke, {"from", "to", "depth"});
+    if (table.get("from") == nullptr) toml_.fail(table, {msg::kKeyMissing, "from"});
+    PreparationPlan::Stroke stroke{Vec3::Zero(), Vec3::Zero(), {}};
+    toml_.numbers(table, "from", {stroke.from.data(), 3});
+    stroke.to = stroke.from;  // a pit
+    toml_.numbers(table, "to", {stroke.to.data(), 3});
+    if (table.get("depth") != nullptr) stroke.depth = toml_.number(table, "depth", 1, kMinDepth, kMaxDepth);
+    const bool isNear = std::max(stroke.from.cwiseAbs().maxCoeff(), stroke.to.cwiseAbs().maxCoeff()) <= kFarthest;
+    if (!isNear || (stroke.to - stroke.from).norm() > kLongestStroke) {
+        toml_.fail(table, msg::kStrokeTooLong);
+    }
+    return stroke;
+}
+
+}  // namespace tactooth
