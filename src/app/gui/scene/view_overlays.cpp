@@ -18,6 +18,7 @@ namespace tactooth {
 namespace {
 
 constexpr int kMargin = 10;  // pixels of the screen between the marks and the edge
+constexpr int kGap = 4;      // pixels of the screen between two marks
 constexpr int kLetter = 24;  // pixels: diameter of the disc of a letter
 constexpr int kBarHeight = 30;
 constexpr double kWidestBar = 170;  // pixels
@@ -102,6 +103,7 @@ void ViewOverlays::placeLegend() {
 }
 
 void ViewOverlays::follow(const OrbitCamera& eye, ImageSize size, double mesialX) {
+    placeLegend();
     if (aids_.scaleBar) placeScaleBar(eye, size);
     if (aids_.letters) placeLetters(eye, size, mesialX);
     if (aids_.cube) cube_->setEye(eye.camera().cameraInWorld.rotation, mesialX);
@@ -112,7 +114,9 @@ void ViewOverlays::placeScaleBar(const OrbitCamera& eye, ImageSize size) {
     const double perScreen = view_.devicePixelRatioF();
     const ScaleBar bar = scaleBar(1 / (eye.pixelPitch(size) * perScreen), kWidestBar);
     const int width = static_cast<int>(std::ceil(bar.pixels)) + 24;
-    const QRect place((view_.width() - width) / 2, view_.height() - kBarHeight - kMargin - kLetter, width, kBarHeight);
+    QRect place((view_.width() - width) / 2, view_.height() - kBarHeight - kMargin - kLetter, width, kBarHeight);
+    const bool isInTheWay = !legend_->isHidden() && place.intersects(legend_->geometry());  // in a narrow picture
+    if (isInTheWay) place.moveBottom(legend_->geometry().top() - kGap);
     constexpr double kSeen = 0.3;  // pixels
     if (place == scaleBar_->geometry() && std::abs(bar.pixels - shown_.pixels) < kSeen &&
         bar.millimetres == shown_.millimetres) {
@@ -136,7 +140,6 @@ void ViewOverlays::placeLetters(const OrbitCamera& eye, ImageSize size, double m
 }
 
 void ViewOverlays::placeCorners(ImageSize size) {
-    placeLegend();
     cube_->move(view_.width() - cube_->width() - kMargin - kLetter,
                 view_.height() - cube_->height() - kMargin - kLetter);
     magnifier_->setGeometry(cornerGeometry(magnifierRectangle(size), view_.devicePixelRatioF()));

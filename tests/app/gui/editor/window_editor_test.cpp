@@ -451,6 +451,8 @@ void WindowEditorTest::savePictures(const QString& folder) {
     waitForTooth();
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QCheckBox*>("ghost")->isChecked(), kLoadPatience);
     save("editor-trial");
+    const QRect legend = view().findChild<QWidget*>("colourLegend")->geometry();
+    QVERIFY2(!view().findChild<QWidget*>("scaleBarMark")->geometry().intersects(legend), "the picture is narrow here");
     click("editBack");
     QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().active() == nullptr, kLoadPatience);
     waitForTooth();
