@@ -12,6 +12,8 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSet>
+#include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QTranslator>
@@ -39,6 +41,7 @@ private slots:
     void synthesisedSoundsWinOverARecordingThatIsStillRead();
     void aHintThatDoesNotFitEndsInDots();
     void theInsideOfTheToothIsShown();
+    void aSectionGoesWithTheBur();
     void aSecondViewShowsAnotherSideAndAClickGoesThere();
     void aTargetColoursTheTooth();
     void theGhostOfATargetIsSwitchedByClickAndKey();
@@ -111,6 +114,32 @@ void WindowLookTest::theInsideOfTheToothIsShown() {
     eyes->setCurrentIndex(1);
     QVERIFY(view().grabFramebuffer() != whole);
     eyes->setCurrentIndex(0);
+}
+
+void WindowLookTest::aSectionGoesWithTheBur() {
+    loadMolar();
+    auto* section = window_->findChild<QComboBox*>("section");
+    auto* follows = window_->findChild<QCheckBox*>("sectionFollows");
+    auto* place = window_->findChild<QSlider*>("sectionPlace");
+    QVERIFY(!follows->isEnabled());
+    section->setCurrentText("Mesial");
+    QVERIFY(place->isEnabled());
+    follows->setChecked(true);
+    QVERIFY(!place->isEnabled());
+    const auto atTip = [&] {
+        const double tip = window_->model().log().newest().proxy.position.x();
+        const double middle = window_->model().tooth()->box().center().x();
+        return std::abs(place->value() / 10.0 - window_->model().mesialX() * (tip - middle)) <= 0.051;
+    };
+    QSet<int> places;
+    for (const int aside : {-60, 60}) {
+        QTest::mouseMove(&view(), view().rect().center() + QPoint(aside, 0));
+        QTRY_VERIFY_WITH_TIMEOUT(atTip() && !places.contains(place->value()), kPatience);
+        places.insert(place->value());
+    }
+    follows->setChecked(false);
+    QVERIFY(place->isEnabled());
+    section->setCurrentIndex(0);
 }
 
 void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {

@@ -766,6 +766,14 @@ It can be overcome, and is off in an examination.</source>
         <translation>遠心</translation>
     </message>
     <message>
+        <source>At the bur</source>
+        <translation>バーの位置</translation>
+    </message>
+    <message>
+        <source>The section goes with the tip of the bur, so that its floor and walls are seen as they are cut</source>
+        <translation>断面がバーの先端とともに動き、窩底と窩壁を削りながら見られます</translation>
+    </message>
+    <message>
         <source>Takes this side of the tooth out of the picture; the tooth itself stays whole</source>
         <translation>歯のこの側を表示から取り除きます。歯そのものは変わりません</translation>
     </message>

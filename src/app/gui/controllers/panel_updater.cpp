@@ -7,6 +7,7 @@
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/drive_panel.h"
 #include "app/gui/panels/event_panel.h"
+#include "app/gui/panels/inspection_panel.h"
 #include "app/gui/panels/plot_panel.h"
 #include "app/gui/panels/status_line.h"
 #include "app/gui/panels/timing_panel.h"
@@ -22,7 +23,11 @@ void PanelUpdater::showStep(bool busy) {
     if (model_.runner() != nullptr) trace_.setUncut(model_.runner()->feed().surface()->base);
     trace_.add(model_.log().ticks());
     panels_.busy->setVisible(busy);
-    if (!replaying_) panels_.view->refresh();
+    if (replaying_) return;
+    if (model_.tooth()) {
+        panels_.inspection->followBur(model_.log().newest().proxy.position, model_.tooth()->box(), model_.mesialX());
+    }
+    panels_.view->refresh();
 }
 
 void PanelUpdater::restart() {

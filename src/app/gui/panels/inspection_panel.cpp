@@ -4,6 +4,8 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/gui/icons/line_icon.h"
@@ -34,6 +36,7 @@ InspectionPanel::InspectionPanel(QWidget* parent)
       section_(new QComboBox),
       place_(slider(-kFarthest, kFarthest, 0, tr("Where the section runs: from the far to the near side"),
                     "sectionPlace")),
+      follows_(new QCheckBox(tr("At the bur"))),
       enamel_(
           slider(0, kFull, kFull, tr("Look through the enamel at the dentin and the caries in it"), "enamelOpacity")),
       dentin_(slider(0, kFull, kFull, tr("Look through the dentin at the pulp"), "dentinOpacity")),
@@ -49,6 +52,13 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     }
     section_->setObjectName("section");
     section_->setToolTip(tr("Takes this side of the tooth out of the picture; the tooth itself stays whole"));
+    place_->setAccessibleName(tr("Place"));
+    follows_->setObjectName("sectionFollows");
+    follows_->setToolTip(
+        tr("The section goes with the tip of the bur, so that its floor and walls are seen as they are cut"));
+    auto* place = new QHBoxLayout;
+    place->addWidget(place_, 1);
+    place->addWidget(follows_);
     stereo_->addItems({tr("One eye"), tr("Side by side"), tr("Red and cyan")});
     stereo_->setObjectName("stereo");
     stereo_->setToolTip(tr("Shows depth: side by side for goggles, red and cyan for coloured glasses"));
@@ -79,14 +89,15 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     cavity->addWidget(choose_);
     auto* form = new QFormLayout(this);
     form->addRow(tr("Section"), section_);
-    form->addRow(tr("Place"), place_);
+    form->addRow(tr("Place"), place);
     form->addRow(tr("Enamel"), enamel_);
     form->addRow(tr("Dentin"), dentin_);
     form->addRow(tr("Depth"), stereo_);
     form->addRow(colours);
     form->addRow(cavity);
-    place_->setEnabled(false);
-    connect(section_, &QComboBox::currentIndexChanged, this, [this](int index) { place_->setEnabled(index > 0); });
+    enablePlace();
+    connect(section_, &QComboBox::currentIndexChanged, this, &InspectionPanel::enablePlace);
+    connect(follows_, &QCheckBox::toggled, this, &InspectionPanel::enablePlace);
     for (QComboBox* box : {section_, stereo_})
         connect(box, &QComboBox::currentIndexChanged, this, &InspectionPanel::changed);
     for (QSlider* each : {place_, enamel_, dentin_})
@@ -123,15 +134,31 @@ Inspection InspectionPanel::inspection(const Box3& box, double mesialX, const Ma
     return result;
 }
 
+void InspectionPanel::enablePlace() {
+    const bool hasSection = section_->currentIndex() > 0;
+    follows_->setEnabled(hasSection);
+    place_->setEnabled(hasSection && !follows_->isChecked());
+}
+
+void InspectionPanel::followBur(const Vec3& tip, const Box3& box, double mesialX) {
+    if (!follows_->isEnabled() || !follows_->isChecked() || !tip.allFinite()) return;
+    const auto side = static_cast<StandardView>(section_->currentIndex() - 1);
+    const double fromMiddle = viewDirection(side, mesialX).dot(tip - box.center());
+    const double farthest = kTenth * kFarthest;
+    place_->setValue(static_cast<int>(std::lround(std::clamp(fromMiddle, -farthest, farthest) / kTenth)));
+}
+
 Stereo::Mode InspectionPanel::stereo() const { return static_cast<Stereo::Mode>(stereo_->currentIndex()); }
 
 InspectionPanel::Choice InspectionPanel::choice() const {
-    return {section_->currentIndex(), place_->value(),        enamel_->value(),    dentin_->value(),
-            stereo_->currentIndex(),  coloured_->isChecked(), ghost_->isChecked(), tolerance_->value()};
+    return {section_->currentIndex(), place_->value(),         enamel_->value(),
+            dentin_->value(),         stereo_->currentIndex(), coloured_->isChecked(),
+            ghost_->isChecked(),      tolerance_->value(),     follows_->isChecked()};
 }
 
 void InspectionPanel::choose(const Choice& choice) {
     section_->setCurrentIndex(choice.section);
+    follows_->setChecked(choice.follows);
     place_->setValue(choice.place);
     enamel_->setValue(choice.enamel);
     dentin_->setValue(choice.dentin);

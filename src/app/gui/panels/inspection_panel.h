@@ -26,6 +26,8 @@ public:
     /// The section plane cuts `box`; `mesialX`: direction of mesial along x; `materials`: of the tooth.
     [[nodiscard]] Inspection inspection(const Box3& box, double mesialX, const MaterialRegistry& materials) const;
     [[nodiscard]] Stereo::Mode stereo() const;
+    /// Where the bur's tip is, in the tooth's frame, mm: a section that follows the bur goes there, in tenths of a mm.
+    void followBur(const Vec3& tip, const Box3& box, double mesialX);
     /// Sets the target of the tooth and shows its colours; empty: no target.
     void setTarget(Target target);
     static constexpr double kUsualTolerance = 0.1;  ///< mm
@@ -34,6 +36,7 @@ public:
         int section = 0, place = 0, enamel = 100, dentin = 100, stereo = 0;  ///< in the units of the controls
         bool coloured = false, ghost = false;
         double tolerance = kUsualTolerance;  ///< mm
+        bool follows = false;                ///< the section follows the bur
     };
     [[nodiscard]] Choice choice() const;
     /// Colours and ghost are chosen only if the target has them.
@@ -48,9 +51,11 @@ signals:
 
 private:
     void explainGhost();
+    void enablePlace();
 
     QComboBox* section_;
     QSlider* place_;  // of the section, tenths of a mm from the centre
+    QCheckBox* follows_;
     QSlider* enamel_;
     QSlider* dentin_;
     QComboBox* stereo_;
