@@ -156,8 +156,6 @@ void EditorController::showDraft() {
     if (panel_ == nullptr) makePanel();
     endTrial();
     tool_.setDraft(&*draft_);
-    dock_->show();
-    dock_->raise();
     takeMouse();
     followDraft();
     parts_.messages.setHint(tr("The mouse draws the exercise on the tooth; right: turn, Ctrl and wheel: nearer"));
@@ -166,8 +164,16 @@ void EditorController::showDraft() {
 void EditorController::takeMouse() {
     const bool draws = isEditing() && trial_ == nullptr && !parts_.mode.isOn();
     parts_.panels.view->setSurfaceTool(draws ? &tool_ : nullptr);
-    if (dock_ != nullptr) dock_->setVisible(isEditing() && !parts_.mode.isOn());
+    if (dock_ != nullptr) showPanel(isEditing() && !parts_.mode.isOn());
     if (!draws) parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, {});
+}
+
+/// A panel that is not needed leaves the window, and takes none of its width.
+void EditorController::showPanel(bool shows) {
+    const bool isThere = parts_.window.dockWidgetArea(dock_) != Qt::NoDockWidgetArea;
+    if (shows && !isThere) parts_.window.addDockWidget(Qt::LeftDockWidgetArea, dock_);
+    if (!shows && isThere) parts_.window.removeDockWidget(dock_);
+    dock_->setVisible(shows);
 }
 
 void EditorController::makePanel() {
@@ -183,7 +189,7 @@ void EditorController::makePanel() {
     dock_->setObjectName("Exercise editor");
     dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     dock_->setWidget(area);
-    parts_.window.addDockWidget(Qt::LeftDockWidgetArea, dock_);
+    dock_->hide();
     area->setMinimumWidth(panel_->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     connectPanel();
     emit panelMade();
