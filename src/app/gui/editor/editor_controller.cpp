@@ -174,6 +174,9 @@ void EditorController::showPanel(bool shows) {
     if (shows && !isThere) parts_.window.addDockWidget(Qt::LeftDockWidgetArea, dock_);
     if (!shows && isThere) parts_.window.removeDockWidget(dock_);
     dock_->setVisible(shows);
+    const int bar = dock_->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    if (shows && !isThere)
+        parts_.window.resizeDocks({dock_}, {panel_->minimumSizeHint().width() + 2 * bar}, Qt::Horizontal);
 }
 
 void EditorController::makePanel() {
@@ -183,14 +186,14 @@ void EditorController::makePanel() {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(panel_);
     dock_ = new QDockWidget(tr("Exercise editor"), &parts_.window);
     dock_->setObjectName("Exercise editor");
     dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     dock_->setWidget(area);
     dock_->hide();
-    area->setMinimumWidth(panel_->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    constexpr int kLeast = 220;  // pixels: with the largest text the window still fits on a small screen
+    area->setMinimumWidth(kLeast);
     connectPanel();
     emit panelMade();
 }
