@@ -319,7 +319,8 @@ void WindowMenuTest::largeTextFitsIntoTheWindow() {
     window_->findChild<QMenu*>("textSize")->actions().back()->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(window_->fontMetrics().height() > 1.8 * usual, kPatience);
     waitForSteps(5);
-    QVERIFY(window_->width() <= 1400 && window_->height() <= 900);
+    QVERIFY2(window_->width() <= 1400 && window_->height() <= 900,
+             qPrintable(QString("%1 x %2").arg(window_->width()).arg(window_->height())));
     const QRect whole(QPoint(0, 0), window_->size());
     for (auto* area : window_->findChildren<QScrollArea*>()) {
         if (!area->isVisible()) continue;

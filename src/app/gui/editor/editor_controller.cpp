@@ -156,8 +156,6 @@ void EditorController::showDraft() {
     if (panel_ == nullptr) makePanel();
     endTrial();
     tool_.setDraft(&*draft_);
-    dock_->show();
-    dock_->raise();
     takeMouse();
     followDraft();
     parts_.messages.setHint(tr("The mouse draws the exercise on the tooth; right: turn, Ctrl and wheel: nearer"));
@@ -166,8 +164,19 @@ void EditorController::showDraft() {
 void EditorController::takeMouse() {
     const bool draws = isEditing() && trial_ == nullptr && !parts_.mode.isOn();
     parts_.panels.view->setSurfaceTool(draws ? &tool_ : nullptr);
-    if (dock_ != nullptr) dock_->setVisible(isEditing() && !parts_.mode.isOn());
+    if (dock_ != nullptr) showPanel(isEditing() && !parts_.mode.isOn());
     if (!draws) parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, {});
+}
+
+/// A panel that is not needed leaves the window, and takes none of its width.
+void EditorController::showPanel(bool shows) {
+    const bool isThere = parts_.window.dockWidgetArea(dock_) != Qt::NoDockWidgetArea;
+    if (shows && !isThere) parts_.window.addDockWidget(Qt::LeftDockWidgetArea, dock_);
+    if (!shows && isThere) parts_.window.removeDockWidget(dock_);
+    dock_->setVisible(shows);
+    const int bar = dock_->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    if (shows && !isThere)
+        parts_.window.resizeDocks({dock_}, {panel_->minimumSizeHint().width() + 2 * bar}, Qt::Horizontal);
 }
 
 void EditorController::makePanel() {
@@ -177,14 +186,14 @@ void EditorController::makePanel() {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(panel_);
     dock_ = new QDockWidget(tr("Exercise editor"), &parts_.window);
     dock_->setObjectName("Exercise editor");
     dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     dock_->setWidget(area);
-    parts_.window.addDockWidget(Qt::LeftDockWidgetArea, dock_);
-    area->setMinimumWidth(panel_->minimumSizeHint().width() + area->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    dock_->hide();
+    constexpr int kLeast = 220;  // pixels: with the largest text the window still fits on a small screen
+    area->setMinimumWidth(kLeast);
     connectPanel();
     emit panelMade();
 }

@@ -88,6 +88,7 @@ private:
     void askToClose(Function then, const Function& otherwise);
     void end();
     void takeMouse();
+    void showPanel(bool shows);
     [[nodiscard]] QString problem() const;
     [[nodiscard]] bool isUnsaved() const;
 
