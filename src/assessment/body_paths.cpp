@@ -128,6 +128,7 @@ private:
     std::vector<double> tips_;
 };
 
+/// A filling has no role of its own, as its material may be any.
 std::shared_ptr<const SurfacePart> bodyOf(const LayeredTooth& tooth, MaterialRole role) {
     const Box3 own = tooth.ownBox();
     for (const LayeredTooth::Layer& layer : tooth.layers()) {

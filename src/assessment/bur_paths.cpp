@@ -56,6 +56,7 @@ std::vector<BurPath> alongFissure(const PreparationPlan& plan, std::shared_ptr<c
 
 std::vector<BurPath> burPaths(const PreparationPlan& plan, const LayeredTooth& tooth,
                               const std::shared_ptr<const SurfacePart>& outer) {
+    if (plan.crown) return {};
     if (plan.fissure) return alongFissure(plan, outer);
     if (plan.outline) return throughOutline(plan, outer);
     if (plan.body) return throughBody(plan, tooth, *outer);

@@ -24,6 +24,7 @@ std::vector<Vec3> placesOn(const PreparationPlan& plan, const LayeredTooth& toot
     const Vec3 u = plan.outward.unitOrthogonal();
     const Vec3 v = plan.outward.cross(u);
     constexpr std::size_t kMostAlong = 12;  // places of a path
+    if (plan.crown) return places;          // seen from any direction that looks into it
     for (const BurPath& path : burPaths(plan, tooth, outer.base)) {
         const std::size_t step = std::max<std::size_t>(1, path.places.size() / kMostAlong);
         for (std::size_t i = 0; i < path.places.size(); i += step) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "assessment/crown/crown_form.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/messages.h"
 #include "assessment/outline/outline_paths.h"
@@ -18,6 +19,7 @@
 #include "session/cases/loaded_tooth.h"
 #include "session/simulation/cut_model.h"
 #include "session/simulation/tooth_cache.h"
+#include "session/simulation/tooth_in_mouth.h"
 
 namespace tactooth {
 namespace {
@@ -77,6 +79,16 @@ Expected<CuttingTool> burOf(const Exercise& exercise) {
     const std::optional<BurSpec> bur = findBur(number);
     if (!bur) return unexpected(msg::kBurNotInCatalogue, quotedWord(number));
     return makeCuttingTool(makeBur(*bur).surface);
+}
+
+/// A crown preparation needs no paths: it is the region that the form describes, with the bur's end in its angles.
+Expected<TriangleMesh> crownShape(const PreparationPlan& plan, std::shared_ptr<const LayeredTooth> tooth) {
+    const std::shared_ptr<const SurfacePart> outer = tooth->ownOuter();
+    const Expected<CrownForm> form = CrownForm::make(plan, *tooth, outer);
+    if (!form) return Unexpected{form.error()};
+    CutModel piece(std::move(tooth), kVoxel);
+    piece.adopt(cutFieldsOf(*form, *outer, piece.volume().lattice()), {});
+    return asReadFromFile(*piece.surface());
 }
 
 Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
@@ -150,11 +162,27 @@ Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exer
     return std::make_shared<const LayeredTooth>(std::move(*tooth));
 }
 
+std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exercise) {
+    std::vector<std::shared_ptr<const SurfacePart>> gums;
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    if (request == nullptr || !exercise.inMouth) return gums;
+    const MouthRequest mouth{.triangles = request->triangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
+    const Expected<ToothInMouth> made =
+        toothInMouth(request->fdi, std::nullopt, mouth, ToothCache(defaultCacheFolder()));
+    if (!made) return gums;
+    for (const ToothInMouth::Body& body : made->around) {
+        if (body.isGingiva && !body.isOpposite) gums.push_back(body.part);
+    }
+    return gums;
+}
+
 Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth) {
     if (const auto* file = std::get_if<std::filesystem::path>(&exercise.ideal)) return loadIdealShape(*file);
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
-    Expected<TriangleMesh> ideal = cutShape(std::get<PreparationPlan>(exercise.ideal), *tool, std::move(tooth));
+    const auto& plan = std::get<PreparationPlan>(exercise.ideal);
+    Expected<TriangleMesh> ideal =
+        plan.crown ? crownShape(plan, std::move(tooth)) : cutShape(plan, *tool, std::move(tooth));
     if (!ideal) return unexpected(msg::kNamedSentence, displayName(exercise.file), ideal.error());
     return ideal;
 }

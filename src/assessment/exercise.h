@@ -40,9 +40,10 @@ struct ProximalBox {
     bool operator==(const ProximalBox&) const = default;
 };
 
-/// A cavity that removes a body inside the tooth, with what lies over it: decay, or the roof of the pulp chamber.
+/// A cavity that removes a body inside the tooth, with what lies over it: decay, a filling, or the roof of the pulp
+/// chamber.
 struct BodyOutline {
-    MaterialRole role;  ///< of the body's material: Decay or Pulp
+    MaterialRole role;  ///< of the body's material: Decay or Pulp; None: it is a filling
     double burRadius;   ///< mm
     double burLength;   ///< of its head, mm
     /// Only what lies above this depth below the top of the body, mm, with a flat floor there; nothing: all of it.
@@ -62,6 +63,25 @@ struct DrawnOutline {
     bool operator==(const DrawnOutline&) const = default;
 };
 
+/// A crown preparation on the tooth's own surface: a finish line round the neck, axial walls that lean inwards from it,
+/// and a surface that follows the uncut one. Heights along the axis, which is the direction of insertion.
+struct CrownOutline {
+    double width;           ///< of the finish line, mm
+    double height;          ///< of the finish line above the cervical line, buccal and lingual, mm
+    double proximalHeight;  ///< the same, mesial and distal
+    double taper;           ///< of each axial wall to the axis, degrees
+    double axial;           ///< least depth below the axial faces, mm
+    double occlusal;        ///< depth below the occlusal faces, or the end of the stump below the incisal edge, mm
+    double functional;      ///< depth below the functional cusps, mm
+    double functionalSide;  ///< 1: these are buccal, -1: lingual
+    bool isIncisal;         ///< the tooth has an edge instead of an occlusal surface
+    double tipRadius;       ///< of the bur's end, mm; 0: flat
+    /// Height of the cervical line along the axis, mm. Nothing: where the enamel ends.
+    std::optional<double> cervical;
+
+    bool operator==(const CrownOutline&) const = default;
+};
+
 /// The path of the bur through an ideal cavity: strokes of its tip, with the shaft in one direction.
 struct PreparationPlan {
     Vec3 outward;  ///< direction of the shaft, out of the tooth, unit
@@ -79,6 +99,7 @@ struct PreparationPlan {
     std::optional<FissureOutline> fissure;  ///< in place of strokes; from the occlusal side with a flat floor
     std::vector<ProximalBox> boxes;         ///< only with a fissure or an outline
     std::optional<BodyOutline> body;        ///< in place of strokes
+    std::optional<CrownOutline> crown;      ///< in place of strokes; it has no paths
     /// In place of strokes; with boxes only from the occlusal side with a flat floor.
     std::optional<DrawnOutline> outline = {};
 
@@ -86,8 +107,31 @@ struct PreparationPlan {
 };
 
 /// What an exercise trains. Lists show the exercises in this order.
-enum class ExerciseGroup { HandEye, Caries, ClassOne, ClassTwo, ClassThree, ClassFive, Endodontic, Own };
+enum class ExerciseGroup {
+    HandEye,
+    Caries,
+    Filling,
+    ClassOne,
+    ClassTwo,
+    ClassThree,
+    ClassFive,
+    Crown,
+    Endodontic,
+    Own
+};
 [[nodiscard]] const MessageText& titleOf(ExerciseGroup group);
+
+/// From where the window shows the work first.
+enum class StartView {
+    Cavity,   ///< as near to the dentist's own direction as shows the whole cavity (viewOnto)
+    Dentist,  ///< the dentist's own direction
+    Mirror,   ///< the same, with the mirror behind the tooth, in which the cavity is seen
+    Occlusal,
+    Buccal,
+    Lingual,
+    Mesial,
+    Distal,
+};
 
 enum class ExerciseLevel { Easy, Usual, Hard };
 [[nodiscard]] const MessageText& titleOf(ExerciseLevel level);
@@ -119,6 +163,7 @@ struct Exercise {
     std::optional<int> minutes = {};            ///< time for the task
     double tolerance = 0.3;                     ///< mm from the ideal surface that count as right in pictures
     std::string rubric = {};                    ///< a built-in one, or a file; empty: the usual one
+    StartView view = StartView::Cavity;         ///< from where the window shows it first
     std::vector<ForbiddenZone> forbidden = {};  ///< a cut there is a critical error
 
     bool operator==(const Exercise&) const = default;
@@ -154,6 +199,9 @@ struct BurPath {
 
 /// The uncut tooth of the exercise. Takes a second; fails with one sentence.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);
+
+/// The gums around the tooth of the exercise, in its frame; empty: it stands alone. Takes some seconds the first time.
+[[nodiscard]] std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exercise);
 
 /// `tooth` (that of the exercise) with the ideal cavity, closed. A cavity from a plan keeps the untouched triangles of
 /// the tooth, bit for bit. Fails with one sentence.

@@ -16,9 +16,9 @@
 namespace tactooth {
 namespace {
 
-constexpr std::array<const MessageText*, 8> kGroupTitles = {
-    &msg::kGroupHandEye,    &msg::kGroupCaries,    &msg::kGroupClassOne,   &msg::kGroupClassTwo,
-    &msg::kGroupClassThree, &msg::kGroupClassFive, &msg::kGroupEndodontic, &msg::kGroupOwn};
+constexpr std::array<const MessageText*, 10> kGroupTitles = {
+    &msg::kGroupHandEye,    &msg::kGroupCaries,    &msg::kGroupFilling, &msg::kGroupClassOne,   &msg::kGroupClassTwo,
+    &msg::kGroupClassThree, &msg::kGroupClassFive, &msg::kGroupCrown,   &msg::kGroupEndodontic, &msg::kGroupOwn};
 constexpr std::array<const MessageText*, 3> kLevelTitles = {&msg::kLevelEasy, &msg::kLevelUsual, &msg::kLevelHard};
 
 }  // namespace

@@ -37,8 +37,9 @@ public:
 private:
     void readAll(const toml::table& root) {
         toml_.allow(root, msg::kAnExercise,
-                    {"name", "task", "brief", "japanese", "group", "level", "minutes", "tolerance", "rubric", "tooth",
-                     "mouth", "patient", "decay", "layers", "bur", "other_burs", "ideal", "cavity", "forbidden"});
+                    {"name",      "task",   "brief",      "japanese", "group",   "level", "minutes",
+                     "tolerance", "rubric", "tooth",      "mouth",    "patient", "decay", "filling",
+                     "layers",    "bur",    "other_burs", "ideal",    "cavity",  "view",  "forbidden"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
         exercise_.brief = toml_.text(root, "brief", false);
@@ -63,6 +64,8 @@ private:
                                               static_cast<std::size_t>(ExerciseLevel::Usual)));
         if (root.get("minutes") != nullptr) exercise_.minutes = toml_.integer(root, "minutes", 1, 1, kMostMinutes);
         exercise_.tolerance = toml_.number(root, "tolerance", exercise_.tolerance, kLeastTolerance, kMostTolerance);
+        exercise_.view = static_cast<StartView>(choice(toml_, root, "view", kViewKeys, msg::kStartViewUnknown,
+                                                       static_cast<std::size_t>(StartView::Cavity)));
         exercise_.rubric = toml_.text(root, "rubric", false);
         if (exercise_.rubric.ends_with(".toml"))
             exercise_.rubric = beside(*root.get("rubric"), exercise_.rubric).string();
@@ -91,26 +94,51 @@ private:
         }
         request.seed = static_cast<std::uint32_t>(toml_.integer(root, "patient", 0, 0, 1'000'000));
         if (const toml::table* decay = toml_.table(root, "decay")) request.lesion = lesion(*decay, request.fdi);
+        if (const toml::table* filling = toml_.table(root, "filling"))
+            request.filling = readFilling(*filling, request.fdi);
         if (root.get("layers") != nullptr) toml_.fail(*root.get("layers"), msg::kBuiltinToothHasLayers);
         if (exercise_.inMouth && request.seed != 0) toml_.fail(*root.get("mouth"), msg::kMouthIsAverage);
         exercise_.tooth = request;
     }
 
+    /// Where decay or a filling begins.
+    LesionSite lesionSite(const toml::table& table, int fdi) {
+        LesionSite found = LesionSite::Usual;
+        const std::string site = toml_.text(table, "site", false);
+        const auto* const known = std::ranges::find(kSiteKeys, site, &std::pair<std::string_view, LesionSite>::first);
+        if (known != kSiteKeys.end()) found = known->second;
+        if (known == kSiteKeys.end() && !site.empty()) {
+            toml_.fail(*table.get("site"), msg::kDecaySite);
+        }
+        if (found == LesionSite::Occlusal && isAnteriorTooth(fdi)) {
+            toml_.fail(*table.get("site"), msg::kNoOcclusalSide);
+        }
+        return found;
+    }
+
+    Filling readFilling(const toml::table& table, int fdi) {
+        toml_.allow(table, msg::kAFilling, {"site", "width", "depth", "material"});
+        Filling filling;
+        filling.site = lesionSite(table, fdi);
+        filling.width = toml_.number(table, "width", filling.width, kMinLesionWidth, kMaxLesionWidth);
+        filling.depth = toml_.number(table, "depth", filling.depth, kMinLesionDepth, kDeepestLesion);
+        const std::string name = toml_.text(table, "material", true);
+        const auto material = builtinMaterials().find(name);
+        if (material && builtinMaterials().hasRole(*material, MaterialRole::None)) {
+            filling.material = *material;
+        } else if (!name.empty()) {
+            toml_.fail(*table.get("material"), {msg::kFillingMaterial, quotedWord(name)});
+        }
+        return filling;
+    }
+
     Lesion lesion(const toml::table& decay, int fdi) {
         toml_.allow(decay, msg::kDecay, {"site", "at", "width", "depth"});
         Lesion lesion;
-        const std::string site = toml_.text(decay, "site", false);
-        const auto* const known = std::ranges::find(kSiteKeys, site, &std::pair<std::string_view, LesionSite>::first);
-        if (known != kSiteKeys.end()) lesion.site = known->second;
+        lesion.site = lesionSite(decay, fdi);
         if (decay.get("at") != nullptr) {
-            if (!site.empty()) toml_.fail(decay, msg::kDecaySiteOrPlace);
+            if (decay.get("site") != nullptr) toml_.fail(decay, msg::kDecaySiteOrPlace);
             lesion.place = placeIn(toml_, decay, "at");
-        }
-        if (known == kSiteKeys.end() && !site.empty()) {
-            toml_.fail(*decay.get("site"), msg::kDecaySite);
-        }
-        if (lesion.site == LesionSite::Occlusal && isAnteriorTooth(fdi)) {
-            toml_.fail(*decay.get("site"), msg::kNoOcclusalSide);
         }
         lesion.width = toml_.number(decay, "width", lesion.width, kMinLesionWidth, kMaxLesionWidth);
         if (decay.get("depth") != nullptr)

@@ -14,8 +14,13 @@
 namespace tactooth {
 
 /// Their names in files, in the order of the enumerations.
-inline constexpr std::array<std::string_view, 8> kGroupKeys = {"hand-eye", "caries",  "class-1",    "class-2",
-                                                               "class-3",  "class-5", "endodontic", "own"};
+inline constexpr std::array<std::string_view, 10> kGroupKeys = {
+    "hand-eye", "caries", "filling", "class-1", "class-2", "class-3", "class-5", "crown", "endodontic", "own"};
+inline constexpr std::array<std::string_view, 8> kViewKeys = {"cavity", "dentist", "mirror", "occlusal",
+                                                              "buccal", "lingual", "mesial", "distal"};
+/// What a cavity removes, and the role of its material; a filling has none.
+inline constexpr std::array<std::pair<std::string_view, MaterialRole>, 3> kBodyKeys = {
+    {{"caries", MaterialRole::Decay}, {"pulp", MaterialRole::Pulp}, {"filling", MaterialRole::None}}};
 inline constexpr std::array<std::string_view, 3> kLevelKeys = {"easy", "usual", "hard"};
 inline constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSiteKeys = {
     {{"occlusal", LesionSite::Occlusal},

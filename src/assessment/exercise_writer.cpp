@@ -71,6 +71,8 @@ private:
             add("level = \"{}\"\n", kLevelKeys.at(static_cast<std::size_t>(exercise_.level)));
         if (exercise_.minutes) add("minutes = {}\n", *exercise_.minutes);
         if (exercise_.tolerance != Exercise{}.tolerance) add("tolerance = {}\n", numberText(exercise_.tolerance));
+        if (exercise_.view != StartView::Cavity)
+            add("view = \"{}\"\n", kViewKeys.at(static_cast<std::size_t>(exercise_.view)));
         const bool isFile = exercise_.rubric.ends_with(".toml");
         if (!exercise_.rubric.empty())
             add("rubric = {}\n", tomlText(isFile ? beside(exercise_.rubric) : exercise_.rubric));
@@ -80,6 +82,7 @@ private:
         add("tooth = {}\n", request.fdi);
         if (exercise_.inMouth) text_ += "mouth = true\n";
         if (request.seed != 0) add("patient = {}\n", request.seed);
+        if (request.filling) addFilling(*request.filling);
         if (!request.lesion) return;
         const Lesion& lesion = *request.lesion;
         text_ += "decay = {";
@@ -90,6 +93,15 @@ private:
         add("width = {}", numberText(lesion.width));
         if (lesion.depth) add(", depth = {}", numberText(*lesion.depth));
         text_ += "}\n";
+    }
+
+    void addFilling(const Filling& filling) {
+        text_ += "filling = {";
+        for (const auto& [key, site] : kSiteKeys) {
+            if (site == filling.site) add("site = \"{}\", ", key);
+        }
+        add("width = {}, depth = {}, material = \"{}\"}}\n", numberText(filling.width), numberText(filling.depth),
+            builtinMaterials().nameOf(filling.material));
     }
 
     void addTooth(const ToothSource& source) {
@@ -148,9 +160,23 @@ private:
                 box.towardX == mesialX_ ? "mesial" : "distal", numberText(box.width), numberText(box.axialDepth),
                 numberText(box.axialHeight));
         }
+        if (plan.crown) addCrown(*plan.crown);
         if (!plan.body) return;
-        add("\n[cavity.removes]\ntissue = \"{}\"\n", plan.body->role == MaterialRole::Pulp ? "pulp" : "caries");
+        for (const auto& [key, role] : kBodyKeys) {
+            if (role == plan.body->role) add("\n[cavity.removes]\ntissue = \"{}\"\n", key);
+        }
         if (plan.body->below) add("below = {}\n", numberText(*plan.body->below));
+    }
+
+    void addCrown(const CrownOutline& crown) {
+        add("\n[cavity.crown]\nfinish = \"{}\"\n", crown.tipRadius >= crown.width ? "chamfer" : "shoulder");
+        add("width = {}\nheight = {}\nproximal_height = {}\n", numberText(crown.width), numberText(crown.height),
+            numberText(crown.proximalHeight));
+        add("taper = {}\naxial = {}\n", numberText(crown.taper), numberText(crown.axial));
+        add("{} = {}\nfunctional = {}\n", crown.isIncisal ? "incisal" : "occlusal", numberText(crown.occlusal),
+            numberText(crown.functional));
+        add("functional_side = \"{}\"\n", crown.functionalSide > 0 ? "buccal" : "lingual");
+        if (crown.cervical) add("cervical = {}\n", numberText(*crown.cervical));
     }
 
     void addFissure(const FissureOutline& fissure) {

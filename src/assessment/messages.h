@@ -19,6 +19,13 @@ inline constexpr MessageText kIdealShape{"ideal_shape", "the ideal shape, the wh
 // Files of exercises.
 inline constexpr MessageText kAnExercise{"an_exercise", "an exercise", "課題"};
 inline constexpr MessageText kDecay{"decay", "decay", "う蝕"};
+inline constexpr MessageText kAFilling{"a_filling", "a filling", "充填物"};
+inline constexpr MessageText kFillingMaterial{
+    "filling_material", "%1 is no material of a filling; 'material' must be restoration",
+    "%1 は充填物の材料ではありません。'material' は restoration でなければなりません"};
+inline constexpr MessageText kStartViewUnknown{
+    "start_view_unknown", "'view' must be cavity, dentist, mirror, occlusal, buccal, lingual, mesial or distal",
+    "'view' は cavity、dentist、mirror、occlusal、buccal、lingual、mesial、distal のいずれかでなければなりません"};
 inline constexpr MessageText kACavity{"a_cavity", "a cavity", "窩洞"};
 inline constexpr MessageText kAStroke{"a_stroke", "a stroke", "ストローク"};
 inline constexpr MessageText kBuiltinToothHasLayers{
@@ -64,8 +71,10 @@ inline constexpr MessageText kJapaneseWords{"japanese_words", "a table 'japanese
 inline constexpr MessageText kAFissure{"a_fissure", "a fissure", "裂溝"};
 inline constexpr MessageText kABox{"a_box", "a box", "隣接面窩洞"};
 inline constexpr MessageText kGroupUnknown{
-    "group_unknown", "'group' must be hand-eye, caries, class-1, class-2, class-3, class-5, endodontic or own",
-    "'group' は hand-eye、caries、class-1、class-2、class-3、class-5、endodontic、own のいずれかでなければなりません"};
+    "group_unknown",
+    "'group' must be hand-eye, caries, filling, class-1, class-2, class-3, class-5, crown, endodontic or own",
+    "'group' は hand-eye、caries、filling、class-1、class-2、class-3、class-5、crown、endodontic、own "
+    "のいずれかでなければなりません"};
 inline constexpr MessageText kExerciseLevelUnknown{"exercise_level_unknown", "'level' must be easy, usual or hard",
                                                    "'level' は easy、usual、hard のいずれかでなければなりません"};
 inline constexpr MessageText kNoSuchRubric{
@@ -74,14 +83,36 @@ inline constexpr MessageText kNoSuchRubric{
 inline constexpr MessageText kMouthIsAverage{
     "mouth_is_average", "the whole mouth has average teeth; leave out 'mouth' or 'patient'",
     "口腔全体の歯は平均的な形です。'mouth' か 'patient' のどちらかを外してください"};
+inline constexpr MessageText kACrown{"a_crown", "a crown preparation", "支台歯形成"};
+inline constexpr MessageText kCrownUnfit{"crown_unfit", "a crown preparation takes the place of the strokes",
+                                         "支台歯形成はストロークの代わりに指定します"};
+inline constexpr MessageText kFinishUnknown{"finish_unknown", "'finish' must be chamfer or shoulder",
+                                            "'finish' は chamfer か shoulder でなければなりません"};
+inline constexpr MessageText kChamferNeedsRoundEnd{
+    "chamfer_needs_round_end",
+    "the end of this bur has a radius of %1 mm; a chamfer needs one that is at least as large as its width",
+    "このバーの先端の半径は %1 mm です。シャンファーには、その幅以上の半径の先端が必要です"};
+inline constexpr MessageText kOcclusalOrIncisal{
+    "occlusal_or_incisal", "give either 'occlusal', for a tooth with cusps, or 'incisal', for one with an edge",
+    "咬頭のある歯では 'occlusal'、切縁のある歯では 'incisal' の、どちらか一方を書いてください"};
+inline constexpr MessageText kFunctionalSide{"functional_side", "'functional_side' must be buccal or lingual",
+                                             "'functional_side' は buccal か lingual でなければなりません"};
+inline constexpr MessageText kNoCervicalLine{
+    "no_cervical_line",
+    "the tooth does not say where its enamel ends; give the height of its cervical line, 'cervical', mm.",
+    "エナメル質の終わる所がこの歯では分かりません。歯頸線の高さ 'cervical'（mm）を書いてください。"};
+inline constexpr MessageText kFinishLineOffTooth{"finish_line_off_tooth",
+                                                 "the finish line leaves the tooth; give it another height.",
+                                                 "フィニッシュラインが歯から外れています。高さを変えてください。"};
 inline constexpr MessageText kABody{"a_body", "a table 'removes'", "'removes' の表"};
-inline constexpr MessageText kTissueUnknown{"tissue_unknown", "'tissue' must be caries or pulp",
-                                            "'tissue' は caries か pulp でなければなりません"};
+inline constexpr MessageText kTissueUnknown{"tissue_unknown", "'tissue' must be caries, pulp or filling",
+                                            "'tissue' は caries、pulp、filling のいずれかでなければなりません"};
 inline constexpr MessageText kBodyUnfit{"body_unfit", "'removes' takes the place of the strokes",
                                         "'removes' はストロークの代わりに指定します"};
 inline constexpr MessageText kNoSuchBody{
-    "no_such_body", "the tooth has no caries or pulp that is wider than the bur, seen from the side of the cavity.",
-    "窩洞の側から見て、バーより広いう蝕や歯髄がこの歯にはありません。"};
+    "no_such_body",
+    "the tooth has no caries, filling or pulp that is wider than the bur, seen from the side of the cavity.",
+    "窩洞の側から見て、バーより広いう蝕や充填物、歯髄がこの歯にはありません。"};
 inline constexpr MessageText kNoFissureFound{
     "no_fissure_found", "the crown is too short for a cavity between these ridges; leave less of them.",
     "この辺縁隆線を残すと、窩洞を入れる長さが歯冠にありません。残す量を減らしてください。"};
@@ -140,10 +171,12 @@ inline constexpr MessageText kExerciseUnknown{
 // Lists of exercises.
 inline constexpr MessageText kGroupHandEye{"group_hand_eye", "Hand and eye", "手と目の協調"};
 inline constexpr MessageText kGroupCaries{"group_caries", "Removal of caries", "う蝕の除去"};
+inline constexpr MessageText kGroupFilling{"group_filling", "Removal of fillings", "充填物の除去"};
 inline constexpr MessageText kGroupClassOne{"group_class_one", "Class I", "1 級窩洞"};
 inline constexpr MessageText kGroupClassTwo{"group_class_two", "Class II", "2 級窩洞"};
 inline constexpr MessageText kGroupClassThree{"group_class_three", "Class III", "3 級窩洞"};
 inline constexpr MessageText kGroupClassFive{"group_class_five", "Class V", "5 級窩洞"};
+inline constexpr MessageText kGroupCrown{"group_crown", "Crown", "支台歯形成"};
 inline constexpr MessageText kGroupEndodontic{"group_endodontic", "Endodontic access", "髄室開拡"};
 inline constexpr MessageText kGroupOwn{"group_own", "Your own", "自作の課題"};
 inline constexpr MessageText kLevelEasy{"level_easy", "easy", "易しい"};
@@ -174,6 +207,11 @@ inline constexpr MessageText kNoIsthmus{"no_isthmus", "the cavity is not long en
                                         "窩洞が短く、峡部がありません"};
 inline constexpr MessageText kNoRidge{"no_ridge", "the tooth has no outside toward this side",
                                       "歯のこの側には外面がありません"};
+inline constexpr MessageText kNoOcclusalEnd{"no_occlusal_end", "the stump has no end wider than 0.6 mm that looks up",
+                                            "支台歯に、上を向いた幅 0.6 mm を超える面がありません"};
+inline constexpr MessageText kNoInnerAngle{"no_inner_angle", "there is no angle between a floor and a wall",
+                                           "窩底と側壁の間の隅角がありません"};
+inline constexpr MessageText kNoGumKnown{"no_gum_known", "the files have no gum", "ファイルに歯肉がありません"};
 inline constexpr MessageText kNoPulpKnown{"no_pulp_known", "the files have no pulp", "ファイルに歯髄がありません"};
 inline constexpr MessageText kNoNeighbourKnown{"no_neighbour_known", "the files have no tooth beside",
                                                "ファイルに隣在歯がありません"};

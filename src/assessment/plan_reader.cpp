@@ -10,6 +10,8 @@
 #include "assessment/exercise_keys.h"
 #include "assessment/messages.h"
 #include "assessment/outline/flat_outline.h"
+#include "geometry/util/number_text.h"
+#include "instruments/bur_outline.h"
 #include "session/io/messages.h"
 
 namespace tactooth {
@@ -17,8 +19,11 @@ namespace {
 
 constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
 constexpr std::size_t kMaxStrokes = 200;
-constexpr double kMostLeft = 10;      // mm of tooth beside a cavity: a whole crown
-constexpr double kWidestOutline = 8;  // mm
+constexpr double kMostLeft = 10;                         // mm of tooth beside a cavity: a whole crown
+constexpr double kWidestOutline = 8;                     // mm
+constexpr double kLeastFinish = 0.1, kWidestFinish = 3;  // mm: width of a finish line
+constexpr double kHighestFinish = 8;                     // mm: a whole crown
+constexpr double kLeastTaper = 1;                        // degrees
 
 }  // namespace
 
@@ -80,7 +85,7 @@ PlanReader::PlanReader(TomlReader& toml, const std::variant<ToothRequest, ToothS
 
 PreparationPlan PlanReader::read(const toml::table& cavity) {
     toml_.allow(cavity, msg::kACavity,
-                {"side", "depth", "floor", "depth_stop", "strokes", "fissure", "outline", "boxes", "removes"});
+                {"side", "depth", "floor", "depth_stop", "strokes", "fissure", "outline", "boxes", "removes", "crown"});
     PreparationPlan plan;
     plan.outward = sideIn(toml_, cavity, mesialX_);
     if (cavity.get("depth") == nullptr) toml_.fail(cavity, {msg::kKeyMissing, "depth"});
@@ -111,6 +116,11 @@ PreparationPlan PlanReader::read(const toml::table& cavity) {
     if (const toml::table* body = toml_.table(cavity, "removes")) {
         if (!strokes.empty()) toml_.fail(*body, msg::kBodyUnfit);
         readBody(*body, plan);
+        return plan;
+    }
+    if (const toml::table* crown = toml_.table(cavity, "crown")) {
+        if (!strokes.empty()) toml_.fail(*crown, msg::kCrownUnfit);
+        plan.crown = readCrown(*crown);
         return plan;
     }
     if (cavity.get("boxes") != nullptr) toml_.fail(*cavity.get("boxes"), msg::kBoxWithoutFissure);
@@ -154,15 +164,51 @@ void PlanReader::readOutline(const toml::table& table, PreparationPlan& plan) {
 /// A body inside the tooth that the cavity removes.
 void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
     toml_.allow(table, msg::kABody, {"tissue", "below"});
-    constexpr std::array<std::string_view, 2> kTissues = {"caries", "pulp"};
-    const bool isPulp = choice(toml_, table, "tissue", kTissues, msg::kTissueUnknown, 0) == 1;
+    std::array<std::string_view, kBodyKeys.size()> tissues;
+    std::ranges::transform(kBodyKeys, tissues.begin(), &std::pair<std::string_view, MaterialRole>::first);
+    const MaterialRole role = kBodyKeys.at(choice(toml_, table, "tissue", tissues, msg::kTissueUnknown, 0)).second;
+    const bool isPulp = role == MaterialRole::Pulp;
     if (!bur_) return toml_.fail(table, msg::kOutlineNeedsBur);
-    plan.body = {.role = isPulp ? MaterialRole::Pulp : MaterialRole::Decay,
-                 .burRadius = bur_->headDiameter / 2,
-                 .burLength = bur_->headLength,
-                 .below = {}};
+    plan.body = {.role = role, .burRadius = bur_->headDiameter / 2, .burLength = bur_->headLength, .below = {}};
     if (isPulp && table.get("below") == nullptr) toml_.fail(table, {msg::kKeyMissing, "below"});
     if (table.get("below") != nullptr) plan.body->below = toml_.number(table, "below", 1, kMinDepth, kMaxDepth);
+}
+
+/// A crown preparation.
+std::optional<CrownOutline> PlanReader::readCrown(const toml::table& table) {
+    toml_.allow(table, msg::kACrown,
+                {"finish", "width", "height", "proximal_height", "taper", "axial", "occlusal", "incisal", "functional",
+                 "functional_side", "cervical"});
+    if (!bur_) {
+        toml_.fail(table, msg::kOutlineNeedsBur);
+        return std::nullopt;
+    }
+    for (const std::string_view key : {"finish", "width", "height", "taper"}) {
+        if (table.get(key) == nullptr) toml_.fail(table, {msg::kKeyMissing, key});
+    }
+    CrownOutline crown{};
+    crown.isIncisal = table.get("incisal") != nullptr;
+    if (crown.isIncisal == (table.get("occlusal") != nullptr)) toml_.fail(table, msg::kOcclusalOrIncisal);
+    crown.width = toml_.number(table, "width", kLeastFinish, kLeastFinish, kWidestFinish);
+    crown.height = toml_.number(table, "height", 1, -1, kHighestFinish);
+    crown.proximalHeight = toml_.number(table, "proximal_height", crown.height, -1, kHighestFinish);
+    crown.taper = toml_.number(table, "taper", kLeastTaper, kLeastTaper, kMostTaper);
+    crown.axial = toml_.number(table, "axial", crown.width, kMinDepth, kWidestFinish);
+    crown.occlusal = toml_.number(table, crown.isIncisal ? "incisal" : "occlusal", 1, kMinDepth, kHighestFinish);
+    crown.functional = toml_.number(table, "functional", crown.occlusal, kMinDepth, kHighestFinish);
+    constexpr std::array<std::string_view, 2> kFunctionalSides = {"buccal", "lingual"};
+    const auto* request = std::get_if<ToothRequest>(&tooth_);
+    const bool isUpper = request != nullptr && request->fdi / 10 <= 2;
+    const std::size_t side =
+        choice(toml_, table, "functional_side", kFunctionalSides, msg::kFunctionalSide, isUpper ? 1 : 0);
+    crown.functionalSide = side == 0 ? 1 : -1;
+    crown.tipRadius = endRadius(*bur_);
+    if (table.get("cervical") != nullptr) crown.cervical = toml_.number(table, "cervical", 0, -kFarthest, kFarthest);
+    constexpr std::array<std::string_view, 2> kFinishes = {"chamfer", "shoulder"};
+    const bool isChamfer = choice(toml_, table, "finish", kFinishes, msg::kFinishUnknown, 0) == 0;
+    if (isChamfer && crown.tipRadius < crown.width)
+        toml_.fail(table, {msg::kChamferNeedsRoundEnd, numberText(std::round(1000 * crown.tipRadius) / 1000)});
+    return crown;
 }
 
 void PlanReader::readBoxes(const std::vector<const toml::table*>& boxes, PreparationPlan& plan) {

@@ -8,6 +8,7 @@
 
 #include "geometry/util/assert.h"
 #include "geometry/util/byte_stream.h"
+#include "instruments/anatomy/filling_body.h"
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/variation.h"
 #include "instruments/modelling/fold_check.h"
@@ -63,7 +64,8 @@ void mirror(TriangleMesh& mesh) {
 }
 
 void mirrorLayers(BuiltinTooth& tooth) {
-    for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries}) mirror(*layer);
+    for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries, &tooth.filling})
+        mirror(*layer);
 }
 
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
@@ -82,9 +84,9 @@ BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
     return tooth;
 }
 
-TriangleMesh lesionMesh(const ToothShape& shape, const Lesion& lesion, int triangles) {
+/// The part of a body that lies in the tooth: decay, or a filling.
+TriangleMesh insideTooth(const ToothShape& shape, const ScalarField& body, int triangles) {
     const double cellSize = std::min(cellSizeFor(shape, triangles), kCanalCell);
-    const ScalarField body = lesionBody(shape, lesion);
     return meshOf([&](const Vec3& p) { return std::max(shape.outer(p), body(p)); }, shape.bounds, cellSize,
                   kRelaxations);
 }
@@ -101,7 +103,11 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
         cellSize *= 0.97;
         tooth = meshed(shape, cellSize);
     }
-    if (request.lesion) tooth.caries = lesionMesh(shape, *request.lesion, request.triangles);
+    if (request.lesion) tooth.caries = insideTooth(shape, lesionBody(shape, *request.lesion), request.triangles);
+    if (request.filling) {
+        tooth.filling = insideTooth(shape, fillingBody(shape, *request.filling), request.triangles);
+        tooth.fillingMaterial = request.filling->material;
+    }
     if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
     return tooth;
 }
@@ -127,6 +133,10 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
     if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
+    if (request.filling) {
+        fields.push_back(fillingBody(shape, *request.filling));
+        facts.put(request.filling->material);
+    }
     constexpr int kProbes = 7;  // points along each side of the tooth's box: a change of the anatomy changes some value
     for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
         const Vec3 part = Vec3(i % kProbes + 0.5, i / kProbes % kProbes + 0.5, i / (kProbes * kProbes) + 0.5) / kProbes;
@@ -157,6 +167,8 @@ std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     add(MaterialRole::Enamel, tooth.enamel);
     add(MaterialRole::Dentin, tooth.dentin);
     add(MaterialRole::Pulp, tooth.pulp);
+    if (!tooth.filling.empty())
+        layers.push_back({materials.nameOf(tooth.fillingMaterial), tooth.fillingMaterial, tooth.filling});
     add(MaterialRole::Decay, tooth.caries);
     return layers;
 }

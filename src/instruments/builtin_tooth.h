@@ -18,17 +18,19 @@ enum class BuiltinToothKind { LowerFirstMolar, UpperCentralIncisor, UpperCanine 
 /// A tooth that the program generates. Tooth frame: origin on the tooth's axis at the height of the lowest (buccal and
 /// lingual) points of the cervical line, +z toward the crown, +y buccal, and mesial along x as `mesialX` says; mm.
 ///
-/// Layers are nested and the inner one wins: enamel < dentin < pulp < caries. `enamel` is the whole crown as a closed
-/// body; what is inside `dentin` is dentin, and so on. Enamel and dentin together fill `outer`; where they reach the
-/// surface of the tooth they share its vertices.
+/// Layers are nested and the inner one wins: enamel < dentin < pulp < filling < caries. `enamel` is the whole crown as
+/// a closed body; what is inside `dentin` is dentin, and so on. Enamel and dentin together fill `outer`; where they
+/// reach the surface of the tooth they share its vertices.
 struct BuiltinTooth {
-    std::string name;     ///< for people
-    int fdi = 0;          ///< two-digit tooth number (FDI)
-    TriangleMesh outer;   ///< the whole tooth, closed
-    TriangleMesh enamel;  ///< the crown down to the cervical line, closed
-    TriangleMesh dentin;  ///< crown core and root with its cementum, closed
-    TriangleMesh pulp;    ///< chamber, horns and canals, closed, inside the dentin
-    TriangleMesh caries;  ///< the lesion, closed; empty if there is none
+    std::string name;                 ///< for people
+    int fdi = 0;                      ///< two-digit tooth number (FDI)
+    TriangleMesh outer;               ///< the whole tooth, closed
+    TriangleMesh enamel;              ///< the crown down to the cervical line, closed
+    TriangleMesh dentin;              ///< crown core and root with its cementum, closed
+    TriangleMesh pulp;                ///< chamber, horns and canals, closed, inside the dentin
+    TriangleMesh caries;              ///< the lesion, closed; empty if there is none
+    TriangleMesh filling = {};        ///< closed; empty if there is none
+    MaterialId fillingMaterial = {};  ///< of the built-in ones
 };
 
 /// The mesial direction on the x axis of a tooth's frame, for a two-digit tooth number (FDI): +1 in the patient's upper
@@ -64,12 +66,23 @@ struct Lesion {
     bool operator==(const Lesion&) const = default;
 };
 
+/// A filling in a tooth: twice as long as wide along the fissure or the gum, with a flat floor.
+struct Filling {
+    LesionSite site = LesionSite::Usual;
+    double width = 1.6;        ///< mm
+    double depth = 1.8;        ///< mm below the surface
+    MaterialId material = {};  ///< of the built-in ones
+
+    bool operator==(const Filling&) const = default;
+};
+
 /// One tooth of the built-in mouth.
 struct ToothRequest {
     int fdi = 46;            ///< permanent tooth: isPermanentTooth(fdi)
     int triangles = 20000;   ///< of `outer`, about; the other layers have the same resolution
     std::uint32_t seed = 0;  ///< 0: the average tooth; any other number: the same tooth of another patient
     std::optional<Lesion> lesion{};
+    std::optional<Filling> filling{};
 
     bool operator==(const ToothRequest&) const = default;
 };

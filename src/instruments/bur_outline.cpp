@@ -175,4 +175,15 @@ std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count) {
     return outline;
 }
 
+double endRadius(const BurSpec& spec) {
+    constexpr int kFine = 400;
+    double least = spec.headDiameter / 2;
+    for (const auto& [radius, z] : burOutline(spec, kFine)) {
+        if (radius <= 0) continue;
+        // The ball through this point that touches the tip.
+        least = std::min(least, z > 0 ? (radius * radius + z * z) / (2 * z) : 0);
+    }
+    return least;
+}
+
 }  // namespace tactooth

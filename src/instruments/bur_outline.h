@@ -14,4 +14,8 @@ namespace tactooth {
 /// the shape has more pieces), all exactly on the shape. Its widest point and its end are always among them.
 [[nodiscard]] std::vector<OutlinePoint> burOutline(const BurSpec& spec, int count);
 
+/// Radius of the bur's end: of the largest ball on the axis that touches the tip and stays inside the head, mm. 0 for
+/// a flat end.
+[[nodiscard]] double endRadius(const BurSpec& spec);
+
 }  // namespace tactooth

@@ -145,7 +145,8 @@ TEST(ExerciseFile, ASoundToothHasNoDecayToRemove) {
     ASSERT_TRUE(exercise) << exercise.error().message();
     const auto ideal = idealShape(*exercise, *exerciseTooth(*exercise));
     ASSERT_FALSE(ideal);
-    EXPECT_THAT(ideal.error().message(), HasSubstr("the tooth has no caries or pulp that is wider than the bur"));
+    EXPECT_THAT(ideal.error().message(),
+                HasSubstr("the tooth has no caries, filling or pulp that is wider than the bur"));
 }
 
 TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
@@ -198,7 +199,7 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {kStroke, kFissure + "distal = 2\n" + kBox + kBox, "there is already a box on this side"},
         {kStroke, kFissure + "mesial = 2\ndistal = 2\n" + kStroke, "a fissure takes the place of the strokes"},
         {kStroke, kBox, "a box ends a cavity along a fissure"},
-        {kStroke, "[cavity.removes]\ntissue = \"bone\"\n", "'tissue' must be caries or pulp"},
+        {kStroke, "[cavity.removes]\ntissue = \"bone\"\n", "'tissue' must be caries, pulp or filling"},
         {kStroke, "[cavity.removes]\ntissue = \"pulp\"\n", "the key 'below' is missing"},
         {kStroke, "[cavity.removes]\ntissue = \"caries\"\n" + kStroke, "'removes' takes the place of the strokes"},
         {"name = \"Pit\"", "name = ", "line 1: this is not TOML"}};

@@ -5,9 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "assessment/cavity_walls.h"
+#include "assessment/crown/removed_body.h"
 #include "assessment/exercise_scene.h"
+#include "assessment/ideal_shape.h"
 #include "assessment/rubric/rubric_file.h"
+#include "collision/bvh/closest_point.h"
+#include "session/simulation/cut_model.h"
 #include "support/materials.h"
 #include "support/shapes.h"
 
@@ -15,6 +21,70 @@ namespace tactooth {
 namespace {
 
 using test::ExerciseScene;
+
+/// Signed distance to a closed surface, with its gradient: positive outside.
+RemovedBody::Depth outsideOf(const SurfacePart& part, const Vec3& place) {
+    const double distance = signedDistance(part, place);
+    const Vec3 from = place - closestPoint(part, place)->point;
+    return {distance, from.norm() > 1e-9 ? Vec3((distance < 0 ? -1 : 1) * from.normalized()) : Vec3(Vec3::UnitZ())};
+}
+
+/// Nearly the ideal preparation, and what a real bur does at the pulp: a hole of 1 mm down into it, or a roof of
+/// dentin that stays over it.
+class WorkAtThePulp : public RemovedBody {
+public:
+    WorkAtThePulp(const ExerciseScene& scene, const SurfacePart& pulp, const Vec3& outward)
+        : ideal_(*scene.ideal), pulp_(pulp), outward_(outward) {
+        const CavityWalls walls = cavityWalls(*scene.ideal, *scene.tooth->ownOuter());
+        const SurfacePart cut(walls.mesh);
+        double least = 1e9;
+        for (const Vec3f& vertex : pulp.mesh().vertices) {
+            const Vec3 place = vertex.cast<double>();
+            const double distance = closestPoint(cut, place)->distance;
+            if (distance >= least) continue;
+            least = distance;
+            horn_ = place;
+        }
+        const Vec3 over = closestPoint(cut, horn_)->point;
+        if (least > 0.1) outward_ = (over - horn_).normalized();
+        for (const Vec3f& vertex : walls.mesh.vertices) box_.extend(vertex.cast<double>());
+        for (const Vec3f& vertex : scene.tooth->ownOuter()->mesh().vertices) {
+            if (signedDistance(ideal_, vertex.cast<double>()) > 0.05) box_.extend(vertex.cast<double>());
+        }
+        box_.extend(horn_);
+        box_ = Box3(box_.min() - Vec3::Constant(0.5), box_.max() + Vec3::Constant(0.5));
+    }
+
+    enum class At { NotYet, Hole, Roof };
+    At at = At::NotYet;
+
+    [[nodiscard]] Depth depthAt(const Vec3& place) const override {
+        constexpr double kLeft = 0.03;  // mm: clear of the uncut surface
+        Depth depth = outsideOf(ideal_, place);
+        depth.value -= kLeft;
+        if (at == At::Hole) {
+            constexpr double kRadius = 0.5, kDeep = 0.3, kLong = 4;  // mm
+            const double along = std::clamp(outward_.dot(place - horn_), -kDeep, kLong);
+            const Vec3 from = place - horn_ - along * outward_;
+            const double inside = kRadius - from.norm();
+            if (inside > depth.value) depth = {inside, from.norm() > 0 ? Vec3(-from.normalized()) : outward_};
+        }
+        if (at == At::Roof) {
+            constexpr double kRoof = 0.3;  // mm of dentin
+            Depth over = outsideOf(pulp_, place);
+            over.value -= kRoof;
+            if (over.value < depth.value) depth = over;
+        }
+        return depth;
+    }
+    [[nodiscard]] Box3 box() const override { return box_; }
+
+private:
+    SurfacePart ideal_;
+    const SurfacePart& pulp_;
+    Vec3 outward_, horn_ = Vec3::Zero();
+    Box3 box_;
+};
 
 class EachRubric : public ::testing::TestWithParam<std::shared_ptr<const Exercise>> {
 protected:
@@ -35,7 +105,14 @@ protected:
         for (const LayeredTooth::Layer& layer : scene_.tooth->layers()) {
             if (layer.material == test::kPulp) preparation.pulps.push_back(layer.part);
         }
+        preparation.gums = exerciseGums(exercise_);
         return measureAll(PreparationMeasures(preparation));
+    }
+
+    [[nodiscard]] TriangleMesh cut(const RemovedBody& body) const {
+        CutModel piece(scene_.tooth, 0.05);
+        piece.adopt(cutFieldsOf(body, *scene_.tooth->ownOuter(), piece.volume().lattice()), {});
+        return asReadFromFile(*piece.surface());
     }
 
     const Exercise& exercise_ = *GetParam();
@@ -43,8 +120,13 @@ protected:
     Rubric rubric_;
 };
 
-TEST_P(EachRubric, PassesAnExpertAndFailsWhoOpensThePulp) {
-    std::vector<MetricResult> expert = measure(*scene_.ideal);
+double valueIn(const std::vector<MetricResult>& results, std::string_view id) {
+    const auto found = std::ranges::find(results, id, [](const MetricResult& each) { return each.metric->id; });
+    return found != results.end() ? found->measured.value.value_or(-1) : -1;
+}
+
+TEST_P(EachRubric, PassesAnExpert) {
+    const std::vector<MetricResult> expert = measure(*scene_.ideal);
     const Mark mark = markOf(rubric_, expert);
     for (const CriterionScore& each : mark.criteria) {
         if (each.lost > 0.5)
@@ -54,12 +136,23 @@ TEST_P(EachRubric, PassesAnExpertAndFailsWhoOpensThePulp) {
     std::printf("  %s: %.1f\n", exercise_.id.c_str(), mark.value.value_or(-1));
     EXPECT_GE(mark.value.value_or(-1), 90);
     EXPECT_TRUE(mark.passes);
-    const auto pulp = std::ranges::find(expert, std::string_view("pulp_open"),
-                                        [](const MetricResult& each) { return each.metric->id; });
-    ASSERT_NE(pulp, expert.end());
-    EXPECT_EQ(pulp->measured.value, exercise_.opensPulp() ? 1 : 0);
-    pulp->measured = Measured::of(exercise_.opensPulp() ? 0 : 1);
-    EXPECT_FALSE(markOf(rubric_, expert).passes);
+    EXPECT_EQ(valueIn(expert, "pulp_open"), exercise_.opensPulp() ? 1 : 0);
+}
+
+TEST_P(EachRubric, FailsWhoDrillsIntoThePulpOrDoesNotFindIt) {
+    const SurfacePart* pulp = nullptr;
+    for (const LayeredTooth::Layer& layer : scene_.tooth->layers()) {
+        if (layer.material == test::kPulp) pulp = layer.part.get();
+    }
+    ASSERT_NE(pulp, nullptr);
+    WorkAtThePulp work(scene_, *pulp, std::get<PreparationPlan>(exercise_.ideal).outward);
+    const std::vector<MetricResult> before = measure(cut(work));
+    EXPECT_EQ(valueIn(before, "pulp_open"), exercise_.opensPulp() ? 1 : 0);
+    EXPECT_TRUE(markOf(rubric_, before).passes) << markOf(rubric_, before).value.value_or(-1);
+    work.at = exercise_.opensPulp() ? WorkAtThePulp::At::Roof : WorkAtThePulp::At::Hole;
+    const std::vector<MetricResult> after = measure(cut(work));
+    EXPECT_EQ(valueIn(after, "pulp_open"), exercise_.opensPulp() ? 0 : 1);
+    EXPECT_FALSE(markOf(rubric_, after).passes) << markOf(rubric_, after).value.value_or(-1);
 }
 
 TEST_P(EachRubric, GivesNothingForNothing) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 const double kFloorCosine = std::cos(30 * kDegree);  // a floor faces the axis within 30 degrees
 const double kWallCosine = std::sin(45 * kDegree);   // a wall is nearer to the axis than to its normal plane
+constexpr double kAxialCosine = 0.5;                 // of a crown preparation: steeper than a cusp's bevel
 constexpr double kRounding = 0.3;                    // mm: strip along the border with the rounded angles
 constexpr double kLeastWall = 0.5;                   // mm^2: smaller walls are not judged
 constexpr double kLeastInner = 0.05;                 // mm^2 within the border, for a direction worth the name
@@ -41,6 +42,34 @@ void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, C
     auto median = depths.begin();
     while (left > median->second && median + 1 != depths.end()) left -= (median++)->second;
     form.floorDepth = Measured::at(median->first, plane.centre);
+}
+
+/// Of the walls of a crown preparation the part next to the finish line: farther up begin the planes that follow cusps
+/// and edge.
+CutPatch axialPart(const Preparation& preparation, const CutSurfaces& surfaces, const CutPatch& walls) {
+    constexpr double kAxialHeight = 1.5;  // mm above the finish line
+    constexpr std::size_t kSectors = 48;  // around the axis, in which the finish line has one height
+    const Vec3 u = preparation.axis.unitOrthogonal(), v = preparation.axis.cross(u);
+    const auto sectorOf = [&](const Vec3& place) {
+        const Vec3 from = place - surfaces.middle;
+        const double turn = std::atan2(v.dot(from), u.dot(from)) / (2 * std::numbers::pi) + 0.5;
+        return std::min(kSectors - 1, static_cast<std::size_t>(turn * kSectors));
+    };
+    std::array<double, kSectors> sums{}, counts{};
+    for (const auto& [from, to] : surfaces.cut.rim) {
+        const Vec3 place = surfaces.cut.mesh.vertices[from].cast<double>();
+        sums[sectorOf(place)] += preparation.axis.dot(place);
+        counts[sectorOf(place)] += 1;
+    }
+    CutPatch part;
+    for (const std::uint32_t i : walls) {
+        const Vec3& place = surfaces.facets[i].centre;
+        std::size_t sector = sectorOf(place);
+        for (std::size_t k = 0; k < kSectors && counts[sector] == 0; ++k) sector = (sector + 1) % kSectors;
+        const double line = counts[sector] > 0 ? sums[sector] / counts[sector] : 0;
+        if (counts[sector] == 0 || preparation.axis.dot(place) < line + kAxialHeight) part.push_back(i);
+    }
+    return part;
 }
 
 /// The mean angle of the facets of `walls` on one side to the axis, degrees.
@@ -81,7 +110,9 @@ Measured convergence(const CutSurfaces& surfaces, const Measured& a, const Measu
 CavityForm cavityForm(const Preparation& preparation, const CutSurfaces& surfaces) {
     CavityForm form;
     measureFloor(preparation, surfaces, form);
-    const CutPatch walls = patchBetween(surfaces, preparation.axis, -kWallCosine, kWallCosine);
+    const double steepness = surfaces.isCrown ? kAxialCosine : kWallCosine;
+    CutPatch walls = patchBetween(surfaces, preparation.axis, -steepness, steepness);
+    if (surfaces.isCrown) walls = axialPart(preparation, surfaces, walls);
     const DentalDirections to(preparation.axis, preparation.mesialX);
     const std::array<Vec3, 4> sides = {to.buccal, -to.buccal, to.mesial, -to.mesial};
     for (std::size_t i = 0; i < sides.size(); ++i) {

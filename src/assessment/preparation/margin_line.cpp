@@ -10,6 +10,7 @@
 #include "assessment/messages.h"
 #include "assessment/preparation/cut_patch.h"
 #include "collision/bvh/closest_point.h"
+#include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
@@ -126,6 +127,45 @@ std::shared_ptr<const SurfacePart> axialWall(const Preparation& preparation, con
     return std::make_shared<const SurfacePart>(std::move(wall));
 }
 
+/// Height along the axis of the gum beside a place of the margin; nothing where there is none.
+std::optional<double> gumBeside(const Preparation& preparation, const Vec3& place) {
+    constexpr double kOver = 6;                        // mm above the place: below the other jaw
+    constexpr double kNearest = 0.1, kFarthest = 1.0;  // mm beside the tooth, within which the gum's margin stands
+    constexpr int kAside = 10;                         // places between these two
+    const auto outside = closestPoint(*preparation.original, place);
+    const Vec3 normal = preparation.original->mesh().areaVector(outside->triangle).stableNormalized();
+    const Vec3 level = normal - normal.dot(preparation.axis) * preparation.axis;
+    if (level.norm() < kWallCosine) return std::nullopt;
+    std::optional<double> highest;
+    for (const auto& gum : preparation.gums) {
+        const Surface surface{.base = gum};
+        for (int i = 0; i < kAside; ++i) {
+            const double aside = kNearest + (kFarthest - kNearest) * i / (kAside - 1);
+            const Vec3 from = place + kOver * preparation.axis + aside * level.normalized();
+            const auto hit = firstHit(surface, {from, -preparation.axis});
+            if (!hit) continue;
+            const double height = from.dot(preparation.axis) - *hit;
+            highest = std::max(highest.value_or(height), height);
+        }
+    }
+    return highest;
+}
+
+Measured heightAboveGum(const Preparation& preparation, const std::vector<Line>& lines) {
+    if (preparation.gums.empty()) return Measured::none(msg::kNoGumKnown);
+    std::vector<double> heights;
+    for (const Line& line : lines) {
+        for (const Vec3& place : line) {
+            const auto gum = gumBeside(preparation, place);
+            if (gum) heights.push_back(place.dot(preparation.axis) - *gum);
+        }
+    }
+    if (heights.empty()) return Measured::none(msg::kNoGumKnown);
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    return Measured::of(*middle);
+}
+
 }  // namespace
 
 MarginLine marginLine(const Preparation& preparation, const CutSurfaces& surfaces) {
@@ -135,15 +175,17 @@ MarginLine marginLine(const Preparation& preparation, const CutSurfaces& surface
         if (lengthOf(line) > kShortest) lines.push_back(evenly(line));
     }
     if (lines.empty()) {
-        result.roughness = result.width = result.widthSpread = Measured::none(msg::kNoMarginLine);
+        result.roughness = result.width = result.widthSpread = result.heightAboveGum =
+            Measured::none(msg::kNoMarginLine);
         return result;
     }
     result.roughness = roughnessOf(lines);
     const auto wall = surfaces.isCrown ? axialWall(preparation, surfaces) : nullptr;
     if (wall == nullptr) {
-        result.width = result.widthSpread = Measured::none(msg::kNoCrownPreparation);
+        result.width = result.widthSpread = result.heightAboveGum = Measured::none(msg::kNoCrownPreparation);
         return result;
     }
+    result.heightAboveGum = heightAboveGum(preparation, lines);
     std::vector<double> widths;
     double sum = 0, squares = 0;
     for (const Line& line : lines) {

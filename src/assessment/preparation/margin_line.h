@@ -15,6 +15,9 @@ struct MarginLine {
     /// From the finish line of a crown preparation to the axial wall, square to the axis, mm: median over the length.
     Measured width;
     Measured widthSpread;  ///< standard deviation of it, mm
+    /// Of the finish line of a crown preparation above the margin of the gum beside it, along the axis, mm: median over
+    /// the length.
+    Measured heightAboveGum;
 };
 
 [[nodiscard]] MarginLine marginLine(const Preparation& preparation, const CutSurfaces& surfaces);

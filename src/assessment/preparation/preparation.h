@@ -20,6 +20,7 @@ struct Preparation {
     std::shared_ptr<const LayeredTooth> tooth = {};  ///< the uncut tooth with its layers; null: not known
     std::vector<std::shared_ptr<const SurfacePart>> pulps = {};  ///< closed; empty: the files have none
     std::shared_ptr<const SurfacePart> neighbours = {};          ///< uncut; null: the files have none
+    std::vector<std::shared_ptr<const SurfacePart>> gums = {};   ///< closed; empty: the files have none
     TriangleMesh cutNeighbours = {};                             ///< the pieces of surface that cutting them has made
     std::vector<ForbiddenZone> forbidden = {};                   ///< of the exercise
 };

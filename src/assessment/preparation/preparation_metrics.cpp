@@ -8,6 +8,7 @@
 #include "assessment/messages.h"
 #include "assessment/preparation/enamel_support.h"
 #include "assessment/preparation/forbidden_volume.h"
+#include "assessment/preparation/inner_angle.h"
 
 namespace tactooth {
 namespace {
@@ -112,6 +113,12 @@ constexpr std::array kMetrics = {
                       "Cut area that faces away from the axis by more than 1 degree, or that something hangs over.",
                       "アンダーカットの面積",
                       "軸と逆の方向に 1 度を超えて向くか、上に張り出しのある、削った面の面積。"},
+    PreparationMetric{"undercut_area_best", "Undercut area, best insertion", "mm^2", Better::Neither,
+                      [](All m) { return m.undercut.bestArea; },
+                      "Least undercut area of all directions of insertion within 10 degrees of the axis, a degree "
+                      "apart.",
+                      "最良の挿入方向でのアンダーカットの面積",
+                      "軸から 10 度以内の、1 度刻みのすべての挿入方向のうち、最小のアンダーカットの面積。"},
     PreparationMetric{"undercut_depth", "Undercut depth", "mm", Better::Neither, [](All m) { return m.undercut.depth; },
                       "Greatest level distance from a cut wall to the end of what hangs over it.",
                       "アンダーカットの深さ", "削った壁から、その上の張り出しの先端までの水平距離の最大値。"},
@@ -122,6 +129,23 @@ constexpr std::array kMetrics = {
     PreparationMetric{"toc_bl", "Convergence, buccolingual", "deg", Better::Neither,
                       [](All m) { return m.form.tocBuccolingual; }, "The same of the buccal and the lingual wall.",
                       "収束角（頬舌）", "頬側壁と舌側壁についての同じ角度。"},
+    PreparationMetric{"occlusal_reduction_min", "Occlusal reduction, least", "mm", Better::Neither,
+                      [](All m) { return m.occlusal.least; },
+                      "Of a crown preparation: distance along the axis from its occlusal or incisal end to the uncut "
+                      "surface, which a twentieth of the end falls short of.",
+                      "咬合面の削除量（最小）",
+                      "支台歯形成の咬合面または切縁側の面から、削る前の面まで、軸に沿った距離。面の 20 分の 1 "
+                      "がこれを下回る。"},
+    PreparationMetric{"occlusal_reduction_median", "Occlusal reduction (median)", "mm", Better::Neither,
+                      [](All m) { return m.occlusal.median; }, "Median of that distance, by area.",
+                      "咬合面の削除量（中央値）", "その距離の、面積についての中央値。"},
+    PreparationMetric{"inner_angle_radius", "Radius of the inner angles", "mm", Better::Neither,
+                      [](All m) { return m.innerAngle; },
+                      "Radius of the sharpest twentieth of the angles between floor and walls, in which a ball of 0.3 "
+                      "mm rolls; 0.3 where all are as round.",
+                      "内側の隅角の半径",
+                      "窩底と側壁の間の隅角に 0.3 mm の球を転がして測る、最も鋭い 20 分の 1 "
+                      "の半径。どこもそれ以上に丸ければ 0.3。"},
     PreparationMetric{"remaining_dentin_min", "Dentin left over the pulp", "mm", Better::Higher,
                       [](All m) { return m.damage.remainingDentin; },
                       "Smallest distance from the cut surface to the pulp; 0 where it is open.", "歯髄までの残存象牙質",
@@ -133,6 +157,14 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.damage.neighbourDepth; },
                       "Greatest depth of a cut below the surface of a tooth beside.", "隣在歯の傷の最大深さ",
                       "隣在歯の表面からの、切削の深さの最大値。"},
+    PreparationMetric{"neighbour_scratches", "Scratches in a neighbour", "1", Better::Lower,
+                      [](All m) { return m.damage.neighbourScratches; },
+                      "Number of connected cuts in the teeth beside that are deeper than 0.05 mm.", "隣在歯の傷の数",
+                      "隣在歯の、深さが 0.05 mm を超える、つながった切削の数。", ValueForm::Count},
+    PreparationMetric{"neighbour_nicks", "Nicks in a neighbour", "1", Better::Lower,
+                      [](All m) { return m.damage.neighbourNicks; },
+                      "Number of these that are deeper than 0.2 mm and would need a filling.", "隣在歯の欠けの数",
+                      "そのうち、深さが 0.2 mm を超え、修復が必要なものの数。", ValueForm::Count},
     PreparationMetric{"forbidden_volume", "Cut in forbidden zones", "mm^3", Better::Lower,
                       [](All m) { return m.forbiddenVolume; },
                       "Volume that was removed below the outlines of the exercise's forbidden zones.",
@@ -154,6 +186,11 @@ constexpr std::array kMetrics = {
     PreparationMetric{"finish_line_width_sd", "Unevenness of that width", "mm", Better::Lower,
                       [](All m) { return m.margin.widthSpread; }, "Standard deviation of that width.",
                       "フィニッシュラインの幅のばらつき", "その幅の標準偏差。"},
+    PreparationMetric{"finish_line_height", "Finish line above the gum (median)", "mm", Better::Neither,
+                      [](All m) { return m.margin.heightAboveGum; },
+                      "Height along the axis of the finish line of a crown preparation above the margin of the gum.",
+                      "歯肉縁からのフィニッシュラインの高さ（中央値）",
+                      "支台歯形成のフィニッシュラインの、歯肉縁からの、軸に沿った高さ。"},
     PreparationMetric{"removed_enamel", "Enamel removed", "mm^3", Better::Neither,
                       [](All m) { return m.tissues.removedEnamel; }, "Volume of enamel that was removed.",
                       "エナメル質の削除量", "削除したエナメル質の体積。"},
@@ -249,7 +286,9 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const S
       undercut(tactooth::undercut(preparation, surfaces)),
       damage(tissueDamage(preparation, surfaces)),
       unsupportedEnamel(tactooth::unsupportedEnamel(preparation, surfaces)),
-      margin(marginLine(preparation, surfaces)) {
+      margin(marginLine(preparation, surfaces)),
+      occlusal(occlusalReduction(preparation, surfaces)),
+      innerAngle(innerAngleRadius(preparation, surfaces)) {
     const ColumnGrid columns(preparation.axis, surfaces.cut.mesh, surfaces.idealCut.mesh, kSpacing);
     volumes = preparedVolumes(preparation, columns);
     deviation = surfaceDeviation(preparation, columns);

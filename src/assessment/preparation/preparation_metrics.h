@@ -10,6 +10,7 @@
 #include "assessment/preparation/cavity_extent.h"
 #include "assessment/preparation/cavity_form.h"
 #include "assessment/preparation/margin_line.h"
+#include "assessment/preparation/occlusal_reduction.h"
 #include "assessment/preparation/prepared_volumes.h"
 #include "assessment/preparation/surface_deviation.h"
 #include "assessment/preparation/tissue_damage.h"
@@ -34,6 +35,8 @@ struct PreparationMeasures {
     TissueDamage damage;
     Measured unsupportedEnamel;
     MarginLine margin;
+    OcclusalReduction occlusal;
+    Measured innerAngle;
     TissueVolumes tissues;
     Measured forbiddenVolume;
     bool hasSession = false;

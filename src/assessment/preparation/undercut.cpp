@@ -53,6 +53,73 @@ private:
     Vec3 axis_;
 };
 
+/// The directions within 10 degrees of the axis, on a grid of one degree.
+std::vector<Vec3> directionsAround(const Vec3& axis) {
+    constexpr int kMostTilt = 10;  // degrees
+    constexpr double kRadian = std::numbers::pi / 180;
+    const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+    std::vector<Vec3> directions;
+    for (int i = -kMostTilt; i <= kMostTilt; ++i) {
+        for (int j = -kMostTilt; j <= kMostTilt; ++j) {
+            const double tilt = std::hypot(i, j) * kRadian;
+            if (tilt > kMostTilt * kRadian + 1e-9 || tilt == 0) continue;
+            const Vec3 aside = (i * u + j * v).normalized();
+            directions.emplace_back(std::cos(tilt) * axis + std::sin(tilt) * aside);
+        }
+    }
+    return directions;
+}
+
+/// The least undercut of all directions. What faces away needs no rays, so the directions with the least of it come
+/// first, and most of the others need no more than that.
+double leastUndercut(const Surface& prepared, const CutSurfaces& surfaces, const Vec3& axis, double ofAxis) {
+    // Of a large preparation one facet stands for some, so that all directions take about a second.
+    constexpr std::size_t kMostFacets = 8000;
+    const std::size_t every = (surfaces.facets.size() + kMostFacets - 1) / kMostFacets;
+    std::vector<Facet> facets;
+    double all = 0, chosen = 0;
+    for (std::size_t i = 0; i < surfaces.facets.size(); ++i) {
+        all += surfaces.facets[i].area;
+        if (i % every != 0) continue;
+        facets.push_back(surfaces.facets[i]);
+        chosen += facets.back().area;
+    }
+    for (Facet& facet : facets) facet.area *= all / chosen;
+    struct Tried {
+        double facingAway;
+        Vec3 direction;
+    };
+    std::vector<Tried> tried;
+    for (const Vec3& direction : directionsAround(axis)) {
+        double area = 0;
+        for (const Facet& facet : facets) {
+            if (facet.normal.dot(direction) < kFacingAway) area += facet.area;
+        }
+        tried.push_back({area, direction});
+    }
+    std::ranges::stable_sort(tried, {}, &Tried::facingAway);
+    double least = ofAxis;
+    std::vector<std::uint8_t> isHidden(facets.size());
+    for (const auto& [facingAway, direction] : tried) {
+        if (!(facingAway < least)) break;
+        parallelFor(
+            isHidden.size(),
+            [&](std::size_t i) {
+                const Facet& facet = facets[i];
+                const double cosine = facet.normal.dot(direction);
+                // Along a wall that faces away by less than a degree, so that its ray does not run into it.
+                const Vec3 way = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
+                isHidden[i] =
+                    cosine >= kFacingAway && Overhang(prepared, way).isHidden(facet.centre + kLift * facet.normal);
+            },
+            kGrain);
+        double area = facingAway;
+        for (std::size_t i = 0; i < isHidden.size(); ++i) area += isHidden[i] != 0 ? facets[i].area : 0;
+        least = std::min(least, area);
+    }
+    return least;
+}
+
 struct Found {
     double depth = 0;  // mm
     bool isUndercut = false;
@@ -62,7 +129,8 @@ struct Found {
 }  // namespace
 
 Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
-    if (surfaces.facets.empty()) return {Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut)};
+    if (surfaces.facets.empty())
+        return {Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut)};
     const Surface prepared{.base = preparation.prepared};
     const Overhang overhang(prepared, preparation.axis);
     std::vector<Found> found(surfaces.facets.size());
@@ -90,7 +158,9 @@ Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
         if (found[i].depth > deepest.depth) deepest = found[i];
     }
     const bool isAny = deepest.depth > 0;
-    return {Measured::of(area), isAny ? Measured::at(deepest.depth, deepest.place) : Measured::of(0)};
+    const double best = area > 0 ? leastUndercut(prepared, surfaces, preparation.axis, area) : 0;
+    return {Measured::of(area), Measured::of(best),
+            isAny ? Measured::at(deepest.depth, deepest.place) : Measured::of(0)};
 }
 
 }  // namespace tactooth

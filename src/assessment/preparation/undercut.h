@@ -9,8 +9,9 @@ namespace tactooth {
 
 /// Undercut of the cut surface for an insertion along the axis.
 struct Undercut {
-    Measured area;   ///< mm^2 that face away from the axis by more than a degree, or that something hangs over
-    Measured depth;  ///< greatest level distance from a wall to the end of what hangs over it, mm
+    Measured area;      ///< mm^2 that face away from the axis by more than a degree, or that something hangs over
+    Measured bestArea;  ///< the least such area of all directions within 10 degrees of the axis, a degree apart, mm^2
+    Measured depth;     ///< greatest level distance from a wall to the end of what hangs over it, mm
 };
 
 [[nodiscard]] Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces);

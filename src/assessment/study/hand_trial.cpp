@@ -51,7 +51,7 @@ std::vector<double> depthsOf(const std::vector<Vec3>& path, const Surface& uncut
 
 Expected<StudyScene> studyScene(const Exercise& exercise, Preparation preparation) {
     const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
-    if (plan == nullptr) return unexpected(msg::kStudyNeedsAPlan, exercise.name);
+    if (plan == nullptr || plan->crown) return unexpected(msg::kStudyNeedsAPlan, exercise.name);
     const auto planned = tipPaths(*plan, *preparation.tooth);
     if (!planned) return Unexpected{planned.error()};
     std::vector<std::vector<Vec3>> paths;

@@ -9,10 +9,11 @@ namespace tactooth::msg {
 
 inline constexpr MessageText kStudyNeedsAPlan{
     "study_needs_a_plan",
-    "%1: synthetic hands follow the path of a bur, and the ideal of this exercise is a shape from a file; choose an "
-    "exercise with [cavity].",
-    "%1：合成の手はバーの経路をたどりますが、この課題の理想はファイルの形状です。[cavity] "
-    "のある課題を選んでください。"};
+    "%1: synthetic hands follow the path of a bur, and the ideal of this exercise has none; choose one whose [cavity] "
+    "has "
+    "strokes, a fissure, an outline or a body.",
+    "%1：合成の手はバーの経路をたどりますが、この課題の理想には経路がありません。[cavity] "
+    "にストローク、裂溝、外形、組織のいずれかがある課題を選んでください。"};
 
 inline constexpr MessageText kHandExpert{"hand_expert", "Expert", "熟練者"};
 inline constexpr MessageText kHandStudent{"hand_student", "Student", "学生"};

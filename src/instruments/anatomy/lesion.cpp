@@ -11,12 +11,6 @@
 namespace tactooth {
 namespace {
 
-/// The opening of a lesion in the surface, its direction, and the thickness of the enamel there.
-struct LesionOrigin {
-    Vec3 site, inward;
-    double enamel = 1;
-};
-
 constexpr double kStep = 0.02;  // mm, of a search along a line
 
 /// The middle of the tooth between its buccal and lingual side at a height.
@@ -75,7 +69,14 @@ LesionOrigin nearestTo(const ToothShape& shape, const Vec3& place) {
     return origin;
 }
 
-LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
+/// From the frame of the tooth into that of its shape, where +x is mesial for every tooth.
+Vec3 inShape(const ToothShape& shape, const Vec3& place) {
+    return {mesialX(shape.fdi) * place.x(), place.y(), place.z()};
+}
+
+}  // namespace
+
+LesionOrigin lesionOrigin(const ToothShape& shape, LesionSite site) {
     constexpr double kContact = 0.60;  // share of the crown's height: just below the contact, where plaque stays
     constexpr double kNeck = 1.4;      // mm above the cervical line
     const double contact = kContact * crownHeight(shape);
@@ -95,18 +96,11 @@ LesionOrigin placeOf(const ToothShape& shape, LesionSite site) {
     return {shape.lesionSite, shape.lesionInward, shape.lesionEnamel};
 }
 
-/// From the frame of the tooth into that of its shape, where +x is mesial for every tooth.
-Vec3 inShape(const ToothShape& shape, const Vec3& place) {
-    return {mesialX(shape.fdi) * place.x(), place.y(), place.z()};
-}
-
-}  // namespace
-
 ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
     TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= kMaxLesionWidth);
     TACTOOTH_ASSERT(!lesion.depth || *lesion.depth > 0);
     const LesionOrigin place =
-        lesion.place ? nearestTo(shape, inShape(shape, *lesion.place)) : placeOf(shape, lesion.site);
+        lesion.place ? nearestTo(shape, inShape(shape, *lesion.place)) : lesionOrigin(shape, lesion.site);
     const double width = lesion.width;
     // Depth of the middle of the part in the dentin below the enamel, and its half height.
     double middle = 0.10 * width, half = 0.36 * width;

@@ -7,6 +7,13 @@
 
 namespace tactooth {
 
+/// A place in the surface of a tooth where decay or a filling begins, and the direction into the tooth.
+struct LesionOrigin {
+    Vec3 site, inward;
+    double enamel = 1;  ///< thickness of the enamel there, mm
+};
+[[nodiscard]] LesionOrigin lesionOrigin(const ToothShape& shape, LesionSite site);
+
 /// A caries lesion as a body: narrow through the enamel, then wider along the border of the dentin and toward the pulp,
 /// like fissure and contact lesions. It protrudes from the tooth; intersect it with the tooth. The width is 0..4 mm,
 /// the depth positive.

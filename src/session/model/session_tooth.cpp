@@ -34,10 +34,12 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::fun
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
     const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
     constexpr double kShareOfMeshes = 0.9;  // then the surfaces are made ready to be touched
-    const Expected<ToothInMouth> made = toothInMouth(mouth.fdi, mouth.lesion, request, cache, [&](double share) {
+    Expected<ToothInMouth> made = toothInMouth(mouth.fdi, mouth.lesion, request, cache, [&](double share) {
         if (progress) progress(kShareOfMeshes * share);
     });
     if (!made) return Unexpected{made.error()};
+    if (mouth.filling)
+        made->tooth = cache.make({mouth.fdi, request.triangles, request.seed, mouth.lesion, mouth.filling});
     Expected<LayeredTooth> layered = layeredTooth(*made);
     if (!layered) return Unexpected{layered.error()};
     SessionTooth tooth{std::to_string(made->tooth.fdi),  // a number needs no translation

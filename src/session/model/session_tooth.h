@@ -60,6 +60,7 @@ struct MouthChoice {
     int fdi = 46;                             ///< number of the tooth that is worked on
     bool cached = true;                       ///< teeth and gums may come from the user's cache
     std::optional<Lesion> lesion = Lesion{};  ///< none: the tooth is sound
+    std::optional<Filling> filling = {};      ///< of the tooth that is worked on
 };
 
 // These take up to a few seconds: run them in a Task. They fail with one sentence for the user.

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kToothMagic = 0x3148544F4F544354;  // "TCTOOTH1"
+constexpr std::uint64_t kToothMagic = 0x3248544F4F544354;  // "TCTOOTH2"
 constexpr std::uint64_t kMouthMagic = 0x314854554F4D4354;  // "TCMOUTH1"
 constexpr std::array kExtensions = {".tooth", ".mouth"};
 
 template <class Tooth>
 auto layersIn(Tooth& tooth) {
-    return std::array{&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries};
+    return std::array{&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries, &tooth.filling};
 }
 
 void put(const TriangleMesh& mesh, ByteWriter& content) {
@@ -64,10 +64,11 @@ bool isUnbroken(std::uint64_t magic, std::span<const std::byte> bytes, ByteReade
     return file.ok() && sum == checksum(bytes.subspan(file.at()));
 }
 
-/// FDI number, layers.
+/// FDI number, material of the filling, layers.
 std::vector<std::byte> bytesOf(const BuiltinTooth& tooth) {
     ByteWriter content;
     content.put(tooth.fdi);
+    content.put(tooth.fillingMaterial);
     for (const TriangleMesh* mesh : layersIn(tooth)) put(*mesh, content);
     return sealed(kToothMagic, content);
 }
@@ -78,6 +79,8 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     if (!isUnbroken(kToothMagic, bytes, file)) return std::nullopt;
     BuiltinTooth tooth;
     tooth.fdi = file.get<int>();
+    tooth.fillingMaterial = file.get<MaterialId>();
+    if (static_cast<std::size_t>(tooth.fillingMaterial) >= builtinMaterials().size()) return std::nullopt;
     for (TriangleMesh* layer : layersIn(tooth)) {
         auto mesh = meshFrom(file);
         if (!mesh) return std::nullopt;

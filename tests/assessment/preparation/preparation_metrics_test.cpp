@@ -155,6 +155,78 @@ TEST(PreparationMetrics, FindAnUndercutOfATenthOfAMillimetre) {
     EXPECT_EQ(valueOf(none, "undercut_depth"), 0);
 }
 
+TEST(PreparationMetrics, FindTheInsertionThatFreesAWallThatLeans) {
+    // The wall at x = -2 leans out by 2.9 degrees, that at x = 2 gives way by 5: an insertion between frees both.
+    const double out = 2 * std::tan(5 * kDegree);
+    const PreparationMeasures free = measured(
+        blockWithCavityTo(Rectangle::level(-2, 2 + out, -1.5, 1.5, 5), Rectangle::level(-2.1, 2, -1.5, 1.5, 3)));
+    EXPECT_GT(valueOf(free, "undercut_area"), 5);
+    EXPECT_EQ(valueOf(free, "undercut_area_best"), 0);
+    // Both lean out: an insertion of 2 degrees frees one wall, and hides 0.17 mm of floor under the other.
+    const PreparationMeasures stuck =
+        measured(blockWithCavityTo(Rectangle::level(-2, 2, -1.5, 1.5, 5), Rectangle::level(-2.1, 2.1, -1.5, 1.5, 3)));
+    const double wall = 3 * std::hypot(2, 0.1) * (1 - kCavityDepth / 2), tilt = 2 * std::tan(2 * kDegree);
+    EXPECT_NEAR(valueOf(stuck, "undercut_area"), 2 * (wall + 0.3 + 0.2), 0.4);
+    EXPECT_NEAR(valueOf(stuck, "undercut_area_best"), wall + 3 * (0.1 + tilt) + 3 * (0.1 - tilt) + 0.3, 0.4);
+}
+
+/// A pyramid on a step of this width round the whole block, 4 mm high; its end rises by `rise` from -x to +x.
+TriangleMesh crownStump(double convergence, double step, double rise = 0) {
+    const double side = 5 - step, in = 4 * std::tan(convergence / 2 * kDegree);
+    return preparedBlock(0, Rectangle::level(-side, side, -side, side, 0),
+                         Rectangle{-side + in, side - in, -side + in, side - in, 4 - rise / 2, 4 + rise / 2});
+}
+
+TEST(CrownMetrics, MeasureConvergenceAndStepOfAStump) {
+    for (const double convergence : {3.0, 10.0, 22.0}) {
+        SCOPED_TRACE(convergence);
+        const TriangleMesh stump = crownStump(convergence, 0.15);
+        const PreparationMeasures crown = measured(stump, stump);
+        EXPECT_NEAR(valueOf(crown, "toc_md"), convergence, kAngle);
+        EXPECT_NEAR(valueOf(crown, "toc_bl"), convergence, kAngle);
+        EXPECT_NEAR(valueOf(crown, "finish_line_width"), 0.15, kLength);
+        EXPECT_EQ(valueOf(crown, "undercut_area_best"), 0);
+    }
+}
+
+TEST(CrownMetrics, MeasureTheRoomOverTheStump) {
+    const PreparationMeasures flat = measured(crownStump(12, 0.5), crownStump(12, 0.5));
+    EXPECT_NEAR(valueOf(flat, "occlusal_reduction_min"), 1, kLength);
+    EXPECT_NEAR(valueOf(flat, "occlusal_reduction_median"), 1, kLength);
+    // From 0.8 to 1.2 mm: a twentieth is less than 0.82 mm.
+    const PreparationMeasures rising = measured(crownStump(12, 0.5, 0.4), crownStump(12, 0.5));
+    EXPECT_NEAR(valueOf(rising, "occlusal_reduction_min"), 0.82, kLength);
+    EXPECT_NEAR(valueOf(rising, "occlusal_reduction_median"), 1, kLength);
+    EXPECT_EQ(reasonOf(measured(kIdeal), "occlusal_reduction_min"), "no_crown_preparation");
+}
+
+TEST(CrownMetrics, MeasureTheHeightAboveTheGum) {
+    const TriangleMesh stump = crownStump(12, 0.5);
+    EXPECT_EQ(reasonOf(measured(stump, stump), "finish_line_height"), "no_gum_known");
+    EXPECT_EQ(reasonOf(measured(kIdeal), "finish_line_height"), "no_crown_preparation");
+    for (const double height : {-0.3, 0.5, 1.2}) {
+        Preparation preparation = blockPreparation(stump, stump);
+        for (const double side : {-1.0, 1.0}) {  // a gum of 2 mm round the block, 0.05 mm beside it
+            const double near = 5.05 * side, far = 7.05 * side;
+            preparation.gums.push_back(std::make_shared<const SurfacePart>(
+                box(Vec3(std::min(near, far), -8, -5), Vec3(std::max(near, far), 8, -height))));
+            preparation.gums.push_back(std::make_shared<const SurfacePart>(
+                box(Vec3(-8, std::min(near, far), -5), Vec3(8, std::max(near, far), -height))));
+        }
+        EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "finish_line_height"), height, kLength);
+    }
+}
+
+TEST(PreparationMetrics, MeasureTheRadiusOfInnerAngles) {
+    EXPECT_NEAR(valueOf(measured(kIdeal), "inner_angle_radius"), 0, kLength);
+    EXPECT_NEAR(valueOf(measured(withLeaningWall(12)), "inner_angle_radius"), 0, kLength);
+    for (const double radius : {0.1, 0.2, 0.4}) {
+        const TriangleMesh rounded = blockWithRoundedAngle(2, radius, 3);
+        EXPECT_NEAR(valueOf(measured(rounded, rounded), "inner_angle_radius"), std::min(radius, 0.3), kLength);
+    }
+    EXPECT_EQ(reasonOf(measured(box(Vec3(-5, -5, -5), Vec3(5, 5, 5))), "inner_angle_radius"), "nothing_cut");
+}
+
 TEST(PreparationMetrics, MeasureTheTaperOfAStump) {
     for (const double taper : {3.0, 10.0, 22.0}) {
         const PreparationMeasures crown = measured(stump(taper), stump(6));
@@ -196,6 +268,25 @@ TEST(PreparationMetrics, MeasureAScratchInTheNeighbour) {
         preparation.cutNeighbours = box(Vec3(5.9, -1, 1), Vec3(6 + depth, 1, 3));
         EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "neighbour_depth_max"), depth, 1e-4);
     }
+}
+
+TEST(PreparationMetrics, CountScratchesAndNicksInTheNeighbour) {
+    Preparation preparation = blockPreparation(kIdeal, kIdeal);
+    EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "neighbour_scratches"), "no_neighbour_known");
+    EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "neighbour_nicks"), "no_neighbour_known");
+    preparation.neighbours = std::make_shared<const SurfacePart>(box(Vec3(6, -5, -5), Vec3(16, 5, 5)));
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "neighbour_scratches"), 0);
+    double y = -4;
+    for (const double depth : {0.03, 0.06, 0.15, 0.25, 0.6}) {
+        append(preparation.cutNeighbours, box(Vec3(5.9, y, 1), Vec3(6 + depth, y + 1, 3)));
+        y += 1.5;
+    }
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "neighbour_scratches"), 4);
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "neighbour_nicks"), 2);
+    // Two cuts that meet are one.
+    append(preparation.cutNeighbours, box(Vec3(5.9, -4, -2), Vec3(6.1, -3, -1)));
+    append(preparation.cutNeighbours, box(Vec3(5.9, -4, -3), Vec3(6.1, -3, -2)));
+    EXPECT_EQ(valueOf(PreparationMeasures(preparation), "neighbour_scratches"), 5);
 }
 
 /// A zone of 4 x 2 mm, of which the cavity from x = -2 to 2 and y = -1.5 to 1.5, 2 mm deep, takes 2 x 1 mm.

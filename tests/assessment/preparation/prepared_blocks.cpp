@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "support/shapes.h"
 
@@ -47,35 +48,60 @@ TriangleMesh blockWithBox(double left, double right, double back, double front, 
                              Rectangle::level(left, right, back, front, floor));
 }
 
-TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor) {
-    constexpr std::uint32_t kSides = 96;  // with the corners of the block among them
+namespace {
+
+constexpr std::uint32_t kSides = 96;  // of a round cavity, with the corners of the block among them
+
+/// The block with a cavity whose rings, from its opening to its floor, have a height and a radius at each angle each.
+template <class RadiusAt>
+TriangleMesh turnedBlock(const std::vector<double>& heights, const RadiusAt& radiusAt) {
     TriangleMesh mesh;
-    const auto ring = [&](double z, const auto& radiusAt) {
+    const auto ring = [&](double z, const auto& at) {
         for (std::uint32_t i = 0; i < kSides; ++i) {
-            const double angle = 2 * std::numbers::pi * i / kSides, r = radiusAt(angle);
+            const double angle = 2 * std::numbers::pi * i / kSides, r = at(angle);
             mesh.vertices.push_back(Vec3(r * std::cos(angle), r * std::sin(angle), z).cast<float>());
         }
     };
     const auto block = [](double angle) { return 5 / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))); };
-    const auto cavity = [&](double angle) { return radius + amplitude * std::cos(waves * angle); };
     ring(-5, block);
     ring(5, block);
-    ring(5, cavity);
-    ring(floor, cavity);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        ring(heights[i], [&](double angle) { return radiusAt(i, angle); });
+    }
+    const auto rings = static_cast<std::uint32_t>(heights.size()) + 2;
     const auto bottom = static_cast<std::uint32_t>(mesh.vertices.size());
     mesh.vertices.emplace_back(0, 0, -5);
-    mesh.vertices.emplace_back(0, 0, static_cast<float>(floor));
+    mesh.vertices.emplace_back(0, 0, static_cast<float>(heights.back()));
     for (std::uint32_t i = 0; i < kSides; ++i) {
         const std::uint32_t next = (i + 1) % kSides;
         mesh.triangles.push_back({bottom, next, i});
-        for (std::uint32_t row = 0; row < 3; ++row) {
+        for (std::uint32_t row = 0; row + 1 < rings; ++row) {
             const std::uint32_t low = row * kSides, high = low + kSides;
             mesh.triangles.insert(mesh.triangles.end(),
                                   {{low + i, low + next, high + next}, {low + i, high + next, high + i}});
         }
-        mesh.triangles.push_back({bottom + 1, 3 * kSides + i, 3 * kSides + next});
+        const std::uint32_t last = (rings - 1) * kSides;
+        mesh.triangles.push_back({bottom + 1, last + i, last + next});
     }
     return mesh;
+}
+
+}  // namespace
+
+TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor) {
+    return turnedBlock({5, floor},
+                       [&](std::size_t, double angle) { return radius + amplitude * std::cos(waves * angle); });
+}
+
+TriangleMesh blockWithRoundedAngle(double radius, double angle, double floor) {
+    constexpr int kSteps = 24;
+    std::vector<double> heights = {5}, radii = {radius};
+    for (int i = 0; i <= kSteps; ++i) {
+        const double turn = std::numbers::pi / 2 * i / kSteps;
+        heights.push_back(floor + angle * (1 - std::sin(turn)));
+        radii.push_back(radius - angle * (1 - std::cos(turn)));
+    }
+    return turnedBlock(heights, [&](std::size_t i, double) { return radii[i]; });
 }
 
 Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal) {

@@ -34,6 +34,9 @@ struct Rectangle {
 /// `amplitude`, mm.
 [[nodiscard]] TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor);
 
+/// A round cavity with upright walls, down to z = `floor`, whose angle between floor and wall has this radius, mm.
+[[nodiscard]] TriangleMesh blockWithRoundedAngle(double radius, double angle, double floor);
+
 /// A student's work on the whole block against an ideal one.
 [[nodiscard]] Preparation blockPreparation(TriangleMesh prepared, TriangleMesh ideal);
 

@@ -89,6 +89,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     if (!isLayered && student->uncut != nullptr && !align_) preparation.tooth = student->uncut;
     addPulps(preparation);
     if (student->cut != nullptr) addNeighbours(preparation, *student->uncut, *student->cut, studentInTooth);
+    if (exercise_) preparation.gums = exerciseGums(*exercise_);
     const auto* plan = exercise_ ? std::get_if<PreparationPlan>(&exercise_->ideal) : nullptr;
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     work.student = student->name;

@@ -8,7 +8,7 @@
 #include "app/common/report/report_font.h"
 #include "app/common/report/report_pdf.h"
 #include "app/common/report/report_pictures.h"
-#include "assessment/preparation/removal_moment.h"
+#include "assessment/cause/removal_moment.h"
 #include "assessment/report/messages.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/util/display_text.h"

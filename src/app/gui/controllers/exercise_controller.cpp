@@ -115,12 +115,32 @@ void ExerciseController::restore(TargetState state) {
 
 void ExerciseController::showActive() { panels_.exercise->show(active_); }
 
-/// Turns the picture so that nothing hides the cavity.
+/// Turns the picture as the exercise asks, or so that nothing hides the cavity.
 void ExerciseController::showCavity() {
+    const auto show = [this](const ViewDirection& view) {
+        panels_.view->setView(OrbitCamera::Direction{view.azimuth, view.elevation});
+    };
     const auto* plan = std::get_if<PreparationPlan>(&active_->ideal);
-    if (plan == nullptr) return;
-    const ViewDirection view = viewOnto(*plan, model_.tooth()->piece->tooth(), model_.mesialX());
-    panels_.view->setView(OrbitCamera::Direction{view.azimuth, view.elevation});
+    switch (active_->view) {
+        case StartView::Cavity:
+            if (plan != nullptr) show(viewOnto(*plan, model_.tooth()->piece->tooth(), model_.mesialX()));
+            return;
+        case StartView::Dentist:
+            return show(dentistView(model_.mesialX()));
+        case StartView::Mirror:
+            show(dentistView(model_.mesialX()));
+            return panels_.view->takeParkedMirror();
+        case StartView::Occlusal:
+            return panels_.view->setView(StandardView::Occlusal);
+        case StartView::Buccal:
+            return panels_.view->setView(StandardView::Buccal);
+        case StartView::Lingual:
+            return panels_.view->setView(StandardView::Lingual);
+        case StartView::Mesial:
+            return panels_.view->setView(StandardView::Mesial);
+        case StartView::Distal:
+            return panels_.view->setView(StandardView::Distal);
+    }
 }
 
 /// The bur stands as in the plan, and stops at its depth.

@@ -77,6 +77,7 @@ Expected<AssessedWork> assessedWork(const FinishedWork& finished) {
     preparation.tooth = (*uncut)->layers().empty() ? finished.uncut : *uncut;
     addPulps(preparation);
     addNeighbours(preparation, *finished.uncut, *finished.cut);
+    preparation.gums = exerciseGums(exercise);
     const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal);
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     return work;

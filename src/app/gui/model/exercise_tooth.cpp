@@ -12,10 +12,12 @@ namespace tactooth {
 
 Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {
     const auto* request = std::get_if<ToothRequest>(&exercise->tooth);
-    const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0);
+    const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0) && !request->filling;
     const auto make = [&]() -> Expected<SessionTooth> {
         if (request == nullptr) return loadSessionTooth(std::get<ToothSource>(exercise->tooth));
-        if (exercise->inMouth) return makeSessionTooth(MouthChoice{.fdi = request->fdi, .lesion = request->lesion});
+        if (exercise->inMouth)
+            return makeSessionTooth(
+                MouthChoice{.fdi = request->fdi, .lesion = request->lesion, .filling = request->filling});
         return makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "");
     };
     Expected<SessionTooth> tooth = make();

@@ -401,6 +401,11 @@ void ToothView::parkMirror() {
     redraw();
 }
 
+void ToothView::takeParkedMirror() {
+    parkMirror();
+    emit mirrorUsed();
+}
+
 void ToothView::endKeyPress() {
     if (std::exchange(isPressedByKey_, false)) model_.manipulator().release();
 }

@@ -69,6 +69,8 @@ public:
     void placeMirror();
     /// The mirror waits again beside the tooth.
     void parkMirror();
+    /// The same, and it is shown even if it was hidden.
+    void takeParkedMirror();
     /// Landing ring, plumb line and numbers at the tip.
     void setShowsAim(bool shows);
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/preparation/removal_moment.h"
+#include "assessment/cause/removal_moment.h"
 
 #include <algorithm>
 #include <array>
 
-#include "assessment/preparation/removal_cause.h"
+#include "assessment/cause/removal_cause.h"
 #include "collision/bvh/closest_point.h"
 
 namespace tactooth {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/preparation/removal_cause.h"
+#include "assessment/cause/removal_cause.h"
 
 #include <gtest/gtest.h>
 

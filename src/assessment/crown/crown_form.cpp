@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#include "assessment/crown/crown_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "collision/bvh/closest_point.h"
+
+namespace tactooth {
+namespace {
+
+constexpr double kOverLine = 1.0;   // mm above the finish line, from which on the walls follow the uncut surface
+constexpr double kEdgeStep = 0.25;  // mm between two heights of an incisal edge
+constexpr double kEdgeReach = 0.8;  // mm to both sides, over which an edge is evened out
+constexpr double kAround = 0.3;     // mm around the tooth
+constexpr double kRadians = std::numbers::pi / 180;
+
+}  // namespace
+
+CrownForm::CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer)
+    : line_(std::move(line)),
+      profile_(plan.crown->width, plan.crown->taper * kRadians, plan.crown->tipRadius),
+      outer_(std::move(outer)),
+      axialDepth_(plan.crown->axial) {
+    findAxialFaces();
+    if (plan.crown->isIncisal)
+        findEdge(*plan.crown);
+    else
+        occlusal_.emplace(*plan.crown, line_, outer_);
+}
+
+Expected<CrownForm> CrownForm::make(const PreparationPlan& plan, const LayeredTooth& tooth,
+                                    std::shared_ptr<const SurfacePart> outer) {
+    Expected<FinishLine> line = FinishLine::on(plan, tooth, outer);
+    if (!line) return Unexpected{line.error()};
+    return CrownForm(plan, std::move(*line), std::move(outer));
+}
+
+void CrownForm::findAxialFaces() {
+    const TriangleMesh& mesh = outer_->mesh();
+    TriangleMesh faces{mesh.vertices, {}};
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Vec3 centre = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
+        if (line_.axis().dot(centre) < line_.lowest() - kAround) continue;
+        for (int corner = 0; corner < 3; ++corner) box_.extend(mesh.corner(i, corner));
+        if (line_.placeOf(centre).above > kOverLine) faces.triangles.push_back(mesh.triangles[i]);
+    }
+    box_ = Box3(box_.min() - Vec3::Constant(kAround), box_.max() + Vec3::Constant(kAround));
+    if (!faces.triangles.empty()) faces_ = std::make_shared<const SurfacePart>(std::move(faces));
+}
+
+/// The incisal edge as seen from the cheek, evened out, lowered by the reduction.
+void CrownForm::findEdge(const CrownOutline& crown) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3f& vertex : outer_->mesh().vertices) {
+        if (line_.axis().dot(vertex.cast<double>()) < line_.lowest()) continue;
+        low = std::min(low, line_.across().dot(vertex.cast<double>()));
+        high = std::max(high, line_.across().dot(vertex.cast<double>()));
+    }
+    endsFrom_ = low;
+    const auto count = static_cast<std::size_t>(std::ceil((high - low) / kEdgeStep)) + 1;
+    std::vector<double> edge(count, line_.lowest());
+    for (const Vec3f& vertex : outer_->mesh().vertices) {
+        const double along = (line_.across().dot(vertex.cast<double>()) - low) / kEdgeStep;
+        if (along < 0 || along > static_cast<double>(count - 1)) continue;
+        double& top = edge[static_cast<std::size_t>(std::lround(along))];
+        top = std::max(top, line_.axis().dot(vertex.cast<double>()));
+    }
+    const int reach = static_cast<int>(std::lround(kEdgeReach / kEdgeStep));
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        double sum = 0;
+        int places = 0;
+        for (int k = std::max(0, i - reach); k <= std::min(static_cast<int>(count) - 1, i + reach); ++k) {
+            sum += edge[static_cast<std::size_t>(k)];
+            ++places;
+        }
+        ends_.push_back(sum / places - crown.occlusal);
+    }
+}
+
+RemovedBody::Depth CrownForm::belowEdge(const Vec3& place) const {
+    const double last = static_cast<double>(ends_.size() - 1);
+    const double along = std::clamp((line_.across().dot(place) - endsFrom_) / kEdgeStep, 0.0, last - 1e-9);
+    const auto at = static_cast<std::size_t>(along);
+    const double rise = ends_[at + 1] - ends_[at];
+    const double end = ends_[at] + (along - static_cast<double>(at)) * rise;
+    const Vec3 gradient = line_.axis() - rise / kEdgeStep * line_.across();
+    return {(line_.axis().dot(place) - end) / gradient.norm(), gradient.normalized()};
+}
+
+RemovedBody::Depth CrownForm::depthAt(const Vec3& place) const {
+    const FinishLine::Place at = line_.placeOf(place);
+    const Depth aboveLine{at.above / at.upward.norm(), at.upward.normalized()};
+    if (aboveLine.value <= -1) return aboveLine;
+    const auto [height, slope] = profile_.above({at.inside, at.above});
+    const Vec3 gradient = slope.x() * at.inward + slope.y() * at.upward;
+    Depth deepest{height / std::max(1.0, gradient.norm()), gradient};
+    constexpr double kEnough = 0.7;  // mm: all that anybody asks
+    const double wanted = axialDepth_ - std::max(deepest.value, -kEnough);
+    if (faces_ != nullptr && wanted > 0 && deepest.value < kEnough) {
+        if (const auto near = closestPoint(*faces_, place, wanted)) {
+            const Vec3 to = near->point - place;
+            deepest = {axialDepth_ - near->distance, to.norm() > 1e-9 ? Vec3(to.normalized()) : line_.axis()};
+        }
+    }
+    if (occlusal_) {
+        const Depth over = occlusal_->over(place);
+        if (over.value > deepest.value) deepest = over;
+    }
+    if (!ends_.empty()) {
+        const Depth over = belowEdge(place);
+        if (over.value > deepest.value) deepest = over;
+    }
+    return deepest.value < aboveLine.value ? deepest : aboveLine;
+}
+
+}  // namespace tactooth

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "assessment/crown/finish_line.h"
+#include "assessment/crown/finish_profile.h"
+#include "assessment/crown/occlusal_map.h"
+#include "assessment/crown/removed_body.h"
+#include "assessment/exercise.h"
+
+namespace tactooth {
+
+/// What a crown preparation removes, on the surface of one tooth: all above the finish line that lies outside the axial
+/// walls, or nearer to the uncut surface than its reduction.
+class CrownForm : public RemovedBody {
+public:
+    /// `plan` has a crown; `outer`: LayeredTooth::ownOuter. Fails with one sentence.
+    [[nodiscard]] static Expected<CrownForm> make(const PreparationPlan& plan, const LayeredTooth& tooth,
+                                                  std::shared_ptr<const SurfacePart> outer);
+
+    [[nodiscard]] Depth depthAt(const Vec3& place) const override;
+    [[nodiscard]] Box3 box() const override { return box_; }
+
+    [[nodiscard]] const FinishLine& finishLine() const { return line_; }
+
+private:
+    CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer);
+    void findAxialFaces();
+    void findEdge(const CrownOutline& crown);
+    [[nodiscard]] Depth belowEdge(const Vec3& place) const;
+
+    FinishLine line_;
+    FinishProfile profile_;
+    std::shared_ptr<const SurfacePart> outer_;
+    std::shared_ptr<const SurfacePart> faces_;  // the uncut surface well above the finish line
+    double axialDepth_;                         // mm below it
+    std::optional<OcclusalMap> occlusal_;       // of a tooth with cusps
+    /// Height at which the stump of an anterior tooth ends, along the axis, at equal steps of the mesiodistal
+    /// direction.
+    std::vector<double> ends_;
+    double endsFrom_ = 0;  // mm
+    Box3 box_;
+};
+
+}  // namespace tactooth

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Tactooth authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "assessment/exercise.h"
+
+namespace tactooth {
+
+/// The finish line of a crown preparation on the surface of an uncut tooth, once around the axis.
+class FinishLine {
+public:
+    /// Fails with one sentence where the tooth has no cervical line, or is too narrow.
+    [[nodiscard]] static Expected<FinishLine> on(const PreparationPlan& plan, const LayeredTooth& tooth,
+                                                 const std::shared_ptr<const SurfacePart>& outer);
+
+    /// A place as seen along the axis.
+    struct Place {
+        double inside;  ///< distance inwards from the line, mm; negative outside
+        double above;   ///< height above the nearest point of the line, mm
+        Vec3 inward;    ///< gradient of `inside`
+        Vec3 upward;    ///< gradient of `above`
+    };
+    [[nodiscard]] Place placeOf(const Vec3& point) const;
+
+    [[nodiscard]] const Vec3& axis() const { return axis_; }
+    /// The mesiodistal direction square to the axis; its sign is that of x.
+    [[nodiscard]] const Vec3& across() const { return u_; }
+    /// The same of the buccolingual direction.
+    [[nodiscard]] const Vec3& aside() const { return v_; }
+    /// Points in order, counterclockwise around the axis, mm.
+    [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+    [[nodiscard]] double lowest() const;  ///< height along the axis, mm
+
+private:
+    explicit FinishLine(const Vec3& axis);
+
+    Vec3 axis_, u_, v_;
+    std::vector<Vec3> points_;
+    std::vector<Eigen::Vector2d> flat_;  // of the points, along u_ and v_
+    std::vector<double> heights_;        // of the points
+    Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace tactooth
