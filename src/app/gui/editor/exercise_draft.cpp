@@ -14,6 +14,7 @@
 #include "assessment/outline/outline_paths.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/number_text.h"
+#include "instruments/bur_outline.h"
 
 namespace tactooth {
 namespace {
@@ -38,6 +39,7 @@ void makeOutline(Exercise& exercise) {
     plan.strokes.clear();
     plan.fissure.reset();
     plan.body.reset();
+    plan.crown.reset();
     const double taper = plan.outline ? plan.outline->taperDegrees : 0;
     plan.outline = DrawnOutline{.corners = {}, .taperDegrees = taper, .burRadius = 0.4, .burLength = 1.6};
     exercise.ideal = plan;
@@ -86,6 +88,7 @@ void takeBur(Exercise& exercise, const BurSpec& bur) {
         plan->body->burRadius = radius;
         plan->body->burLength = bur.headLength;
     }
+    if (plan->crown) plan->crown->tipRadius = endRadius(bur);
 }
 
 ExerciseDraft::ExerciseDraft(Exercise exercise) : saved_(exercise) { states_.push_back({std::move(exercise), {}}); }

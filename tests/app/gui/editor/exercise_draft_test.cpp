@@ -45,6 +45,33 @@ TEST(ExerciseDraft, SaysWhatIsMissingUntilItIsComplete) {
     EXPECT_EQ(problemOf(draft), "");
 }
 
+/// Whatever made the cavity before: afterwards the outline alone does.
+TEST(ExerciseDraft, AnOutlineTakesThePlaceOfAnyOtherIdeal) {
+    for (const char* id : {"crown-46", "class-1-46", "caries-46", "class-5-43"}) {
+        ExerciseDraft draft(*builtinExercise(id));
+        draft.clearOutline();
+        for (const Vec3& corner : {Vec3(0, 0, 6), Vec3(3, 0, 6), Vec3(3, 3, 6), Vec3(0, 3, 6)})
+            draft.addPoint(kCavity, corner, Vec3::UnitZ());
+        draft.closeLine();
+        const auto text = exerciseText(draft.exercise(), {});
+        ASSERT_TRUE(text) << text.error().message();
+        const auto read = parseExercise(*text, "drawn.toml", {});
+        ASSERT_TRUE(read) << id << ": " << read.error().message();
+        const auto& plan = std::get<PreparationPlan>(read->ideal);
+        EXPECT_TRUE(plan.outline) << id;
+        EXPECT_FALSE(plan.crown || plan.fissure || plan.body || !plan.strokes.empty()) << id;
+        EXPECT_EQ(plan, *draft.plan()) << id;
+    }
+}
+
+TEST(ExerciseDraft, ACrownTakesTheEndOfItsBur) {
+    Exercise exercise = *builtinExercise("crown-46");
+    const double before = std::get<PreparationPlan>(exercise.ideal).crown->tipRadius;
+    takeBur(exercise, *findBur("57"));  // flat
+    EXPECT_GT(before, 0.4);
+    EXPECT_EQ(std::get<PreparationPlan>(exercise.ideal).crown->tipRadius, 0);
+}
+
 TEST(ExerciseDraft, FindsLinesThatMakeNoCavity) {
     ExerciseDraft crossed = squareDraft();
     crossed.movePoint(kCavity, 1, Vec3(0, 4, 6), "");
