@@ -95,11 +95,11 @@ struct PreparationPlan {
 
         bool operator==(const Stroke&) const = default;
     };
-    std::vector<Stroke> strokes;            ///< empty: the paths follow from what comes next
-    std::optional<FissureOutline> fissure;  ///< in place of strokes; from the occlusal side with a flat floor
-    std::vector<ProximalBox> boxes;         ///< only with a fissure or an outline
-    std::optional<BodyOutline> body;        ///< in place of strokes
-    std::optional<CrownOutline> crown;      ///< in place of strokes; it has no paths
+    std::vector<Stroke> strokes;             ///< empty: the paths follow from what comes next
+    std::optional<FissureOutline> fissure;   ///< in place of strokes; from the occlusal side with a flat floor
+    std::vector<ProximalBox> boxes;          ///< only with a fissure or an outline
+    std::optional<BodyOutline> body;         ///< in place of strokes
+    std::optional<CrownOutline> crown = {};  ///< in place of strokes; it has no paths
     /// In place of strokes; with boxes only from the occlusal side with a flat floor.
     std::optional<DrawnOutline> outline = {};
 

@@ -84,8 +84,10 @@ inline constexpr MessageText kMouthIsAverage{
     "mouth_is_average", "the whole mouth has average teeth; leave out 'mouth' or 'patient'",
     "口腔全体の歯は平均的な形です。'mouth' か 'patient' のどちらかを外してください"};
 inline constexpr MessageText kACrown{"a_crown", "a crown preparation", "支台歯形成"};
-inline constexpr MessageText kCrownUnfit{"crown_unfit", "a crown preparation takes the place of the strokes",
-                                         "支台歯形成はストロークの代わりに指定します"};
+inline constexpr MessageText kCrownUnfit{
+    "crown_unfit",
+    "a crown preparation takes the place of the strokes, and of 'fissure', 'outline', 'boxes' and 'removes'",
+    "支台歯形成はストロークの代わりに指定します。'fissure'、'outline'、'boxes'、'removes' とも併用できません"};
 inline constexpr MessageText kFinishUnknown{"finish_unknown", "'finish' must be chamfer or shoulder",
                                             "'finish' は chamfer か shoulder でなければなりません"};
 inline constexpr MessageText kChamferNeedsRoundEnd{
@@ -138,6 +140,9 @@ inline constexpr MessageText kBoxUnfit{"box_unfit", "a box needs a cavity from t
 inline constexpr MessageText kCornersNeeded{
     "corners_needed", "'corners' must be a list of 3 to %1 places, each [x, y, z] in mm near the tooth",
     "'corners' は 3 個から %1 個までの位置の並びで、それぞれ歯の近くの [x, y, z]（mm）でなければなりません"};
+inline constexpr MessageText kDrawnOutlineTooLarge{"drawn_outline_too_large",
+                                                   "this outline is larger than any tooth; places are in mm",
+                                                   "この外形はどの歯よりも大きいです。位置の単位は mm です"};
 inline constexpr MessageText kDrawnOutlineCrosses{"drawn_outline_crosses",
                                                   "the outline crosses itself, seen from its side",
                                                   "外形が、その向きから見て自分自身と交わっています"};

@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kLongestStroke = 50;  // mm: more than a molar is wide, roots and all
+constexpr double kLargestTooth = 50;  // mm: more than a molar is long, roots and all
 constexpr std::size_t kMaxStrokes = 200;
 constexpr double kMostLeft = 10;                         // mm of tooth beside a cavity: a whole crown
 constexpr double kWidestOutline = 8;                     // mm
@@ -75,6 +75,10 @@ std::vector<Vec3> cornersIn(TomlReader& toml, const toml::table& table, const Ve
         }
         corners.push_back(corner);
     }
+    Box3 box;
+    for (const Vec3& corner : corners) box.extend(corner);
+    // A cavity is searched place by place: that of a jaw would take hours.
+    if (box.sizes().maxCoeff() > kLargestTooth) toml.fail(*node, msg::kDrawnOutlineTooLarge);
     if (FlatOutline(corners, outward).crossesItself()) toml.fail(*node, msg::kDrawnOutlineCrosses);
     return corners;
 }
@@ -99,6 +103,13 @@ PreparationPlan PlanReader::read(const toml::table& cavity) {
     const std::vector<const toml::table*> strokes = toml_.tables(cavity, "strokes");
     const bool isFromAbove = plan.isFlat && plan.outward == Vec3::UnitZ();
     const std::vector<const toml::table*> boxes = toml_.tables(cavity, "boxes");
+    if (const toml::table* crown = toml_.table(cavity, "crown")) {
+        const bool hasMore = cavity.get("fissure") != nullptr || cavity.get("outline") != nullptr ||
+                             cavity.get("removes") != nullptr || cavity.get("boxes") != nullptr;
+        if (!strokes.empty() || hasMore) toml_.fail(*crown, msg::kCrownUnfit);
+        plan.crown = readCrown(*crown);
+        return plan;
+    }
     if (const toml::table* fissure = toml_.table(cavity, "fissure")) {
         if (!isFromAbove || !strokes.empty() || cavity.get("outline") != nullptr)
             toml_.fail(*fissure, msg::kFissureUnfit);
@@ -116,11 +127,6 @@ PreparationPlan PlanReader::read(const toml::table& cavity) {
     if (const toml::table* body = toml_.table(cavity, "removes")) {
         if (!strokes.empty()) toml_.fail(*body, msg::kBodyUnfit);
         readBody(*body, plan);
-        return plan;
-    }
-    if (const toml::table* crown = toml_.table(cavity, "crown")) {
-        if (!strokes.empty()) toml_.fail(*crown, msg::kCrownUnfit);
-        plan.crown = readCrown(*crown);
         return plan;
     }
     if (cavity.get("boxes") != nullptr) toml_.fail(*cavity.get("boxes"), msg::kBoxWithoutFissure);
@@ -241,7 +247,7 @@ PreparationPlan::Stroke PlanReader::stroke(const toml::table& table) {
     toml_.numbers(table, "to", {stroke.to.data(), 3});
     if (table.get("depth") != nullptr) stroke.depth = toml_.number(table, "depth", 1, kMinDepth, kMaxDepth);
     const bool isNear = std::max(stroke.from.cwiseAbs().maxCoeff(), stroke.to.cwiseAbs().maxCoeff()) <= kFarthest;
-    if (!isNear || (stroke.to - stroke.from).norm() > kLongestStroke) {
+    if (!isNear || (stroke.to - stroke.from).norm() > kLargestTooth) {
         toml_.fail(table, msg::kStrokeTooLong);
     }
     return stroke;
