@@ -46,6 +46,7 @@ Expected<AssessSource> AssessSource::load(const ComparisonOptions& options) {
     }
     if (source.uncut_ != nullptr) source.original_ = source.uncut_->ownOuter();
     if (source.exercise_) {
+        source.gums_ = exerciseGums(*source.exercise_);
         Expected<TriangleMesh> ideal = idealShape(*source.exercise_, source.uncut_);
         if (!ideal) return Unexpected{ideal.error()};
         source.ideal_ = std::make_shared<const SurfacePart>(std::move(*ideal));
@@ -89,7 +90,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     if (!isLayered && student->uncut != nullptr && !align_) preparation.tooth = student->uncut;
     addPulps(preparation);
     if (student->cut != nullptr) addNeighbours(preparation, *student->uncut, *student->cut, studentInTooth);
-    if (exercise_) preparation.gums = exerciseGums(*exercise_);
+    preparation.gums = gums_;
     const auto* plan = exercise_ ? std::get_if<PreparationPlan>(&exercise_->ideal) : nullptr;
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     work.student = student->name;

@@ -38,11 +38,12 @@ private:
 
     Rubric rubric_;
     std::optional<Exercise> exercise_;
-    std::optional<GivenTooth> expert_;             // one of the two
-    std::shared_ptr<const SurfacePart> ideal_;     // of the exercise
-    std::shared_ptr<const LayeredTooth> uncut_;    // null: that of each work
-    std::shared_ptr<const SurfacePart> original_;  // its surface
-    std::string originalName_;                     // empty: it comes with the work
+    std::optional<GivenTooth> expert_;                      // one of the two
+    std::shared_ptr<const SurfacePart> ideal_;              // of the exercise
+    std::vector<std::shared_ptr<const SurfacePart>> gums_;  // of the exercise
+    std::shared_ptr<const LayeredTooth> uncut_;             // null: that of each work
+    std::shared_ptr<const SurfacePart> original_;           // its surface
+    std::string originalName_;                              // empty: it comes with the work
     bool align_ = false;
     std::vector<ImportNote> notes_;
 };

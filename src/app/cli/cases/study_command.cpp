@@ -10,7 +10,7 @@
 #include "app/common/report/make_report.h"
 #include "app/common/report/preparation_parts.h"
 #include "assessment/exercise_file.h"
-#include "assessment/rubric/rubric_file.h"
+#include "assessment/rubric/exercise_rubric.h"
 #include "assessment/study/hand_trial.h"
 #include "assessment/study/study_page.h"
 #include "geometry/files/atomic_file.h"
@@ -34,6 +34,8 @@ Expected<StudyScene> sceneOf(const Exercise& exercise) {
     preparation.original = (*tooth)->ownOuter();
     preparation.ideal = std::make_shared<const SurfacePart>(std::move(*ideal));
     if (const auto* plan = std::get_if<PreparationPlan>(&exercise.ideal)) preparation.axis = plan->outward;
+    preparation.forbidden = exercise.forbidden;
+    preparation.gums = exerciseGums(exercise);
     preparation.mesialX = (*tooth)->toothContext().mesialX;
     preparation.tooth = std::move(*tooth);
     addPulps(preparation);
@@ -95,8 +97,7 @@ Expected<void> openFiles(const StudyOptions& options, FileTransaction& files) {
 Expected<StudyReport> study(const StudyOptions& options, Rubric& rubric) {
     Expected<Exercise> exercise = findExercise(options.exercise);
     if (!exercise) return Unexpected{exercise.error()};
-    const std::string usual = exercise->rubric.empty() ? std::string(kUsualRubric) : exercise->rubric;
-    Expected<Rubric> found = findRubric(options.rubric.empty() ? usual : options.rubric);
+    Expected<Rubric> found = rubricOf(*exercise, options.rubric);
     if (!found) return Unexpected{found.error()};
     rubric = std::move(*found);
     const Expected<StudyScene> scene = sceneOf(*exercise);
