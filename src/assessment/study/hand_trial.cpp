@@ -5,11 +5,10 @@
 #include "assessment/ideal_shape.h"
 #include "assessment/messages.h"
 #include "assessment/study/messages.h"
-#include "geometry/util/messages.h"
+#include "geometry/util/number_text.h"
 #include "haptics/force_pipeline.h"
-#include "instruments/bur_shape.h"
-#include "session/cases/custom_bur.h"
 #include "session/control/surface_ray.h"
+#include "session/model/session_bur.h"
 #include "session/track/track_tick.h"
 
 namespace tactooth {
@@ -21,20 +20,13 @@ constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 
 constexpr double kFarAway = 60;  // mm
 
 Expected<Instrument> instrumentOf(const Exercise& exercise) {
-    if (const auto* file = std::get_if<std::filesystem::path>(&exercise.bur)) {
-        Expected<CustomBur> own = readCustomBur(*file);
-        if (!own) return Unexpected{own.error()};
-        Expected<CuttingTool> cutting = makeCuttingTool(own->surface, own->sharpness);
-        if (!cutting) return unexpected(msg::kNamedSentence, own->name, cutting.error());
-        const BurEdge edge = own->edge();
-        return Instrument{std::make_shared<const ToolShape>(std::move(own->surface)), std::move(*cutting), edge};
-    }
-    const std::optional<BurSpec> spec = findBur(std::get<std::string>(exercise.bur));
-    if (!spec) return unexpected(msg::kBurNotInCatalogue, std::get<std::string>(exercise.bur));
-    TriangleMesh surface = makeBur(*spec).surface;
-    Expected<CuttingTool> cutting = makeCuttingTool(surface, spec->sharpness);
-    if (!cutting) return unexpected(msg::kNamedSentence, spec->name, cutting.error());
-    return Instrument{std::make_shared<const ToolShape>(std::move(surface)), std::move(*cutting), spec->edge()};
+    const auto* number = std::get_if<std::string>(&exercise.bur);
+    const std::optional<BurSpec> spec = number != nullptr ? findBur(*number) : std::nullopt;
+    if (number != nullptr && !spec) return unexpected(msg::kBurNotInCatalogue, quotedWord(*number));
+    Expected<SessionBur> bur =
+        spec ? makeSessionBur(*spec) : loadSessionBur(std::get<std::filesystem::path>(exercise.bur));
+    if (!bur) return Unexpected{bur.error()};
+    return std::move(bur->instrument);
 }
 
 /// Depth of each place below the uncut surface along the shaft, mm; negative above it.
