@@ -47,13 +47,11 @@ private:
         }
         const std::uint64_t middle = there + (gone - there) / 2;
         tooth_.moveTo(middle);
-        std::vector<std::size_t> earlier;
-        std::erase_if(points, [&](std::size_t i) {
-            if (isGone(i)) earlier.push_back(i);
-            return isGone(i);
-        });
-        split(there, middle, std::move(earlier));
-        split(middle, gone, std::move(points));
+        const auto later = std::ranges::partition(points, [this](std::size_t i) { return isGone(i); });
+        std::vector<std::size_t> after(later.begin(), later.end());
+        points.erase(later.begin(), later.end());
+        split(there, middle, std::move(points));
+        split(middle, gone, std::move(after));
     }
 
     const SessionTrack& track_;
