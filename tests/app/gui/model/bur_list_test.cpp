@@ -30,7 +30,9 @@ TEST(BurList, EachBurIsInTheGroupOfItsShape) {
         ASSERT_FALSE(group.burs.empty());
         for (const BurItem& bur : group.burs) {
             EXPECT_EQ(bur.spec.has_value(), group.burs.front().spec.has_value());
-            if (bur.spec) EXPECT_EQ(bur.spec->kind, group.burs.front().spec->kind) << bur.spec->name;
+            if (bur.spec) {
+                EXPECT_EQ(bur.spec->kind, group.burs.front().spec->kind) << bur.spec->name;
+            }
             ++count;
         }
     }

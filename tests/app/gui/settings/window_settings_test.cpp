@@ -46,7 +46,10 @@ WindowSettings unusual() {
             .suction = true,
             .textScale = 1.5,
             .secondView = "distal",
-            .aids = {.glass = false, .scaleBar = false, .letters = false, .cube = false, .magnifier = true}};
+            .recordsSessions = false,
+            .recordingGigabytes = 12.5,
+            .aids = {.glass = false, .scaleBar = false, .letters = false, .cube = false, .magnifier = true},
+            .ownKeys = "touch = F11\nfly = F12"};
 }
 
 void expectEqual(const WindowSettings& a, const WindowSettings& b) {
@@ -77,7 +80,10 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.suction, b.suction);
     EXPECT_EQ(a.textScale, b.textScale);
     EXPECT_EQ(a.secondView, b.secondView);
+    EXPECT_EQ(a.recordsSessions, b.recordsSessions);
+    EXPECT_EQ(a.recordingGigabytes, b.recordingGigabytes);
     EXPECT_EQ(a.aids, b.aids);
+    EXPECT_EQ(a.ownKeys, b.ownKeys);
 }
 
 std::string refusal(std::string_view text) {
