@@ -25,6 +25,8 @@ private slots:
     void theMarksStayOnTheToothWhileTheEyeMoves();
     void escapeClearsAndThenEnds();
     void twoClicksMeasureTheAngleBetweenWalls();
+    void twoClicksMeasureTheTaperOfWalls();
+    void oneClickMeasuresTheRemainingDentin();
     void itIsDoneByKeysAlone();
     void aClickBesideTheToothMarksNothing();
     void anotherToothTakesTheMarksAway();
@@ -119,6 +121,41 @@ void WindowMeasureTest::twoClicksMeasureTheAngleBetweenWalls() {
     QVERIFY(overlay().isHidden());
 }
 
+void WindowMeasureTest::twoClicksMeasureTheTaperOfWalls() {
+    key(Qt::Key_Y);
+    QVERIFY(entry("taper").isChecked());
+    click(crown() - QPoint(20, 0));
+    click(crown() + QPoint(20, 0));  // two places of the chewing surface
+    QVERIFY(overlay().result().isEmpty());
+    QCOMPARE(overlay().places().size(), std::size_t{2});
+    const QPoint flank = middle() + QPoint(0, 130);
+    key(Qt::Key_4);  // mesial, then distal
+    click(flank);
+    key(Qt::Key_5);
+    click(flank);
+    QCOMPARE(overlay().places().size(), std::size_t{2});
+    QVERIFY2(overlay().result().contains('('), qPrintable(overlay().result()));
+    key(Qt::Key_0);
+    key(Qt::Key_Y);
+    QVERIFY(overlay().isHidden());
+}
+
+void WindowMeasureTest::oneClickMeasuresTheRemainingDentin() {
+    key(Qt::Key_P);
+    QVERIFY(entry("remaining-dentin").isChecked());
+    const QPoint place = crown();
+    click(place);
+    const LayeredTooth& tooth = window_->model().tooth()->piece->tooth();
+    const Vec3 point = placeUnder(place);
+    const double expected = (nearestPulp(tooth, point).value() - point).norm();
+    QVERIFY(expected > 1);
+    QCOMPARE(overlay().result(), QString("%1 mm").arg(expected, 0, 'f', 2));
+    key(Qt::Key_Escape);
+    QVERIFY(overlay().result().isEmpty());
+    key(Qt::Key_Escape);
+    QVERIFY(overlay().isHidden());
+}
+
 void WindowMeasureTest::itIsDoneByKeysAlone() {
     key(Qt::Key_I);
     QCOMPARE(window_->focusWidget(), static_cast<QWidget*>(&view()));
@@ -167,6 +204,15 @@ void WindowMeasureTest::savePictures(const QString& folder) {
     };
     key(Qt::Key_H);  // nothing in front of the tooth
     measure("distance", crown() - QPoint(60, 10), crown() + QPoint(80, 30), "measure");
+    measure("remaining-dentin", crown() - QPoint(60, 10), crown() + QPoint(10, 60), "measure-remaining-dentin");
+    key(Qt::Key_4);
+    entry("taper").trigger();
+    click(middle() + QPoint(0, 130));
+    key(Qt::Key_5);
+    click(middle() + QPoint(0, 130));
+    view().grab().save(folder + "/measure-taper.png");
+    entry("taper").trigger();
+    key(Qt::Key_0);
     measure("angle", crown() - QPoint(60, 10), crown() + QPoint(10, 90), "measure-angle");
     cleanupTestCase();
 }

@@ -205,8 +205,9 @@ TEST(BuiltinMouth, MissingTeethLeaveAHealedPlace) {
 }
 
 TEST(BuiltinMouth, TheOpenJawParts40MillimetresAtTheIncisors) {
-    const BuiltinMouth open = {
-        .teeth = mouth().teeth, .upperGingiva = {}, .lowerGingiva = {}, .lowerJaw = lowerJawPose(JawPose::Open)};
+    BuiltinMouth open;
+    open.teeth = mouth().teeth;
+    open.lowerJaw = lowerJawPose(JawPose::Open);
     const double upper = boundingBox(placed(open, 11)).min().z(), lower = boundingBox(placed(open, 41)).max().z();
     EXPECT_NEAR(upper - lower, 40, 2.5);
     EXPECT_GT(between(placed(open, 18), placed(open, 48)), 0.9);

@@ -2777,6 +2777,22 @@ It can be overcome, and is off in an examination.</source>
         <translation>2回クリック：2か所の面の法線がなす角度（度）</translation>
     </message>
     <message>
+        <source>&amp;Taper of walls</source>
+        <translation>壁のテーパー(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Two clicks on opposite walls: how far both lean from the direction of insertion, together, in degrees</source>
+        <translation>向かい合う壁を2回クリック：装着方向からの傾きの合計（度）</translation>
+    </message>
+    <message>
+        <source>&amp;Remaining dentin</source>
+        <translation>残存象牙質(&amp;R)</translation>
+    </message>
+    <message>
+        <source>One click: the straight distance from a place to the pulp, in mm</source>
+        <translation>1回クリック：その場所から歯髄までの直線距離（mm）</translation>
+    </message>
+    <message>
         <source>&amp;Clear, and end</source>
         <translation>消す、終わる(&amp;C)</translation>
     </message>
@@ -2798,6 +2814,34 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>Distance from place to place</source>
         <translation>2点間の距離</translation>
+    </message>
+    <message>
+        <source>%1 (%2°, %3°)</source>
+        <translation>%1（%2°、%3°）</translation>
+    </message>
+    <message>
+        <source>%1, undercut</source>
+        <translation>%1、アンダーカット</translation>
+    </message>
+    <message>
+        <source>Taper: how far two opposite walls lean from the direction of insertion</source>
+        <translation>テーパー：向かい合う2つの壁の、装着方向からの傾き</translation>
+    </message>
+    <message>
+        <source>Remaining dentin: straight to the pulp</source>
+        <translation>残存象牙質：歯髄までの直線距離</translation>
+    </message>
+    <message>
+        <source>This tooth has no pulp. Esc: clear</source>
+        <translation>この歯には歯髄がありません。Esc：消す</translation>
+    </message>
+    <message>
+        <source>These are not two opposite walls. Click again. Esc: clear</source>
+        <translation>向かい合う2つの壁ではありません。もう一度クリック。Esc：消す</translation>
+    </message>
+    <message>
+        <source>Click a place. Esc: end</source>
+        <translation>場所をクリック。Esc：終わる</translation>
     </message>
     <message>
         <source>Click the second place. Esc: clear</source>

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/control/surface_measure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "collision/bvh/closest_point.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/pose.h"
 #include "session/control/surface_ray.h"
@@ -15,6 +18,9 @@ namespace {
 constexpr int kRays = 512;            // through the disc: the mean of a step between two planes is true to 0.3 degrees
 constexpr double kLeastFacing = 0.1;  // cosine: the rays hardly meet what is steeper
 constexpr int kRounds = 2;            // the second one looks along the mean normal of the first
+constexpr double kFloor = 60;         // degrees: what leans more from the axis is no wall
+constexpr double kOpposite = 135;     // degrees between walls, seen along the axis: those of a rounded box are 180
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// The sum of area times normal, as rays along -`axis` meet the surface.
 Vec3 areaSum(const Surface& surface, const Vec3& point, const Vec3& axis, double radius) {
@@ -66,18 +72,48 @@ std::optional<MeasuredPlace> placeOn(const Surface& surface, const Ray& seen) {
     return MeasuredPlace{point, meanNormal(surface, point, towardEye, kNormalDisc)};
 }
 
-void SurfaceMeasure::add(const MeasuredPlace& place) {
-    if (places_.size() == 2) places_.clear();
+std::optional<Vec3> nearestPulp(const LayeredTooth& tooth, const Vec3& point) {
+    std::optional<Vec3> nearest;
+    for (const LayeredTooth::Layer& layer : tooth.layers()) {
+        if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
+        if (contains(*layer.part, point)) return point;
+        const double least = nearest ? (*nearest - point).norm() : std::numeric_limits<double>::max();
+        if (const auto closest = closestPoint(*layer.part, point, least)) nearest = closest->point;
+    }
+    return nearest;
+}
+
+void SurfaceMeasure::add(const MeasuredPlace& place, const std::optional<Vec3>& pulp) {
+    if (places_.size() == 2 || kind_ == MeasureKind::RemainingDentin) places_.clear();
     places_.push_back(place);
+    if (kind_ == MeasureKind::RemainingDentin && pulp) places_.push_back({*pulp, -place.normal});
+}
+
+std::optional<std::array<double, 2>> SurfaceMeasure::leans() const {
+    if (kind_ != MeasureKind::Taper || places_.size() < 2) return std::nullopt;
+    std::array<double, 2> leans{};
+    std::array<Vec3, 2> across;  // the walls' directions, seen along the axis
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3& normal = places_[i].normal;
+        leans[i] = std::asin(std::clamp(normal.dot(axis_), -1.0, 1.0)) / kDegree;
+        if (std::abs(leans[i]) > kFloor) return std::nullopt;
+        across[i] = (normal - normal.dot(axis_) * axis_).normalized();
+    }
+    if (across[0].dot(across[1]) > std::cos(kOpposite * kDegree)) return std::nullopt;
+    return leans;
 }
 
 std::optional<double> SurfaceMeasure::result() const {
     if (places_.size() < 2) return std::nullopt;
+    if (kind_ == MeasureKind::Taper) {
+        const auto both = leans();
+        return both ? std::optional((*both)[0] + (*both)[1]) : std::nullopt;
+    }
     const MeasuredPlace &first = places_[0], &second = places_[1];
-    if (kind_ == MeasureKind::Distance) return (second.point - first.point).norm();
+    if (kind_ != MeasureKind::Angle) return (second.point - first.point).norm();
     // From both products: near 0 and 180 degrees the cosine alone loses half of the digits.
     const double sine = first.normal.cross(second.normal).norm(), cosine = first.normal.dot(second.normal);
-    return std::atan2(sine, cosine) * 180 / std::numbers::pi;
+    return std::atan2(sine, cosine) / kDegree;
 }
 
 }  // namespace tactooth

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -150,6 +152,81 @@ TEST(SurfaceMeasure, ARoughSurfaceHasTheNormalOfItsMeanPlane) {
             std::max(worst, degreesBetween(placeOn(rough, downAt(0.05 * i, 0.02 * i)).value().normal, Vec3::UnitZ()));
     }
     EXPECT_LT(worst, 1.5);  // a single triangle leans by up to ten degrees
+}
+
+/// A stump with four walls that lean by `lean` (degrees: -x, +x, -y, +y) to the axis z; its top is a square of 4 mm.
+Surface stump(const std::array<double, 4>& lean) {
+    constexpr double kHalf = 2, kHeight = 4;  // mm
+    TriangleMesh mesh = test::box(Vec3(-kHalf, -kHalf, -kHeight), Vec3(kHalf, kHalf, 0));
+    for (auto& vertex : mesh.vertices) {
+        if (vertex.z() == 0) continue;
+        const double x = kHeight * std::tan(kDegree * lean[vertex.x() < 0 ? 0 : 1]);
+        const double y = kHeight * std::tan(kDegree * lean[vertex.y() < 0 ? 2 : 3]);
+        vertex.x() += static_cast<float>(vertex.x() < 0 ? -x : x);
+        vertex.y() += static_cast<float>(vertex.y() < 0 ? -y : y);
+    }
+    return surfaceOf(std::move(mesh));
+}
+
+/// Closed form: walls of which each leans as it was built, seen along any axis.
+TEST(SurfaceMeasure, ATaperIsTheSumOfTheLeansOfBothWalls) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> degrees(-12, 25);
+    for (int i = 0; i < 50; ++i) {
+        const std::array<double, 4> lean{degrees(random), degrees(random), degrees(random), degrees(random)};
+        const Surface surface = stump(lean);
+        SurfaceMeasure measure(MeasureKind::Taper);
+        measure.add(placeOn(surface, Ray{Vec3(-9, 0, -2), Vec3::UnitX()}).value());
+        EXPECT_FALSE(measure.result().has_value());
+        measure.add(placeOn(surface, Ray{Vec3(9, 0, -2), -Vec3::UnitX()}).value());
+        EXPECT_NEAR(measure.leans().value()[0], lean[0], 0.01);
+        EXPECT_NEAR(measure.leans().value()[1], lean[1], 0.01);
+        EXPECT_NEAR(measure.result().value(), lean[0] + lean[1], 0.02);
+        // A tilted direction of insertion takes from the one wall what it gives to the other.
+        SurfaceMeasure tilted(MeasureKind::Taper, Vec3(std::sin(0.1), 0, std::cos(0.1)));
+        for (const MeasuredPlace& place : measure.places()) tilted.add(place);
+        EXPECT_NEAR(tilted.leans().value()[0], lean[0] - 0.1 / kDegree, 0.01);
+        EXPECT_NEAR(tilted.result().value(), lean[0] + lean[1], 0.02);
+    }
+}
+
+TEST(SurfaceMeasure, OnlyOppositeWallsHaveATaper) {
+    const Surface surface = stump({5, 5, 5, 5});
+    const MeasuredPlace left = placeOn(surface, Ray{Vec3(-9, 0, -2), Vec3::UnitX()}).value();
+    const MeasuredPlace front = placeOn(surface, Ray{Vec3(0, -9, -2), Vec3::UnitY()}).value();
+    const MeasuredPlace top = placeOn(surface, downAt(0.2, 0.1)).value();
+    for (const MeasuredPlace& other : {front, top, left}) {
+        SurfaceMeasure measure(MeasureKind::Taper);
+        measure.add(left);
+        measure.add(other);
+        EXPECT_FALSE(measure.result().has_value());
+    }
+}
+
+/// Closed form: a ball as pulp.
+TEST(SurfaceMeasure, RemainingDentinIsTheDistanceFromThePulp) {
+    const Vec3 centre(0.3, -0.2, -2);
+    const double radius = 0.7;
+    std::vector<LayerMesh> layers;
+    layers.push_back({"pulp", test::kPulp, test::sphere(centre, radius, 256, 128)});
+    const auto tooth = LayeredTooth::make(test::box(Vec3(-3, -3, -4), Vec3(3, 3, 0)), std::move(layers), test::kDentin);
+    ASSERT_TRUE(tooth.has_value());
+    const Surface surface = surfaceOf(test::box(Vec3(-3, -3, -4), Vec3(3, 3, 0)));
+    for (const double x : {-2.5, -0.4, 0.31, 2.2}) {
+        SurfaceMeasure measure(MeasureKind::RemainingDentin);
+        for (int twice = 0; twice < 2; ++twice) {  // each place is a measurement of its own
+            const MeasuredPlace place = placeOn(surface, downAt(x, 0.17)).value();
+            measure.add(place, nearestPulp(*tooth, place.point));
+            EXPECT_EQ(measure.places().size(), 2U);
+            EXPECT_NEAR(measure.result().value(), (place.point - centre).norm() - radius, 1e-3);
+        }
+    }
+    EXPECT_EQ(nearestPulp(*tooth, centre + Vec3(0.1, 0.2, 0)).value(), Vec3(centre + Vec3(0.1, 0.2, 0)));
+    const auto sound = LayeredTooth::make(test::box(Vec3(-3, -3, -4), Vec3(3, 3, 0)), {}, test::kDentin);
+    EXPECT_FALSE(nearestPulp(*sound, centre).has_value());
+    SurfaceMeasure measure(MeasureKind::RemainingDentin);
+    measure.add(placeOn(surface, downAt(0, 0)).value(), std::nullopt);
+    EXPECT_FALSE(measure.result().has_value());
 }
 
 TEST(SurfaceMeasure, ARayThatMissesMeasuresNothing) {

@@ -73,6 +73,8 @@ void ExerciseController::takeTooth() {
     clock_.restart();
     clearTarget();
     active_ = exerciseOf(*model_.tooth());
+    const auto* plan = active_ != nullptr ? std::get_if<PreparationPlan>(&active_->ideal) : nullptr;
+    if (plan != nullptr) panels_.view->measureTool().setAxis(plan->outward);
     showActive();
     showZones();
 }

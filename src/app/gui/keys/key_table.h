@@ -60,6 +60,8 @@ enum class KeyId {
     ParkMirror,
     Distance,
     Angle,
+    Taper,
+    RemainingDentin,
     Turbine,
     Aim,
     Ghost,

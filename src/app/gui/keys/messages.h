@@ -86,6 +86,12 @@ inline constexpr MessageText kKeyDistance{"key_distance", "Measure a distance: c
 inline constexpr MessageText kKeyAngle{"key_angle",
                                        "Measure the angle between walls: click two places; Esc clears, and ends",
                                        "壁の間の角度を測る：2か所をクリック。Esc で消す、終わる"};
+inline constexpr MessageText kKeyTaper{
+    "key_taper", "Measure the taper of two opposite walls: click a place on each; Esc clears, and ends",
+    "向かい合う壁のテーパーを測る：それぞれをクリック。Esc で消す、終わる"};
+inline constexpr MessageText kKeyRemainingDentin{
+    "key_remaining_dentin", "Measure the remaining dentin: click a place, and the pulp's distance is shown; Esc ends",
+    "残存象牙質の厚さを測る：クリックした所から歯髄までの距離を表示。Esc で終わる"};
 inline constexpr MessageText kKeyTurbine{"key_turbine", "Handpiece on and off", "ハンドピースの表示のオン・オフ"};
 inline constexpr MessageText kKeyAim{"key_aim", "Aim on and off: landing ring and numbers at the tip",
                                      "照準（触れる位置の輪と先端の数値）のオン・オフ"};

@@ -13,10 +13,14 @@ MeasureMenu::MeasureMenu(QMenu& menu, ToothView& view) : view_(view), tool_(view
     measures->setObjectName("measure");
     measures->setToolTipsVisible(true);
     setLineIcon(*measures->menuAction(), "measure");
-    distance_ = add(*measures, tr("&Distance"), KeyId::Distance, "distance", MeasureKind::Distance,
-                    tr("Two clicks: the straight distance between two places, in mm"));
-    angle_ = add(*measures, tr("&Angle between walls"), KeyId::Angle, "angle", MeasureKind::Angle,
-                 tr("Two clicks: the angle between the normals of the surface at two places, in degrees"));
+    add(*measures, tr("&Distance"), KeyId::Distance, "distance", MeasureKind::Distance,
+        tr("Two clicks: the straight distance between two places, in mm"));
+    add(*measures, tr("&Angle between walls"), KeyId::Angle, "angle", MeasureKind::Angle,
+        tr("Two clicks: the angle between the normals of the surface at two places, in degrees"));
+    add(*measures, tr("&Taper of walls"), KeyId::Taper, "taper", MeasureKind::Taper,
+        tr("Two clicks on opposite walls: how far both lean from the direction of insertion, together, in degrees"));
+    add(*measures, tr("&Remaining dentin"), KeyId::RemainingDentin, "remaining-dentin", MeasureKind::RemainingDentin,
+        tr("One click: the straight distance from a place to the pulp, in mm"));
     clear_ = measures->addAction(tr("&Clear, and end"), &tool_, &MeasureTool::clear);
     clear_->setObjectName("clearMeasure");
     clear_->setShortcut(QKeySequence(Qt::Key_Escape));
@@ -25,8 +29,8 @@ MeasureMenu::MeasureMenu(QMenu& menu, ToothView& view) : view_(view), tool_(view
     showState();
 }
 
-QAction* MeasureMenu::add(QMenu& menu, const QString& text, KeyId key, const char* name, MeasureKind kind,
-                          const QString& tip) {
+void MeasureMenu::add(QMenu& menu, const QString& text, KeyId key, const char* name, MeasureKind kind,
+                      const QString& tip) {
     QAction* action = addSwitch(menu, text, key, name);
     setLineIcon(*action, name);
     action->setToolTip(tip);
@@ -35,13 +39,14 @@ QAction* MeasureMenu::add(QMenu& menu, const QString& text, KeyId key, const cha
         tool_.setKind(on ? std::optional(kind) : std::nullopt);
         if (on) view_.setFocus();  // the arrow keys and Enter mark places
     });
-    return action;
+    kinds_[kind] = action;
 }
 
 void MeasureMenu::showState() {
-    distance_->setChecked(tool_.kind() == MeasureKind::Distance);
-    angle_->setChecked(tool_.kind() == MeasureKind::Angle);
-    for (QAction* action : {distance_, angle_}) action->setEnabled(tool_.isAllowed());
+    for (const auto& [kind, action] : kinds_) {
+        action->setChecked(tool_.kind() == kind);
+        action->setEnabled(tool_.isAllowed());
+    }
     clear_->setEnabled(tool_.isOn());
 }
 

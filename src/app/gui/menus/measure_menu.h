@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <map>
 
 #include "app/gui/keys/key_table.h"
 #include "session/control/surface_measure.h"
@@ -24,13 +25,12 @@ public:
     MeasureMenu(QMenu& menu, ToothView& view);
 
 private:
-    QAction* add(QMenu& menu, const QString& text, KeyId key, const char* name, MeasureKind kind, const QString& tip);
+    void add(QMenu& menu, const QString& text, KeyId key, const char* name, MeasureKind kind, const QString& tip);
     void showState();
 
     ToothView& view_;
     MeasureTool& tool_;
-    QAction* distance_;
-    QAction* angle_;
+    std::map<MeasureKind, QAction*> kinds_;
     QAction* clear_;
 };
 

@@ -15,6 +15,9 @@ constexpr int kPad = 5, kMargin = 4;   // pixels around a text, and between it a
 constexpr double kDot = 3.5;           // pixels: radius of a place
 constexpr double kCross = 7;           // pixels: half of the cross under the mouse
 constexpr double kNormalLength = 1.5;  // mm
+constexpr double kWallLength = 1;      // mm, up and down the wall
+constexpr double kUndercut = 0.05;     // degrees: less is written as 0.0
+constexpr double kLevel = 0.1;         // sine: a floor rises nowhere
 constexpr int kDiscCorners = 32;
 const QColor kInk(120, 235, 255), kHalo(0, 0, 0, 150);
 
@@ -27,6 +30,20 @@ std::vector<Vec3> discOf(const MeasuredPlace& place) {
         corners.emplace_back(place.point + kNormalDisc * (std::cos(angle) * u + std::sin(angle) * v));
     }
     return corners;
+}
+
+/// Else an angle between directions at the places.
+bool isLength(MeasureKind kind) { return kind == MeasureKind::Distance || kind == MeasureKind::RemainingDentin; }
+
+/// What shows how the surface lies at a place: the normal, or how the wall rises.
+std::vector<std::vector<Vec3>> linesAt(const MeasuredPlace& place, const SurfaceMeasure& measure) {
+    if (isLength(measure.kind())) return {};
+    if (measure.kind() == MeasureKind::Angle)
+        return {discOf(place), {place.point, place.point + kNormalLength * place.normal}};
+    const Vec3 up = measure.axis() - measure.axis().dot(place.normal) * place.normal;
+    if (up.norm() < kLevel) return {discOf(place)};
+    const Vec3 rise = kWallLength * up.normalized();
+    return {discOf(place), {place.point - rise, place.point + rise}};
 }
 
 }  // namespace
@@ -53,27 +70,55 @@ void MeasureOverlay::show(const SurfaceMeasure& measure, const std::optional<Vec
         return line;
     };
     Mark mark;
-    const bool isAngle = measure.kind() == MeasureKind::Angle;
     for (const MeasuredPlace& place : measure.places()) {
         if (const auto at = onWidget(place.point)) mark.places.push_back(*at);
-        if (!isAngle) continue;
-        mark.lines.push_back(lineThrough(discOf(place)));
-        mark.lines.push_back(lineThrough({place.point, place.point + kNormalLength * place.normal}));
+        for (const std::vector<Vec3>& line : linesAt(place, measure)) mark.lines.push_back(lineThrough(line));
     }
     if (const auto result = measure.result()) {
-        if (!isAngle) mark.lines.push_back(lineThrough({measure.places()[0].point, measure.places()[1].point}));
-        mark.result = isAngle ? tr("%1°").arg(*result, 0, 'f', 1) : tr("%1 mm").arg(*result, 0, 'f', 2);
+        if (isLength(measure.kind())) {
+            mark.lines.push_back(lineThrough({measure.places()[0].point, measure.places()[1].point}));
+        }
+        mark.result = resultText(measure, *result);
     }
     if (pointer) mark.pointer = onWidget(*pointer);
-    const QString what = isAngle ? tr("Angle between walls: normals over discs of %1 mm radius").arg(kNormalDisc)
-                                 : tr("Distance from place to place");
-    mark.hint = what + '\n' +
-                (measure.places().size() == 1 ? tr("Click the second place. Esc: clear")
-                 : mark.result.isEmpty()      ? tr("Click the first place. Esc: end")
-                                              : tr("Click to measure again. Esc: clear"));
+    mark.hint = whatText(measure.kind()) + '\n' + nextText(measure);
     mark_ = std::move(mark);
     QWidget::show();
     update();
+}
+
+QString MeasureOverlay::resultText(const SurfaceMeasure& measure, double result) {
+    if (isLength(measure.kind())) return tr("%1 mm").arg(result, 0, 'f', 2);
+    const QString angle = tr("%1°").arg(result, 0, 'f', 1);
+    const auto leans = measure.leans();
+    if (!leans) return angle;
+    const QString sum = tr("%1 (%2°, %3°)").arg(angle).arg((*leans)[0], 0, 'f', 1).arg((*leans)[1], 0, 'f', 1);
+    return std::ranges::min(*leans) < -kUndercut ? tr("%1, undercut").arg(sum) : sum;
+}
+
+QString MeasureOverlay::whatText(MeasureKind kind) {
+    switch (kind) {
+        case MeasureKind::Distance:
+            return tr("Distance from place to place");
+        case MeasureKind::Angle:
+            return tr("Angle between walls: normals over discs of %1 mm radius").arg(kNormalDisc);
+        case MeasureKind::Taper:
+            return tr("Taper: how far two opposite walls lean from the direction of insertion");
+        case MeasureKind::RemainingDentin:
+            return tr("Remaining dentin: straight to the pulp");
+    }
+    return {};
+}
+
+QString MeasureOverlay::nextText(const SurfaceMeasure& measure) {
+    const bool isPulp = measure.kind() == MeasureKind::RemainingDentin, hasResult = measure.result().has_value();
+    if (isPulp && !measure.places().empty() && !hasResult) return tr("This tooth has no pulp. Esc: clear");
+    if (measure.places().size() == 2 && !hasResult) {
+        return tr("These are not two opposite walls. Click again. Esc: clear");
+    }
+    if (hasResult) return tr("Click to measure again. Esc: clear");
+    if (isPulp) return tr("Click a place. Esc: end");
+    return measure.places().empty() ? tr("Click the first place. Esc: end") : tr("Click the second place. Esc: clear");
 }
 
 void MeasureOverlay::showNothing() {
@@ -82,8 +127,8 @@ void MeasureOverlay::showNothing() {
 }
 
 /// Inside the widget.
-QRectF MeasureOverlay::boxFor(const QString& text, const QPointF& middle) const {
-    QRectF box = QRectF(fontMetrics().boundingRect(QRect(0, 0, width(), height()), Qt::AlignLeft, text))
+QRectF MeasureOverlay::boxFor(const QString& text, const QFont& font, const QPointF& middle) const {
+    QRectF box = QRectF(QFontMetrics(font).boundingRect(QRect(0, 0, width(), height()), Qt::AlignLeft, text))
                      .adjusted(-kPad, -kPad, kPad, kPad);
     box.moveCenter(middle);
     box.moveLeft(std::clamp(box.left(), double{kMargin}, std::max<double>(kMargin, width() - box.width() - kMargin)));
@@ -107,7 +152,7 @@ void MeasureOverlay::paintEvent(QPaintEvent*) {
         for (const QPointF& place : mark_.places) painter.drawEllipse(place, kDot, kDot);
     }
     const auto write = [&](const QString& text, const QPointF& middle, const QColor& ink) {
-        const QRectF box = boxFor(text, middle);
+        const QRectF box = boxFor(text, painter.font(), middle);
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(12, 18, 26, 190));
         painter.drawRoundedRect(box, kPad, kPad);

@@ -13,8 +13,8 @@
 
 namespace tactooth {
 
-/// Drawn over the tooth view: the places of a measurement, the line between them with its length, or their normals with
-/// the angle; and at the top what to do next.
+/// Drawn over the tooth view: the places of a measurement, the line between them with its length, or their normals or
+/// walls with the angle; and at the top what to do next.
 class MeasureOverlay final : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void show(const SurfaceMeasure& measure, const std::optional<Vec3>& pointer, const Viewport& picture);
     /// Shows nothing.
     void showNothing();
-    /// "3.42 mm", "92.4°"; empty without a result.
+    /// "3.42 mm", "92.4°", "12.4° (8.1°, 4.3°)"; empty without a result.
     [[nodiscard]] const QString& result() const { return mark_.result; }
     /// The places in the picture, pixels of the widget.
     [[nodiscard]] const std::vector<QPointF>& places() const { return mark_.places; }
@@ -40,7 +40,11 @@ private:
         std::optional<QPointF> pointer;
         QString result, hint;
     };
-    [[nodiscard]] QRectF boxFor(const QString& text, const QPointF& middle) const;
+    [[nodiscard]] static QString resultText(const SurfaceMeasure& measure, double result);
+    [[nodiscard]] static QString whatText(MeasureKind kind);
+    /// What to do next.
+    [[nodiscard]] static QString nextText(const SurfaceMeasure& measure);
+    [[nodiscard]] QRectF boxFor(const QString& text, const QFont& font, const QPointF& middle) const;
 
     Mark mark_;
 };

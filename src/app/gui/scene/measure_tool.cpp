@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/scene/measure_tool.h"
 
+#include "geometry/util/assert.h"
+#include "geometry/util/pose.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -10,7 +12,7 @@ MeasureTool::MeasureTool(QWidget& view) : QObject(&view), view_(view), overlay_(
 
 void MeasureTool::setKind(std::optional<MeasureKind> kind) {
     if (!allowed_) kind.reset();
-    measure_ = kind ? std::optional(SurfaceMeasure(*kind)) : std::nullopt;
+    measure_ = kind ? std::optional(SurfaceMeasure(*kind, axis_)) : std::nullopt;
     pointer_.reset();
     show();
     emit changed();
@@ -29,11 +31,15 @@ void MeasureTool::setAllowed(bool allowed) {
 void MeasureTool::clear() {
     if (!measure_) return;
     if (measure_->places().empty()) return setKind({});
-    takeTooth();
+    setAxis(axis_);
 }
 
-void MeasureTool::takeTooth() {
-    if (measure_) measure_->clear();
+void MeasureTool::takeTooth() { setAxis(Vec3::UnitZ()); }
+
+void MeasureTool::setAxis(const Vec3& axis) {
+    TACTOOTH_ASSERT(isUnit(axis));
+    axis_ = axis;
+    if (measure_) measure_.emplace(measure_->kind(), axis_);
     show();
     emit changed();
 }
@@ -45,11 +51,12 @@ void MeasureTool::point(const Surface& surface, const Viewport& picture, const V
     follow(picture);
 }
 
-void MeasureTool::pick(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
+void MeasureTool::pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Vec2& pixel) {
     if (!measure_) return;
     const auto place = placeOn(surface, picture.rayThrough(pixel));
     if (!place) return;
-    measure_->add(*place);
+    const bool goesToPulp = measure_->kind() == MeasureKind::RemainingDentin;
+    measure_->add(*place, goesToPulp ? nearestPulp(tooth, place->point) : std::nullopt);
     pointer_.reset();
     follow(picture);
     emit changed();

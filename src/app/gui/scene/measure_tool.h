@@ -26,13 +26,15 @@ public:
     [[nodiscard]] bool isAllowed() const { return allowed_; }
     /// Takes the marks away; where there are none, ends it.
     void clear();
-    /// Another tooth has come: the marks belong to the one before.
+    /// Another tooth has come: the marks belong to the one before, and a taper is that from above.
     void takeTooth();
+    /// The direction of insertion from which a taper is measured: unit, out of the tooth. It clears the marks.
+    void setAxis(const Vec3& axis);
 
     /// The mouse is over this pixel of the picture.
     void point(const Surface& surface, const Viewport& picture, const Vec2& pixel);
-    /// Marks the place there; nothing where there is no surface.
-    void pick(const Surface& surface, const Viewport& picture, const Vec2& pixel);
+    /// Marks the place there; nothing where there is no surface. `tooth`: of the surface, with its pulp.
+    void pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Vec2& pixel);
     /// The eye or the size of the picture has changed.
     void follow(const Viewport& picture);
     [[nodiscard]] const MeasureOverlay& overlay() const { return *overlay_; }
@@ -48,6 +50,7 @@ private:
     MeasureOverlay* overlay_;
     std::optional<SurfaceMeasure> measure_;  // none: off
     std::optional<Vec3> pointer_;
+    Vec3 axis_ = Vec3::UnitZ();
     Viewport picture_;
     bool allowed_ = true;
 };

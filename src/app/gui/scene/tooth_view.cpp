@@ -322,7 +322,8 @@ void ToothView::mousePressEvent(QMouseEvent* event) {
     if (event->button() == Qt::RightButton) rightPress_ = mouse_;
     if (event->button() != Qt::LeftButton) return;
     if (SurfaceTool* tool = activeTool()) return tool->press(*touchableSurface(model_), viewport(), mouse_);
-    if (isMeasuring()) return measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+    if (isMeasuring())
+        return measure_->pick(*touchableSurface(model_), model_.tooth()->piece->tooth(), viewport(), mouse_);
     if (!contents_ && !mirrorMouse_.isHeld()) model_.manipulator().press(viewport(), mouse_);
 }
 

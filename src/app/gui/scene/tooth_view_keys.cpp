@@ -53,7 +53,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
             return true;
         }
         if (isMeasuring()) {
-            measure_->pick(*touchableSurface(model_), viewport(), mouse_);
+            measure_->pick(*touchableSurface(model_), model_.tooth()->piece->tooth(), viewport(), mouse_);
             return true;
         }
         model_.manipulator().press(viewport(), mouse_);
