@@ -52,7 +52,9 @@ TEST_F(Endings, AFullOutputIsOneSentenceAndWhatWasMadeIsThere) {
     for (const auto& [command, output] : commands()) {
         SCOPED_TRACE(command);
         expectOneSentence(inShell(command, ">/dev/full"), "the output could not be written");
-        if (!output.empty()) EXPECT_TRUE(fs::exists(file(output)));
+        if (!output.empty()) {
+            EXPECT_TRUE(fs::exists(file(output)));
+        }
     }
 }
 
@@ -63,7 +65,9 @@ TEST_F(Endings, APipeThatNobodyReadsIsNoCrash) {
         EXPECT_EQ(run.exitCode, 0);
         EXPECT_THAT(run.err, Not(HasSubstr("terminate")));
         EXPECT_LE(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-        if (!output.empty()) EXPECT_TRUE(fs::exists(file(output)));
+        if (!output.empty()) {
+            EXPECT_TRUE(fs::exists(file(output)));
+        }
     }
 }
 
