@@ -3,12 +3,16 @@
 #include "app/cli/cases/assess_class.h"
 
 #include <algorithm>
+#include <deque>
+#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "app/cli/cases/class_works.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "app/common/offscreen_application.h"
 #include "assessment/report/class_report.h"
 #include "assessment/report/stored_report.h"
 #include "geometry/files/atomic_file.h"
@@ -28,36 +32,68 @@ struct StudentTrials {
 };
 using Students = std::map<std::string, StudentTrials>;  // by the names of their folders
 
-/// Assesses one work and leaves its report. Nothing is left of a report that cannot be finished. `trials`: those of the
-/// student before this one, to which it is added; null: there are none.
-Expected<AssessmentReport> assessOne(const ClassWork& work, const AssessOptions& options, const AssessSource& source,
-                                     std::vector<StoredReport>* trials) {
-    const std::filesystem::path folder = options.out / work.student / work.folder;
-    FileTransaction files;
-    files.reads(work.file);
-    addInputs(files, options.with);
-    if (auto made = files.makeFolder(folder); !made) return Unexpected{made.error()};
-    for (const char* name : kReportFiles) {
-        if (auto opened = files.open(folder / name); !opened) return Unexpected{opened.error()};
-    }
+/// Measures and marks one work. For any thread.
+Expected<AssessmentReport> assessOne(const ClassWork& work, const AssessOptions& options, const AssessSource& source) {
     std::vector<ImportNote> notes;
     Expected<AssessedWork> assessed = source.workOf(work.file, notes);
     if (!assessed) return Unexpected{assessed.error()};
     assessed->name = displayFileName(work.student.empty() ? work.file.stem() : std::filesystem::path(work.student));
     assessed->comment = options.comment;
-    Expected<AssessmentReport> report = makeReport(*assessed, source.rubric(), options.language);
-    if (!report) return report;
+    return makeReport(*assessed, source.rubric(), options.language);
+}
+
+/// Leaves the report of a work. Nothing is left of one that cannot be finished. `trials`: those of the student before
+/// this one, to which it is added; null: there are none.
+Expected<void> leaveReport(const ClassWork& work, const AssessOptions& options, AssessmentReport& report,
+                           std::vector<StoredReport>* trials) {
+    const std::filesystem::path folder = options.out / work.student / work.folder;
+    FileTransaction files;
+    files.reads(work.file);
+    addInputs(files, options.with);
+    if (auto made = files.makeFolder(folder); !made) return made;
+    for (const char* name : kReportFiles) {
+        if (auto opened = files.open(folder / name); !opened) return opened;
+    }
     std::vector<StoredReport> all;
     if (trials != nullptr) {
         all = *trials;
-        all.push_back(storedReport(*report));
-        if (all.size() > 1) report->trend = trialTrend(all);
+        all.push_back(storedReport(report));
+        if (all.size() > 1) report.trend = trialTrend(all);
     }
-    if (auto written = writeReport(folder, *report); !written) return Unexpected{written.error()};
-    if (auto named = files.commit(); !named) return Unexpected{named.error()};
+    if (auto written = writeReport(folder, report); !written) return written;
+    if (auto named = files.commit(); !named) return named;
     if (trials != nullptr) *trials = std::move(all);
-    return report;
+    return {};
 }
+
+/// Assesses the works of a class, a few at the same time, and returns their reports in the order of the works.
+class WorksInTurn {
+public:
+    WorksInTurn(const std::vector<ClassWork>& works, const AssessOptions& options, const AssessSource& source)
+        : works_(works), options_(options), source_(source) {}
+
+    /// The report of the next work; there is one.
+    [[nodiscard]] Expected<AssessmentReport> next() {
+        while (begun_ < works_.size() && running_.size() < atOnce_) {
+            running_.push_back(std::async(
+                std::launch::async, [this, &work = works_[begun_]] { return assessOne(work, options_, source_); }));
+            ++begun_;
+        }
+        Expected<AssessmentReport> report = running_.front().get();
+        running_.pop_front();
+        return report;
+    }
+
+private:
+    static constexpr std::size_t kMostAtOnce = 8;  // each needs some 300 MB
+
+    const std::vector<ClassWork>& works_;
+    const AssessOptions& options_;
+    const AssessSource& source_;
+    std::size_t atOnce_ = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostAtOnce);
+    std::size_t begun_ = 0;
+    std::deque<std::future<Expected<AssessmentReport>>> running_;
+};
 
 Expected<void> openPages(const std::filesystem::path& folder, const Students& students, FileTransaction& files) {
     if (auto made = files.makeFolder(folder); !made) return made;
@@ -134,9 +170,15 @@ int runAssessClass(const AssessOptions& options, const AssessSource& source) {
     if (const auto writable = checkPages(options.out); !writable) return reportError(writable.error());
     std::vector<ClassRow> rows;
     Students students;
+    const OffscreenApplication application;  // of this thread, for all that draw
+    WorksInTurn inTurn(*works, options, source);
     for (const ClassWork& work : *works) {
         StudentTrials* student = work.student.empty() ? nullptr : &students[work.student];
-        const auto report = assessOne(work, options, source, student != nullptr ? &student->reports : nullptr);
+        Expected<AssessmentReport> report = inTurn.next();
+        if (report) {
+            const auto left = leaveReport(work, options, *report, student != nullptr ? &student->reports : nullptr);
+            if (!left) report = Unexpected{left.error()};
+        }
         rows.push_back(rowOf(work, report));
         if (student != nullptr) student->rows.push_back(rows.back());
         if (!options.json) printRow(rows.back());

@@ -5,6 +5,7 @@
 #include <QBuffer>
 #include <QImage>
 #include <array>
+#include <mutex>
 
 #include "app/common/image_view.h"
 #include "app/common/inspection.h"
@@ -73,6 +74,8 @@ std::string pngBase64(const Image& image) {
 
 Expected<std::vector<ReportPicture>> reportPictures(const Preparation& preparation, const CutSurfaces& surfaces,
                                                     double tolerance, Language language) {
+    static std::mutex drawing;  // all threads share one connection to OpenGL's display, and closing it ends it for all
+    const std::scoped_lock lock(drawing);
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
     const Expected<LayeredTooth> tooth = LayeredTooth::make(preparation.original->mesh());
