@@ -38,7 +38,9 @@ struct SceneObject {
     bool visible = true;
     bool closed = true;      ///< the surface has no holes, so back faces need not be drawn
     bool moves = false;      ///< a tool: its shadow is drawn in each frame, that of other objects only on change
-    bool handle = false;     ///< part of an instrument: left out of the second view, where it would hide the tooth
+    /// Part of an instrument: left out of the second view, where it would hide the tooth. Throws no shadow: an
+    /// operating light is several times as wide, so that at its distance from the tooth little is left of a shadow.
+    bool handle = false;
     bool sectioned = false;  ///< the scene's section removes a part of it
     std::optional<Appearance>
         capAppearance;  ///< of its section cap; without it the section shows a hollow body. Needs `closed`

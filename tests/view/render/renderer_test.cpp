@@ -85,6 +85,12 @@ TEST_F(RendererTest, AToolThrowsItsShadow) {
     scene.objects[1].objectInWorld.position = Vec3(3, 0, 0);
     const Image moved = draw(scene);
     EXPECT_LT(at(moved, lit), at(moved, pixel) - 40);
+    scene.objects[1].handle = true;
+    for (const bool moves : {true, false}) {
+        scene.objects[1].moves = moves;
+        const Image image = draw(scene);
+        EXPECT_NEAR(at(image, lit), at(image, pixel), 25);
+    }
 }
 
 TEST_F(RendererTest, AmbientOcclusionDarkensAnInnerEdgeAndSparesAFlatFace) {
