@@ -949,6 +949,10 @@ It can be overcome, and is off in an examination.</source>
         <translation>課題を準備中：%1…</translation>
     </message>
     <message>
+        <source>Preparing the target of %1…</source>
+        <translation>%1 の目標を準備しています…</translation>
+    </message>
+    <message>
         <source>Measuring the distance to %1…</source>
         <translation>%1 までの距離を測っています…</translation>
     </message>

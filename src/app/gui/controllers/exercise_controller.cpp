@@ -159,6 +159,7 @@ void ExerciseController::prepareHand() {
 }
 
 void ExerciseController::loadIdealShape() {
+    messages_.setHint(tr("Preparing the target of %1…").arg(exerciseTitle(*active_)));
     pendingTarget_.start([exercise = active_, name = exerciseTitle(*active_),
                           tooth = model_.tooth()->piece->volume().tooth(),
                           box = model_.tooth()->box()]() -> Expected<Target> {
