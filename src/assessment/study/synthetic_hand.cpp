@@ -18,9 +18,10 @@ constexpr double kTravel = 20;     // mm/s above it
 constexpr double kLift = 2;        // mm above the highest place of the paths' surface
 constexpr double kNextPath = 1;    // mm: to a path that begins so near, the bur goes without leaving the tooth
 constexpr double kReached = 0.05;  // mm from the bur to a station: as near as the eye can tell
-constexpr double kPatience = 0.8;  // s until the hand gives a station up, at a wall that holds the bur
-constexpr double kMostLead = 1;    // mm beyond a station
-constexpr double kAbove = 0.2;     // mm above the surface, where a layer has nothing to cut
+constexpr double kPatience = 0.8;  // s without progress until the hand gives a station up, at a wall that holds the bur
+constexpr double kProgress = 0.02;            // mm nearer to the station: as little as the eye can tell in that time
+constexpr double kMostLead = 1;               // mm beyond a station
+constexpr double kAbove = 0.2;                // mm above the surface, where a layer has nothing to cut
 constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
 
 /// Mean of all places without their height.
@@ -164,7 +165,19 @@ Vec3 SyntheticHand::trembling() const {
 /// Above the tooth it is enough that the hand is there.
 bool SyntheticHand::hasReached(const HandStation& goal) const {
     if (!goal.isInTooth) return at_ == goal.tip;
-    return (at_ + known_.lag - goal.tip).norm() < kReached || waited_ > kPatience;
+    return distanceTo(goal) < kReached || waited_ > kPatience;
+}
+
+/// From the bur as the hand sees it, mm.
+double SyntheticHand::distanceTo(const HandStation& goal) const { return (at_ + known_.lag - goal.tip).norm(); }
+
+/// Hard tooth takes its time: as long as the bur comes nearer, the hand does not give up.
+void SyntheticHand::wait(const HandStation& goal, double elapsed) {
+    waited_ += elapsed;
+    const double distance = distanceTo(goal);
+    if (distance > nearest_ - kProgress) return;
+    nearest_ = distance;
+    waited_ = 0;
 }
 
 /// Moves on toward a station. In the tooth the hand aims beyond it, as far as the bur is still short of it.
@@ -190,9 +203,10 @@ Pose SyntheticHand::move(double elapsed, const HandSense& now) {
     while (!isDone() && hasReached(route_[next_])) {
         ++next_;
         waited_ = 0;
+        nearest_ = std::numeric_limits<double>::infinity();
     }
     if (!isDone()) {
-        waited_ += elapsed;
+        wait(route_[next_], elapsed);
         press(route_[next_], elapsed);
     }
     return {at_ + trembling(), grip_};

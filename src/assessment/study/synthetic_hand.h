@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,8 @@ private:
     };
     void sense(const HandSense& now);
     [[nodiscard]] bool hasReached(const HandStation& goal) const;
+    [[nodiscard]] double distanceTo(const HandStation& goal) const;
+    void wait(const HandStation& goal, double elapsed);
     void press(const HandStation& goal, double elapsed);
     [[nodiscard]] Vec3 trembling() const;
 
@@ -70,9 +73,10 @@ private:
     Quat grip_;
     std::size_t next_ = 1;
     Vec3 at_;
-    double time_ = 0;                   // s
-    double waited_ = 0;                 // s at the present station
-    Sensed known_{0, 0, Vec3::Zero()};  // what has reached the hand by now
+    double time_ = 0;                                           // s
+    double waited_ = 0;                                         // s at the present station without coming nearer
+    double nearest_ = std::numeric_limits<double>::infinity();  // mm: that the bur has been to it
+    Sensed known_{0, 0, Vec3::Zero()};                          // what has reached the hand by now
     std::deque<Sensed> coming_;
     std::array<Wave, 4> waves_;
 };
