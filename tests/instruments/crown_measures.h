@@ -14,6 +14,9 @@ namespace tactooth::test {
 struct CrownDeviation {
     double mirrorCorrelation = 1;          ///< of the occlusal relief, on a front tooth of the lingual one
     double section = 0;                    ///< mm, largest deviation of a diameter of a section
+    double outline = 0;                    ///< mm, largest deviation of a harmonic of the outline from above
+    std::optional<double> tips = {};       ///< mm, largest distance of a cusp's tip from its place, back teeth only
+    std::optional<double> table = {};      ///< mm, largest deviation of a height of ridges, grooves and pits
     std::optional<double> edge = {};       ///< mm, largest deviation of the edge's height or place, front teeth only
     std::optional<double> thickness = {};  ///< mm, root mean square over the midline profile, front teeth only
 };

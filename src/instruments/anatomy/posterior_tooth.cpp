@@ -23,7 +23,7 @@ constexpr double kThinnest = 0.4;  // share of the enamel's thickness that is le
 
 class PosteriorTooth {
 public:
-    explicit PosteriorTooth(PosteriorToothPlan plan) : plan_(std::move(plan)), crown_(plan_.crown) {
+    explicit PosteriorTooth(PosteriorToothPlan plan) : plan_(std::move(plan)), crown_(plan_.crown), table_(plan_) {
         for (const RootPlan& root : plan_.roots) roots_.emplace_back(root.sections);
         for (const std::vector<Section>& canal : plan_.canals) canals_.emplace_back(canal);
         for (const OcclusalGroove& groove : plan_.grooves) {
@@ -31,6 +31,9 @@ public:
         }
         for (const OcclusalPit& pit : plan_.pits) deepestGroove_ += pit.depth;
     }
+
+    PosteriorTooth(const PosteriorTooth&) = delete;  // the table refers to the plan
+    PosteriorTooth& operator=(const PosteriorTooth&) = delete;
 
     [[nodiscard]] const PosteriorToothPlan& plan() const { return plan_; }
     [[nodiscard]] double outer(const Vec3& p) const { return body(p).grooved; }
@@ -52,6 +55,11 @@ public:
 
     [[nodiscard]] double pulp(const Vec3& p) const;
 
+    /// The place of the occlusal surface over (x, y).
+    [[nodiscard]] Vec3 occlusalPlace(double x, double y) const {
+        return {x, y, table_.height(x, y) - table_.grooveDepth(x, y)};
+    }
+
 private:
     /// With the grooves of the occlusal surface and without.
     struct Body {
@@ -61,9 +69,9 @@ private:
         if (p.z() < plan_.trunkEnd - kBelowTrunkEnd) return both(roots(p));
         if (p.z() < kBelowCusps) return both(smoothUnion(trunk(p), roots(p), plan_.cervicalFillet));
         const double side = wall(p);
-        if (side > occlusal(p.z() - plan_.fossa + deepestGroove_) + kFillet) return both(side);
-        const double above = p.z() - occlusalHeight(plan_, p.x(), p.y());
-        return {smoothIntersection(side, occlusal(above + grooveDepth(plan_, p.x(), p.y())), kFillet),
+        if (side > occlusal(p.z() - table_.lowest() + deepestGroove_) + kFillet) return both(side);
+        const double above = p.z() - table_.height(p.x(), p.y());
+        return {smoothIntersection(side, occlusal(above + table_.grooveDepth(p.x(), p.y())), kFillet),
                 smoothIntersection(side, occlusal(above), kFillet)};
     }
     [[nodiscard]] static Body both(double distance) { return {distance, distance}; }
@@ -87,6 +95,8 @@ private:
             if (g.buccal == (p.y() > 0)) furrow += g.depth * bump(p.x() - g.x, g.width);
         }
         distance += high * furrow;
+        constexpr double kNeck = 0.3, kFull = 3.0;  // mm: the waves grow from the neck to here
+        distance -= smoothStep(kNeck, kFull, p.z()) * outlineOffset(plan_.outline, p.x(), p.y());
         constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
         return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
     }
@@ -128,6 +138,7 @@ private:
 
     PosteriorToothPlan plan_;
     SectionLoft crown_;
+    OcclusalSurface table_;
     std::vector<SectionLoft> roots_, canals_;
     double deepestGroove_ = 0;  // mm: depth of the deepest groove with its pits
 };
@@ -142,7 +153,7 @@ double PosteriorTooth::pulp(const Vec3& p) const {
     const Vec3 out = (p - plan_.chamber).cwiseAbs() - (plan_.chamberHalf - Vec3::Constant(round));
     double chamber = out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0) - round;
     for (const Cusp& cusp : plan_.cusps) {
-        const Vec3 base(0.66 * cusp.x, 0.48 * cusp.y, 0.4), tip(0.80 * cusp.x, 0.62 * cusp.y, cusp.z - plan_.hornRise);
+        const Vec3 base(0.62 * cusp.x, 0.46 * cusp.y, 0.4), tip(0.72 * cusp.x, 0.56 * cusp.y, cusp.z - plan_.hornRise);
         chamber = smoothUnion(chamber, taperedCapsule(p, base, plan_.hornBase, tip, 0.15), 0.5);
     }
     double canals = canalDistance(canals_[0], p, plan_.canals[0][0].z);
@@ -168,7 +179,7 @@ ToothShape posteriorTooth(const PosteriorToothPlan& plan) {
     shape.core = [tooth](const Vec3& p) { return tooth->core(p); };
     shape.cervical = [tooth](const Vec3& p) { return tooth->cervical(p); };
     shape.pulp = [tooth](const Vec3& p) { return tooth->pulp(p); };
-    shape.lesionSite = Vec3(pit.x, pit.y, occlusalHeight(plan, pit.x, pit.y) - grooveDepth(plan, pit.x, pit.y));
+    shape.lesionSite = tooth->occlusalPlace(pit.x, pit.y);
     shape.lesionInward = -Vec3::UnitZ();
     shape.lesionEnamel = 0.9;
     return shape;

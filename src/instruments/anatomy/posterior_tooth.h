@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "instruments/anatomy/outline_wave.h"
 #include "instruments/anatomy/tooth_shape.h"
 #include "instruments/modelling/section_loft.h"
 
@@ -29,6 +30,11 @@ struct OcclusalGroove {
 
 struct OcclusalPit {
     double x, y, depth, width;
+};
+
+/// A place that the occlusal surface, with its grooves, passes through.
+struct OcclusalLandmark {
+    double x, y, depth;  ///< depth: below the highest cusp
 };
 
 /// A developmental groove of the crown's buccal or lingual side, which fades toward the neck.
@@ -61,7 +67,10 @@ struct PosteriorToothPlan {
     std::vector<Cusp> cusps;
     std::vector<OcclusalRidge> ridges;
     std::vector<OcclusalGroove> grooves;
-    std::vector<OcclusalPit> pits;  ///< fissure caries begins in the first one
+    std::vector<OcclusalPit> pits;            ///< fissure caries begins in the first one
+    double top = 0;                           ///< height of the highest cusp, from which the landmarks are measured
+    std::vector<OcclusalLandmark> landmarks;  ///< bring cusps, ridges and grooves to their heights
+    OutlineWaves outline;                     ///< of the crown above its neck
     std::vector<DevelopmentalGroove> developmentalGrooves;
     double cervicalFillet = 0.9;                ///< length over which the trunk blends into the roots
     double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end inside the trunk, and the length of the blend

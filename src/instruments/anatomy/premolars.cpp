@@ -45,24 +45,27 @@ ToothShape upperFirstPremolar() {
                     .mesiodistal = 7.0,
                     .buccolingual = 9.0,
                     .cervixMesiodistal = 4.82,
-                    .cervixBuccolingual = 8.35,
+                    .cervixBuccolingual = 7.90,
                     .mesialContact = 0.62,
                     .distalContact = 0.56,
-                    .buccalCrest = 0.28,
+                    .buccalCrest = 0.42,
                     .lingualCrest = 0.45,
                     .mesialTop = 0.74,
                     .distalTop = 0.74,
                     .buccalTop = 0.62,
                     .lingualTop = 0.60,
+                    .flare = 2.4,
                     .cervixSquareness = 2.2,
                     .topSquareness = 2.1};
     PosteriorToothPlan plan = premolar("Upper right first premolar", 14, crown, 14.0);
+    plan.outline = {{0.03, 0},       {0, 0},          {-0.029, -0.206}, {0.014, -0.032},
+                    {-0.075, 0.080}, {-0.001, 0.026}, {0.006, 0.010}};
     plan.functionalSide = -1;
     plan.narrowsLingually = 0.035;
     plan.skew = 0.06;
     plan.fossa = 5.8;
     // The buccal tip stands a little distal of the middle, the lingual one mesial of it.
-    plan.cusps = {{-0.30, 2.55, 8.62, 0.22, -0.976, 0.84, 1.20, 0.64},
+    plan.cusps = {{-0.20, 2.55, 8.62, 0.22, -0.976, 0.84, 1.20, 0.64},
                   {0.50, -2.35, 7.72, -0.26, 0.966, 0.70, 1.05, 0.56}};
     plan.ridges = {{2.45, 1.3, 2.00, -1.2, 6.70, 1.05}, {-2.40, 1.5, -2.20, -1.0, 6.60, 1.05}};
     plan.grooves = {{1.60, 0.20, 0.40, -0.10, 0.42, 0.40, 0.32},   {0.40, -0.10, -0.80, 0.25, 0.32, 0.40, 0.36},
@@ -71,6 +74,8 @@ ToothShape upperFirstPremolar() {
                     {-1.80, -0.05, -2.00, 1.10, 0.20, 0.34, 0.05}, {-1.80, -0.05, -2.20, -1.30, 0.32, 0.34, 0.08},
                     {-0.80, 0.25, -1.15, 1.50, 0.14, 0.30, 0.03}};
     plan.pits = {{-1.80, -0.05, 0.20, 0.42}, {1.60, 0.20, 0.16, 0.40}};
+    plan.top = 8.5;
+    plan.landmarks = {{0.30, 2.38, 0.00}, {0.22, -2.32, 0.72}};
     plan.trunkEnd = -2.6;
     addRoot(plan,
             {.length = 14.0,
@@ -103,19 +108,22 @@ ToothShape upperSecondPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 9.0,
-                    .cervixMesiodistal = 5.0,
-                    .cervixBuccolingual = 8.12,
+                    .cervixMesiodistal = 4.86,
+                    .cervixBuccolingual = 7.80,
                     .mesialContact = 0.60,
                     .distalContact = 0.56,
-                    .buccalCrest = 0.28,
+                    .buccalCrest = 0.42,
                     .lingualCrest = 0.45,
-                    .mesialTop = 0.76,
-                    .distalTop = 0.76,
+                    .mesialTop = 0.82,
+                    .distalTop = 0.82,
                     .buccalTop = 0.62,
-                    .lingualTop = 0.64,
+                    .lingualTop = 0.70,
+                    .flare = 2.4,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.1};
     PosteriorToothPlan plan = premolar("Upper right second premolar", 15, crown, 14.0);
+    plan.outline = {{0.03, 0},       {0, 0},           {-0.022, -0.190}, {0.010, -0.019},
+                    {-0.060, 0.069}, {-0.009, -0.018}, {0.019, -0.001}};
     plan.functionalSide = -1;
     plan.narrowsLingually = 0.012;
     plan.skew = 0.06;
@@ -129,7 +137,7 @@ ToothShape upperSecondPremolar() {
                     {1.20, 0.35, 1.60, -0.80, 0.16, 0.32, 0.04},    {-1.35, -0.20, -1.90, 0.90, 0.20, 0.32, 0.05},
                     {-1.35, -0.20, -2.20, -1.50, 0.34, 0.36, 0.10}, {-0.60, 0.20, -1.00, 1.60, 0.16, 0.30, 0.03},
                     {0.10, -0.10, -0.10, -1.30, 0.12, 0.28, 0.02}};
-    plan.pits = {{-1.35, -0.20, 0.22, 0.42}, {1.20, 0.35, 0.12, 0.36}};
+    plan.pits = {{-1.35, -0.20, 0.28, 0.44}, {1.20, 0.35, 0.08, 0.36}};
     addRoot(plan,
             {.length = 14.0,
              .cervixX = 0,
@@ -151,31 +159,39 @@ ToothShape lowerFirstPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 7.5,
-                    .cervixMesiodistal = 4.7,
-                    .cervixBuccolingual = 6.85,
+                    .cervixMesiodistal = 4.78,
+                    .cervixBuccolingual = 6.40,
                     .mesialContact = 0.60,
                     .distalContact = 0.56,
-                    .buccalCrest = 0.30,
+                    .buccalCrest = 0.42,
                     .lingualCrest = 0.58,
                     .mesialTop = 0.66,
                     .distalTop = 0.66,
                     .buccalTop = 0.20,
                     .lingualTop = 0.96,
                     .buccalShift = -0.05,
+                    .flare = 2.4,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.05};
     PosteriorToothPlan plan = premolar("Lower right first premolar", 44, crown, 14.0);
+    plan.outline = {{-0.02, 0},      {0, 0},          {-0.017, 0.014}, {0.011, -0.113},
+                    {0.021, -0.006}, {-0.011, 0.027}, {0.017, -0.022}};
     plan.narrowsLingually = 0.055;
     plan.fossa = 4.9;
     // The transverse ridge runs to distal of the lingual cusp; the distal fossa is the deeper one.
     plan.cusps = {{0.20, 0.90, 8.62, -0.14, -0.990, 0.76, 0.90, 0.62},
                   {0.30, -2.95, 6.30, -0.30, 0.954, 0.45, 1.10, 0.66}};
-    plan.ridges = {{2.55, 0.9, 1.55, -2.0, 6.10, 1.10}, {-2.60, 1.1, -1.75, -2.1, 6.55, 1.15}};
+    plan.ridges = {{2.55, 0.9, 1.55, -2.0, 6.10, 1.10}, {-2.60, 1.1, -1.75, -2.1, 6.15, 1.15}};
     plan.grooves = {{1.30, -1.20, 0.30, -1.80, 0.22, 0.34, 0.12},   {0.30, -1.80, -0.45, -1.65, 0.12, 0.34, 0.26},
                     {-0.45, -1.65, -1.55, -0.75, 0.26, 0.38, 0.42}, {1.30, -1.20, 1.75, 0.4, 0.22, 0.34, 0.05},
                     {-1.55, -0.75, -2.00, 0.9, 0.34, 0.38, 0.08},   {-1.55, -0.75, -1.85, -1.7, 0.22, 0.34, 0.05},
                     {1.30, -1.20, 1.65, -3.9, 0.34, 0.42, 0.30}};  // the last one is the mesiolingual groove
     plan.pits = {{-1.55, -0.75, 0.32, 0.46}, {1.30, -1.20, 0.20, 0.38}};
+    plan.top = 8.5;
+    // The buccal cusp falls steeply to the fossa; the lingual one is low.
+    plan.landmarks = {{0.10, 1.02, 0.00},   {0.10, -0.30, 0.85},  {0.15, -1.00, 1.75}, {0.10, -1.80, 2.65},
+                      {0.62, -2.95, 2.25},  {0.65, -3.50, 2.75},  {1.40, -1.20, 2.35}, {1.65, -2.40, 2.85},
+                      {-1.50, -0.80, 2.95}, {-1.95, -1.60, 2.40}, {1.80, -0.20, 1.45}, {-1.80, 0.10, 1.75}};
     addRoot(plan,
             {.length = 14.0,
              .cervixX = 0,
@@ -197,19 +213,21 @@ ToothShape lowerSecondPremolar() {
     CrownForm crown{.length = 8.0,
                     .mesiodistal = 7.0,
                     .buccolingual = 8.0,
-                    .cervixMesiodistal = 5.0,
-                    .cervixBuccolingual = 7.2,
+                    .cervixMesiodistal = 4.86,
+                    .cervixBuccolingual = 6.78,
                     .mesialContact = 0.62,
                     .distalContact = 0.58,
-                    .buccalCrest = 0.30,
+                    .buccalCrest = 0.42,
                     .lingualCrest = 0.55,
                     .mesialTop = 0.78,
                     .distalTop = 0.78,
                     .buccalTop = 0.40,
                     .lingualTop = 0.82,
+                    .flare = 2.4,
                     .cervixSquareness = 2.1,
                     .topSquareness = 2.4};
     PosteriorToothPlan plan = premolar("Lower right second premolar", 45, crown, 14.5);
+    plan.outline = {{0, 0}, {0, 0}, {0.016, 0.040}, {-0.082, -0.101}, {0.003, 0.007}, {0.006, 0.052}, {-0.014, -0.005}};
     plan.skew = -0.04;
     plan.fossa = 5.5;
     plan.cusps = {{0.25, 1.55, 8.15, -0.20, -0.980, 0.72, 0.90, 0.54},   // buccal
@@ -223,6 +241,10 @@ ToothShape lowerSecondPremolar() {
                     {1.55, 0.10, 1.95, -0.80, 0.12, 0.30, 0.03},    {-1.65, -0.45, -2.15, 0.95, 0.30, 0.36, 0.07},
                     {-1.65, -0.45, -2.20, -1.20, 0.16, 0.32, 0.04}, {-0.60, -0.80, -0.95, 1.10, 0.14, 0.30, 0.02}};
     plan.pits = {{-1.65, -0.45, 0.26, 0.44}, {-0.60, -0.85, 0.12, 0.42}, {1.55, 0.10, 0.12, 0.38}};
+    plan.top = 8.0;
+    plan.landmarks = {{0.20, 1.52, 0.00},   {1.74, -2.58, 0.66},  {-1.74, -2.40, 1.48}, {-0.60, -0.85, 1.95},
+                      {-1.55, -0.55, 2.15}, {1.45, 0.00, 1.50},   {1.70, -0.75, 1.20},  {-2.15, -0.75, 1.98},
+                      {-0.45, -2.40, 1.75}, {-2.30, -1.80, 1.95}, {2.10, -1.70, 1.00}};
     addRoot(plan,
             {.length = 14.5,
              .cervixX = 0,

@@ -13,8 +13,11 @@ namespace {
 constexpr double kTopHeight = 1.1;  // share of the crown's length: sections end above the cusps
 
 /// Half width at a share of the crown's length: from the neck to the crest and on to the top.
-double sideAt(double height, double neck, double crest, double most, double top) {
-    if (height <= crest) return neck + (most - neck) * std::sin(std::numbers::pi / 2 * std::max(height, 0.0) / crest);
+double sideAt(double height, double neck, double crest, double most, double top, double flare) {
+    if (height <= crest) {
+        const double grown = std::sin(std::numbers::pi / 2 * std::max(height, 0.0) / crest);
+        return neck + (most - neck) * std::pow(grown, flare);
+    }
     const double above = (height - crest) / (kTopHeight - crest);
     constexpr double kCurl = 1.8;  // 1: straight to the top, 2: a parabola
     return most + (top - most) * std::pow(above, kCurl);
@@ -63,10 +66,10 @@ std::vector<Section> crownSections(const CrownForm& form) {
     for (const double height : {0.0, 0.13, 0.27, 0.40, 0.52, 0.64, 0.76, 0.88, kTopHeight}) {
         Section s;
         s.z = height * form.length;
-        s.plusX = sideAt(height, cervixX, form.mesialContact, halfX, form.mesialTop * halfX);
-        s.minusX = sideAt(height, cervixX, form.distalContact, halfX, form.distalTop * halfX);
-        s.plusY = sideAt(height, cervixY, form.buccalCrest, buccal, form.buccalTop * buccal);
-        s.minusY = sideAt(height, cervixY, form.lingualCrest, lingual, form.lingualTop * lingual);
+        s.plusX = sideAt(height, cervixX, form.mesialContact, halfX, form.mesialTop * halfX, form.flare);
+        s.minusX = sideAt(height, cervixX, form.distalContact, halfX, form.distalTop * halfX, form.flare);
+        s.plusY = sideAt(height, cervixY, form.buccalCrest, buccal, form.buccalTop * buccal, form.flare);
+        s.minusY = sideAt(height, cervixY, form.lingualCrest, lingual, form.lingualTop * lingual, form.flare);
         s.squareness = std::lerp(form.cervixSquareness, form.topSquareness, std::min(height, 1.0));
         sections.push_back(s);
     }

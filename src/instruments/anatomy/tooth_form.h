@@ -20,6 +20,7 @@ struct CrownForm {
     double mesialTop = 0.86, distalTop = 0.84;  ///< half widths above the cusps, as shares of the largest ones
     double buccalTop = 0.62, lingualTop = 0.7;
     double buccalShift = 0;  ///< mm that the widest point is shifted to buccal from the neck
+    double flare = 1;        ///< above 1: stays narrow over a longer part above the neck
     double cervixSquareness = 2.5, topSquareness = 2.3;
     double trunkNarrowing = 0.66;  ///< share of the neck's half widths, 4.2 mm below it
 };
