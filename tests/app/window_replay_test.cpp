@@ -193,15 +193,15 @@ void WindowReplayTest::aCommentIsPinnedToAMomentBesideTheRecording() {
 }
 
 void WindowReplayTest::anotherRecordingIsShownAsAGhost() {
-    replay().openGhost(recording("b.ttsession"));
-    QTRY_VERIFY_WITH_TIMEOUT(replay().ghost() != nullptr, kLoadPatience);
+    replay().comparison().open(recording("b.ttsession"), ReplayComparison::Way::Ghost);
+    QTRY_VERIFY_WITH_TIMEOUT(replay().comparison().isGhost(), kLoadPatience);
     QTRY_VERIFY_WITH_TIMEOUT(part<QToolButton>("replayCompare").isChecked(), kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(replay().ghost()->track()->isFinished(), kLoadPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(replay().comparison().source()->track()->isFinished(), kLoadPatience);
     replay().cursor().jumpTo(2);
     const std::uint64_t before = part<ToothView>("replayView").pictures();
     QTRY_VERIFY_WITH_TIMEOUT(part<ToothView>("replayView").pictures() > before, kPatience);
     click("replayCompare");
-    QVERIFY(replay().ghost() == nullptr);
+    QVERIFY(replay().comparison().source() == nullptr);
 }
 
 void WindowReplayTest::theBenchIsAsItWasAfterwards() {

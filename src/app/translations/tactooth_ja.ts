@@ -374,8 +374,32 @@
         <translation>比較…</translation>
     </message>
     <message>
-        <source>Shows another recording as a blue ghost in this one</source>
-        <translation>別の記録を青い半透明で重ねて表示します</translation>
+        <source>Opens another recording to compare with, or closes it</source>
+        <translation>比較する別の記録を開くか、閉じます</translation>
+    </message>
+    <message>
+        <source>&amp;begins later by</source>
+        <translation>開始を遅らせる(&amp;B)</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>How much later the other recording begins on the time line; negative: earlier</source>
+        <translation>もう一方の記録を時間の線の上でどれだけ遅く始めるか（負の値なら早く）</translation>
+    </message>
+    <message>
+        <source>At the first touch</source>
+        <translation>最初の接触に合わせる</translation>
+    </message>
+    <message>
+        <source>Shifts the other recording so that both touch the tooth first at the same moment</source>
+        <translation>2つの記録で最初に歯に触れる瞬間がそろうように、もう一方の記録をずらします</translation>
+    </message>
+    <message>
+        <source>Other recording: %1</source>
+        <translation>もう一方の記録：%1</translation>
     </message>
     <message>
         <source>Leave replay</source>
@@ -474,12 +498,54 @@
         <translation>このプログラムは記録したときのものと異なります。%1 秒から後の再生は、実際に起きたこととは違います。</translation>
     </message>
     <message>
+        <source>Recordings can be opened when the examination is over</source>
+        <translation>記録は試験が終わってから開けます</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplayComparison</name>
+    <message>
+        <source>S&amp;ide by side…</source>
+        <translation>並べて比較(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Side by side…</source>
+        <translation>並べて比較…</translation>
+    </message>
+    <message>
+        <source>Shows another recording in a picture of its own beside this one; once more, and it is as before (%1)</source>
+        <translation>別の記録を、この記録の隣の画面に表示します。もう一度押すと元に戻ります（%1）</translation>
+    </message>
+    <message>
+        <source>Shows another recording beside this one, or no longer</source>
+        <translation>別の記録をこの記録の隣に表示する、またはやめる</translation>
+    </message>
+    <message>
         <source>Compare with another recording</source>
         <translation>別の記録と比較</translation>
     </message>
     <message>
-        <source>Recordings can be opened when the examination is over</source>
-        <translation>記録は試験が終わってから開けます</translation>
+        <source>Recorded sessions (*.ttsession);;All files (*)</source>
+        <translation>セッションの記録 (*.ttsession);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>A recording has no touch: both begin at the same moment.</source>
+        <translation>歯に触れていない記録があるため、2つの記録を同時に始めます。</translation>
+    </message>
+    <message>
+        <source>Both recordings touch the tooth first at the same moment.</source>
+        <translation>2つの記録は、最初に歯に触れる瞬間がそろっています。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::ReplayPicture</name>
+    <message>
+        <source>The colour of this recording in the plots</source>
+        <translation>グラフでのこの記録の色</translation>
+    </message>
+    <message>
+        <source>Closes this recording; the other one stays</source>
+        <translation>この記録を閉じます。もう一方は残ります</translation>
     </message>
 </context>
 <context>

@@ -128,8 +128,10 @@ void ToothController::openFile(const QString& file) {
 }
 
 void ToothController::openDropped(const std::vector<std::filesystem::path>& files) {
-    if (isCase(files.front()) || isToothFile(files.front()) || isRecording(files.front()) ||
-        files.front().extension() == ".toml") {
+    if (files.size() == 2 && isRecording(files[0]) && isRecording(files[1])) {
+        emit twoRecordingsChosen(QString::fromStdString(files[0].string()), QString::fromStdString(files[1].string()));
+    } else if (isCase(files.front()) || isToothFile(files.front()) || isRecording(files.front()) ||
+               files.front().extension() == ".toml") {
         openFile(QString::fromStdString(files.front().string()));
     } else {
         importScan(files);

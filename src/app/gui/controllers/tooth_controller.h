@@ -84,6 +84,8 @@ signals:
     void fileOpened(const QString& file);
     void exerciseFileChosen(const QString& file);
     void recordingChosen(const QString& file);
+    /// The second is compared with the first.
+    void twoRecordingsChosen(const QString& first, const QString& second);
     void loadingFailed();
     /// The tooth stays: the user keeps its cuts, which are not saved, an examination goes on with it, or the user has
     /// cancelled what was being loaded.

@@ -95,6 +95,8 @@ constexpr std::array kRows = {
     KeyRow{KeyId::ReplayBack, "replay_back", ",", KeyKind::Shortcut, KeyGroup::Replay, &msg::kKeyReplayBack},
     KeyRow{KeyId::ReplayOn, "replay_on", ".", KeyKind::Shortcut, KeyGroup::Replay, &msg::kKeyReplayOn},
     KeyRow{KeyId::ReplayNext, "replay_next", "Ctrl+PgDown", KeyKind::Shortcut, KeyGroup::Replay, &msg::kKeyReplayNext},
+    KeyRow{KeyId::ReplaySideBySide, "replay_side_by_side", "Shift+S", KeyKind::Shortcut, KeyGroup::Replay,
+           &msg::kKeyReplaySideBySide},
     KeyRow{KeyId::ReplayLeave, "replay_leave", "Esc", KeyKind::Shortcut, KeyGroup::Replay, &msg::kKeyReplayLeave},
 };
 

@@ -91,6 +91,7 @@ enum class KeyId {
     ReplayBack,
     ReplayOn,
     ReplayNext,
+    ReplaySideBySide,
     ReplayLeave,
 };
 

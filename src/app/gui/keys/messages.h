@@ -135,6 +135,8 @@ inline constexpr MessageText kKeyReplayBack{"key_replay_back", "Back by one tick
 inline constexpr MessageText kKeyReplayOn{"key_replay_on", "On by one tick", "1 ティック進む"};
 inline constexpr MessageText kKeyReplayNext{"key_replay_next", "To the next event or comment",
                                             "次の出来事かコメントへ"};
+inline constexpr MessageText kKeyReplaySideBySide{
+    "key_replay_side_by_side", "Two recordings side by side, or no longer", "2つの記録を並べて見る、やめる"};
 inline constexpr MessageText kKeyReplayLeave{"key_replay_leave", "Leave the replay", "リプレイを終える"};
 
 // Mouse: what, and its effect.

@@ -32,13 +32,13 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
 }
 
 void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {
-    QMenu* menu = window.menuBar()->addMenu(tr("&View"));
+    QMenu* menu = viewMenu_ = window.menuBar()->addMenu(tr("&View"));
     view_ = std::make_unique<ViewMenu>(*menu, bar, *panels.view);
     aids_ = std::make_unique<ViewAidsMenu>(*menu, *panels.view);
     measure_ = std::make_unique<MeasureMenu>(*menu, *panels.view);
     instruments_.addMirrorMenu(*menu);
     menu->addAction(panels.inspection->ghostAction());
-    menu->addSeparator();
+    replayPlace_ = menu->addSeparator();
     appearance_ = std::make_unique<AppearanceMenu>(*menu);
     menu->addSeparator();
     for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
@@ -49,6 +49,8 @@ void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPa
     reset->setObjectName("resetLayout");
     setLineIcon(*reset, "reset-layout");
 }
+
+void WindowMenus::addReplayEntry(QAction& entry) { viewMenu_->insertAction(replayPlace_, &entry); }
 
 void WindowMenus::addDrillMenu(QMenuBar& bar, const WindowPanels& panels) {
     QMenu* menu = bar.addMenu(tr("&Drill"));

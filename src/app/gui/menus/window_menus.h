@@ -35,6 +35,9 @@ public:
     /// Shows three ways to begin.
     void welcome() { help_->welcome(); }
 
+    /// An entry of the replay, in the menu View.
+    void addReplayEntry(QAction& entry);
+
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
 
@@ -48,6 +51,8 @@ private:
     void addSoundMenu(QMenuBar& bar, SoundPanel& panel);
 
     SessionModel& model_;
+    QMenu* viewMenu_ = nullptr;
+    QAction* replayPlace_ = nullptr;  // the entry of the menu View that those of the replay stand before
     FileMenu file_;
     BurEntry burs_;
     InstrumentMenus instruments_;

@@ -15,8 +15,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/panels/plot_colours.h"
+
 namespace tactooth {
 namespace {
+
+constexpr double kLineWidth = 1.6;  // pixels
 
 void styleAxis(QValueAxis& axis) {
     QFont small = QApplication::font();
@@ -136,13 +140,15 @@ bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
 PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QString& tip, const QColor& colour,
                                    double smallestRange) {
     auto* chart = new QChart;
-    Plot plot{new QLineSeries, new QValueAxis, new QValueAxis, smallestRange, chart};
-    plot.line->setPen(QPen(colour, 1.6));
-    chart->addSeries(plot.line);
+    Plot plot{new QLineSeries, new QLineSeries, colour, new QValueAxis, new QValueAxis, smallestRange, chart};
     chart->addAxis(plot.time, Qt::AlignBottom);
     chart->addAxis(plot.value, Qt::AlignLeft);
-    plot.line->attachAxis(plot.time);
-    plot.line->attachAxis(plot.value);
+    for (QLineSeries* line : {plot.otherLine, plot.line}) {
+        chart->addSeries(line);
+        line->attachAxis(plot.time);
+        line->attachAxis(plot.value);
+    }
+    plot.otherLine->setPen(QPen(kOtherRecordingColour, kLineWidth));
     plot.time->setLabelFormat("%.4g s");
     plot.value->setRange(0, smallestRange);
     plot.value->setTickCount(3);
@@ -162,28 +168,48 @@ PlotPanel::Plot PlotPanel::addPlot(const QString& title, const QString& tip, con
     return plot;
 }
 
-void PlotPanel::draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what) {
-    QList<QPointF> points;
+void PlotPanel::draw(Plot& plot, double TickTrace::Point::*what) const {
     double largest = plot.smallestRange;
-    const double now = trace.points().empty() ? 0 : trace.points().back().time;
-    for (const TickTrace::Point& point : trace.points()) {
-        points.append(QPointF(point.time - now, point.*what));
-        largest = std::max(largest, point.*what);
-    }
+    const auto drawLine = [&](QLineSeries& line, const Recorded& recorded) {
+        QList<QPointF> points;
+        const auto& all = recorded.trace.points();
+        const double now = all.empty() ? 0 : all.back().time + recorded.ago;
+        for (const TickTrace::Point& point : all) {
+            points.append(QPointF(point.time - now, point.*what));
+            largest = std::max(largest, point.*what);
+        }
+        line.replace(points);
+    };
+    plot.line->setPen(QPen(shownOther_ ? kFirstRecordingColour : plot.colour, kLineWidth));
+    drawLine(*plot.line, shown_);
+    drawLine(*plot.otherLine, shownOther_.value_or(Recorded()));
     const double range = roundRange(largest);
     if (range != plot.value->max()) plot.value->setMax(range);
-    plot.line->replace(points);
 }
 
 void PlotPanel::show(const TickTrace& trace) {
     if (pause_->isChecked()) return;
     const bool filled = !trace.points().empty() && trace.points().back().time > TickTrace::kShown;
-    if (std::exchange(flat_, trace.isFlat() && filled) && flat_) return;
-    shown_ = trace;
-    draw(cavity_, trace, &TickTrace::Point::cavityDepth);
-    draw(depth_, trace, &TickTrace::Point::depth);
-    draw(speed_, trace, &TickTrace::Point::speed);
-    draw(force_, trace, &TickTrace::Point::force);
+    const bool isFlat = trace.isFlat() && filled && !shownOther_;
+    if (std::exchange(flat_, isFlat) && flat_) return;
+    shown_ = {trace};
+    shownOther_.reset();
+    drawAll();
+}
+
+void PlotPanel::show(const Recorded& first, const Recorded& other) {
+    if (pause_->isChecked()) return;
+    flat_ = false;
+    shown_ = first;
+    shownOther_ = other;
+    drawAll();
+}
+
+void PlotPanel::drawAll() {
+    draw(cavity_, &TickTrace::Point::cavityDepth);
+    draw(depth_, &TickTrace::Point::depth);
+    draw(speed_, &TickTrace::Point::speed);
+    draw(force_, &TickTrace::Point::force);
 }
 
 }  // namespace tactooth

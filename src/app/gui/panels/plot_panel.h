@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QWidget>
 #include <array>
+#include <optional>
 
 #include "app/gui/panels/tick_trace.h"
 
@@ -23,8 +25,17 @@ public:
     explicit PlotPanel(QWidget* parent = nullptr);
     /// Draws flat lines only once, and nothing while the user has paused the plots.
     void show(const TickTrace& trace);
+    /// A recording up to the time that is shown, or up to its end, which was `ago` s before that.
+    struct Recorded {
+        TickTrace trace;
+        double ago = 0;
+    };
+    /// Two recordings, in colours of their own.
+    void show(const Recorded& first, const Recorded& other);
     /// The trace that is drawn.
-    [[nodiscard]] const TickTrace& shown() const { return shown_; }
+    [[nodiscard]] const TickTrace& shown() const { return shown_.trace; }
+    /// That of the other recording, if there is one.
+    [[nodiscard]] const std::optional<Recorded>& shownOther() const { return shownOther_; }
     [[nodiscard]] QWidget& plots() { return *plots_; }
     /// Takes over a changed palette or font.
     void setColours();
@@ -41,6 +52,8 @@ protected:
 private:
     struct Plot {
         QLineSeries* line;
+        QLineSeries* otherLine;  // without points while there is no other recording
+        QColor colour;           // of a single line
         QValueAxis* time;
         QValueAxis* value;
         double smallestRange;  // of the value axis, so that noise does not fill the plot
@@ -52,13 +65,15 @@ private:
     void fitTicks();
     Plot addPlot(const QString& title, const QString& tip, const QColor& colour, double smallestRange);
     [[nodiscard]] std::array<Plot, kPlots> all() const { return {cavity_, depth_, speed_, force_}; }
-    static void draw(Plot& plot, const TickTrace& trace, double TickTrace::Point::*what);
+    void drawAll();
+    void draw(Plot& plot, double TickTrace::Point::*what) const;
 
     QWidget* plots_;
     QToolButton* pause_;
     QSpinBox* stretch_;  // s
     Plot cavity_, depth_, speed_, force_;
-    TickTrace shown_;
+    Recorded shown_;
+    std::optional<Recorded> shownOther_;
     bool flat_ = false;  // the drawn trace is flat
 };
 

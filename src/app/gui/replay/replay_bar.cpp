@@ -2,32 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/replay/replay_bar.h"
 
+#include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QShortcut>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/gui/keys/key_binding.h"
+#include "app/gui/panels/elided_label.h"
+#include "app/gui/replay/clock_text.h"
 #include "app/gui/replay/replay_cursor.h"
 
 namespace tactooth {
-namespace {
-
-/// 3:07.25
-QString clockText(double time) {
-    const auto hundredths = static_cast<qlonglong>(time * 100);
-    return QString("%1:%2.%3")
-        .arg(hundredths / 6000)
-        .arg(hundredths / 100 % 60, 2, 10, QChar('0'))
-        .arg(hundredths % 100, 2, 10, QChar('0'));
-}
-
-}  // namespace
-
 ReplayBar::ReplayBar(QWidget* parent)
     : QWidget(parent), slider_(new ReplaySlider), time_(new QLabel), speeds_(new QComboBox), note_(new QLabel) {
     setObjectName("replayBar");
@@ -53,7 +45,7 @@ ReplayBar::ReplayBar(QWidget* parent)
     addSpeeds();
     addComments();
     compare_ =
-        addButton("replayCompare", tr("Compare…"), tr("Shows another recording as a blue ghost in this one"), {});
+        addButton("replayCompare", tr("Compare…"), tr("Opens another recording to compare with, or closes it"), {});
     compare_->setCheckable(true);
     connect(compare_, &QToolButton::clicked, this, &ReplayBar::compareToggled);
     note_->setObjectName("replayNote");
@@ -63,6 +55,9 @@ ReplayBar::ReplayBar(QWidget* parent)
     connect(addButton("replayLeave", tr("Leave replay"), tr("Back to the tooth as it was"), KeyId::ReplayLeave),
             &QToolButton::clicked, this, &ReplayBar::leaveWanted);
 
+    otherRow_ = makeOtherRow();
+    rows->addWidget(otherRow_);
+    showOther({}, 0);
     time_->setObjectName("replayClock");
     connect(slider_, &ReplaySlider::timeChosen, this, &ReplayBar::timeChosen);
 }
@@ -99,8 +94,50 @@ void ReplayBar::addComments() {
     connect(comment, &QToolButton::clicked, this, &ReplayBar::commentWanted);
 }
 
-void ReplayBar::show(const ReplayCursor& cursor, double ready) {
-    slider_->setLength(cursor.length(), ready);
+/// What belongs to the other recording.
+QWidget* ReplayBar::makeOtherRow() {
+    auto* widget = new QWidget;
+    auto* row = new QHBoxLayout(widget);
+    row->setContentsMargins(0, 0, 0, 0);
+    otherName_ = new ElidedLabel;
+    otherName_->setObjectName("replayOtherName");
+    auto* label = new QLabel(tr("&begins later by"));
+    constexpr double kMost = 3600, kStep = 0.1;  // s
+    shift_ = new QDoubleSpinBox;
+    shift_->setObjectName("replayShift");
+    shift_->setRange(-kMost, kMost);
+    shift_->setSingleStep(kStep);
+    shift_->setDecimals(2);
+    shift_->setSuffix(tr(" s"));
+    shift_->setKeyboardTracking(false);  // a typed number counts when it is complete
+    shift_->setToolTip(tr("How much later the other recording begins on the time line; negative: earlier"));
+    shift_->setAccessibleName(shift_->toolTip());
+    label->setBuddy(shift_);
+    auto* align = new QToolButton;
+    align->setObjectName("replayAlign");
+    align->setText(tr("At the first touch"));
+    align->setToolTip(tr("Shifts the other recording so that both touch the tooth first at the same moment"));
+    align->setAccessibleName(align->toolTip());
+    row->addWidget(otherName_, 1);
+    row->addWidget(label);
+    row->addWidget(shift_);
+    row->addWidget(align);
+    connect(shift_, &QDoubleSpinBox::valueChanged, this, &ReplayBar::shiftChosen);
+    connect(align, &QToolButton::clicked, this, &ReplayBar::alignWanted);
+    return widget;
+}
+
+void ReplayBar::addSideBySide(QAction& action) {
+    auto* button = new QToolButton;
+    button->setObjectName("replaySideBySideButton");
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setDefaultAction(&action);
+    auto* row = static_cast<QBoxLayout*>(layout()->itemAt(1)->layout());
+    row->insertWidget(row->indexOf(compare_) + 1, button);
+}
+
+void ReplayBar::show(const ReplayCursor& cursor) {
+    slider_->setLength(cursor.length(), cursor.ready());
     slider_->show(cursor.time());
     const QString text = QString("%1 / %2").arg(clockText(cursor.time()), clockText(cursor.length()));
     if (text != time_->text()) time_->setText(text);
@@ -114,6 +151,12 @@ void ReplayBar::showNote(const QString& text) {
     note_->setToolTip(text.toHtmlEscaped());
 }
 
-void ReplayBar::setCompares(bool compares) { compare_->setChecked(compares); }
+void ReplayBar::showOther(const QString& name, double shift) {
+    compare_->setChecked(!name.isEmpty());
+    otherRow_->setVisible(!name.isEmpty());
+    otherName_->setText(tr("Other recording: %1").arg(name));
+    const QSignalBlocker quiet(shift_);
+    shift_->setValue(shift);
+}
 
 }  // namespace tactooth

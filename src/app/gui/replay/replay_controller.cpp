@@ -26,6 +26,7 @@
 #include "app/gui/replay/replay_trace.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
+#include "geometry/files/file_bytes.h"
 
 namespace tactooth {
 namespace {
@@ -34,6 +35,10 @@ constexpr int kStepMs = 16;           // 60 steps a second
 constexpr int kNumbersMs = 100;       // ten times a second
 constexpr double kLongestStep = 0.1;  // s: after a stall the replay goes on where it was
 constexpr double kSameTime = 1e-6;    // s: less than a tick
+
+PlotPanel::Recorded recordedUpTo(const SessionTrack& track, double time) {
+    return {traceBefore(track, track.momentAt(time)), std::max(0.0, time - track.seconds())};
+}
 
 }  // namespace
 
@@ -47,10 +52,12 @@ ReplayController::ReplayController(QMainWindow& window, SessionModel& model, con
       messages_(messages),
       files_(files),
       updater_(updater),
-      sound_(sound) {
+      sound_(sound),
+      comparison_(messages, files) {
     connect(&timer_, &QTimer::timeout, this, &ReplayController::step);
     connect(&numbers_, &QTimer::timeout, this, &ReplayController::showNumbers);
     connect(panels_.inspection, &InspectionPanel::changed, this, &ReplayController::showInspection);
+    connect(&comparison_, &ReplayComparison::changed, this, &ReplayController::showComparison);
     connect(&mode_, &ExaminationMode::changed, this, [this] {
         opening_.cancel();
         if (!mode_.allowsReplay() && isActive()) leave();
@@ -58,7 +65,9 @@ ReplayController::ReplayController(QMainWindow& window, SessionModel& model, con
 }
 
 ReplayController::~ReplayController() {
-    if (panel_ != nullptr) panel_->view().setContents({});  // they are this object's
+    if (panel_ == nullptr) return;
+    panel_->removeOther();
+    panel_->view().setContents({});  // they are this object's
 }
 
 void ReplayController::askForRecording() {
@@ -69,38 +78,31 @@ void ReplayController::askForRecording() {
 void ReplayController::openAt(const QString& file, double time) {
     if (!mode_.allowsReplay()) return messages_.setHint(tr("Recordings can be opened when the examination is over"));
     openedAt_ = time;
+    openingOther_.clear();
     files_.enterFolderOf(file);
     messages_.setHint(tr("Opening recording %1…").arg(file));
     opening_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
     timer_.start(kStepMs);
 }
 
-void ReplayController::openGhost(const QString& file) {
-    files_.enterFolderOf(file);
-    openingGhost_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
-}
-
-void ReplayController::removeGhost() {
-    ghost_.reset();
-    openingGhost_.cancel();
-    if (panel_ != nullptr) panel_->bar().setCompares(false);
+void ReplayController::openTwo(const QString& file, const QString& other) {
+    open(file);
+    openingOther_ = other;
 }
 
 void ReplayController::pollOpening() {
     if (auto opened = opening_.poll()) {
         if (*opened) {
             enter(std::move(**opened));
+            const QString other = std::exchange(openingOther_, {});
+            if (!other.isEmpty()) comparison_.open(other, comparison_.usualWay());
         } else {
             messages_.setHint({});
             messages_.showError(opened->error());
             if (!isActive()) emit left();
         }
     }
-    if (auto opened = openingGhost_.poll(); opened && isActive()) {
-        if (*opened) ghost_ = std::move(**opened);
-        if (!*opened) messages_.showError(opened->error());
-        panel_->bar().setCompares(ghost_ != nullptr);
-    }
+    comparison_.poll();
     if (!isActive() && !isLoading()) timer_.stop();
 }
 
@@ -109,8 +111,10 @@ void ReplayController::makePanel() {
     static_cast<QStackedWidget*>(window_.centralWidget())->addWidget(panel_);
     comments_ = std::make_unique<ReplayCommentMenu>(panel_->bar().commentMenu(), messages_, window_);
     panel_->view().setContents([this](bool withTurbine, bool) { return contents(withTurbine); });
+    panel_->bar().addSideBySide(comparison_.sideBySideAction());
+    connect(&panel_->first(), &ReplayPicture::closeWanted, this, &ReplayController::closeFirst);
     connectBar();
-    emit panelMade();
+    emit pictureMade();
 }
 
 void ReplayController::connectBar() {
@@ -121,7 +125,9 @@ void ReplayController::connectBar() {
     connect(&bar, &ReplayBar::stepped, this, [this](int ticks) { cursor_->step(ticks); });
     connect(&bar, &ReplayBar::nextWanted, this, [this] { cursor_->jumpToNext(markTimes()); });
     connect(&bar, &ReplayBar::previousWanted, this, [this] { cursor_->jumpToPrevious(markTimes()); });
-    connect(&bar, &ReplayBar::compareToggled, this, &ReplayController::toggleGhost);
+    connect(&bar, &ReplayBar::compareToggled, &comparison_, &ReplayComparison::toggle);
+    connect(&bar, &ReplayBar::shiftChosen, &comparison_, &ReplayComparison::setShift);
+    connect(&bar, &ReplayBar::alignWanted, &comparison_, &ReplayComparison::align);
     connect(&bar, &ReplayBar::leaveWanted, this, &ReplayController::leave);
     connect(&bar, &ReplayBar::commentWanted, this, [this] {
         cursor_->setPlaying(false);
@@ -141,9 +147,9 @@ void ReplayController::enter(Opened source) {
         updater_.setReplaying(true);
         setLocked(true);
     }
-    removeGhost();
     source_ = std::move(source);
     cursor_.emplace(source_->track());
+    comparison_.setFirst(source_->track());
     cursor_->jumpTo(openedAt_);
     shownEvents_ = 0;
     reportedEnd_ = false;
@@ -161,7 +167,7 @@ void ReplayController::enter(Opened source) {
 void ReplayController::leave() {
     if (!isActive()) return;
     numbers_.stop();
-    removeGhost();
+    comparison_.setFirst(nullptr);
     static_cast<QStackedWidget*>(window_.centralWidget())->setCurrentWidget(panels_.view);
     cursor_.reset();
     source_.reset();
@@ -195,20 +201,66 @@ void ReplayController::step() {
     if (!isActive()) return;
     if (isOtherToothOnTheBench() && !hadNoTooth) return leave();
     cursor_->advance(std::min(static_cast<double>(sinceStep_.restart()) / 1000, kLongestStep));
+    panel_->coupleCameras();
     panel_->view().refresh();
-    panel_->bar().show(*cursor_, source_->track()->seconds());
+    panel_->first().showTime(cursor_->time(), lengthOf(*source_->track()));
+    if (ReplayPicture* other = panel_->other()) {
+        other->view().refresh();
+        other->showTime(cursor_->otherTime(), lengthOf(*comparison_.source()->track()));
+    }
+    panel_->bar().show(*cursor_);
     comments_->setTime(cursor_->time());
     playSound();
 }
 
 SceneContents ReplayController::contents(bool withTurbine) {
     if (!isActive()) return {};
-    const HandpieceMeshes handpieces = withTurbine ? panel_->handpieces() : HandpieceMeshes();
+    const HandpieceMeshes handpieces = withTurbine ? panel_->first().handpieces() : HandpieceMeshes();
     SceneContents contents = source_->contentsAt(cursor_->moment(), handpieces);
-    if (ghost_ == nullptr) return contents;
-    SceneContents other = ghost_->contentsAt(ghost_->track()->momentAt(cursor_->time()), handpieces);
+    if (!comparison_.isGhost()) return contents;
+    SceneContents other = comparison_.source()->contentsAt(cursor_->otherMoment(), handpieces);
     contents.other = ShownOther{std::move(other.tooth), std::move(other.tool)};
     return contents;
+}
+
+/// Of the picture beside the first.
+SceneContents ReplayController::otherContents(bool withTurbine) {
+    if (!isActive() || !comparison_.isSideBySide()) return {};
+    return comparison_.source()->contentsAt(cursor_->otherMoment(),
+                                            withTurbine ? panel_->first().handpieces() : HandpieceMeshes());
+}
+
+void ReplayController::showComparison() {
+    if (!isActive()) return;
+    const Opened& other = comparison_.source();
+    if (other != nullptr) {
+        cursor_->setOther(other->track(), comparison_.shift());
+    } else {
+        cursor_->removeOther();
+    }
+    panel_->bar().showOther(
+        other != nullptr ? QString::fromStdString(displayName(other->file().filename())) : QString(),
+        comparison_.shift());
+    if (std::exchange(besides_, comparison_.isSideBySide() ? other : nullptr) == besides_) return;
+    if (besides_ == nullptr) return panel_->removeOther();
+    panel_->addOther(*besides_);
+    panel_->other()->view().setContents([this](bool withTurbine, bool) { return otherContents(withTurbine); });
+    connect(panel_->other(), &ReplayPicture::closeWanted, &comparison_, &ReplayComparison::close);
+    showInspection();
+    emit pictureMade();
+}
+
+/// The other recording becomes the only one, at its own time and seen from where it was.
+void ReplayController::closeFirst() {
+    if (!comparison_.isSideBySide()) return;
+    const OrbitCamera camera = panel_->view().orbitCamera();
+    const bool isPlaying = cursor_->isPlaying();
+    const double speed = cursor_->speed();
+    openedAt_ = cursor_->otherTime();
+    enter(comparison_.release());
+    cursor_->setPlaying(isPlaying);
+    cursor_->setSpeed(speed);
+    panel_->view().setOrbitCamera(camera);
 }
 
 void ReplayController::showMarks() {
@@ -244,18 +296,27 @@ void ReplayController::showNumbers() {
     if (const std::size_t events = track.events().size(); events != std::exchange(shownEvents_, events)) showMarks();
     showNote();
     const std::uint64_t moment = cursor_->moment();
-    panels_.plots->show(traceBefore(track, moment));
+    if (const Opened& other = comparison_.source()) {
+        panels_.plots->show(recordedUpTo(track, cursor_->time()), recordedUpTo(*other->track(), cursor_->otherTime()));
+    } else {
+        panels_.plots->show(traceBefore(track, moment));
+    }
     panels_.drive->show(track.tickBefore(moment).tick());
     if (track.isFinished() && !std::exchange(reportedEnd_, true)) reportEnd();
 }
 
 void ReplayController::showInspection() {
     if (!isActive()) return;
-    Inspection inspection = panels_.inspection->inspection(source_->uncut()->tooth().outer()->tree().box(), 1,
-                                                           source_->uncut()->tooth().materials());
+    inspect(*source_, panel_->view());
+    if (besides_ != nullptr) inspect(*besides_, panel_->other()->view());
+}
+
+void ReplayController::inspect(const ReplaySource& source, ToothView& view) {
+    const LayeredTooth& tooth = source.uncut()->tooth();
+    Inspection inspection = panels_.inspection->inspection(tooth.outer()->tree().box(), 1, tooth.materials());
     inspection.distances.reset();  // they belong to the tooth on the bench
     inspection.ghost.reset();
-    panel_->view().setInspection(inspection, panels_.inspection->stereo());
+    view.setInspection(inspection, panels_.inspection->stereo());
 }
 
 void ReplayController::reportEnd() {
@@ -281,15 +342,6 @@ void ReplayController::playSound() {
     DrillSoundState heard = tickSound_->at(source_->track()->tickBefore(moment).tick());
     model_.instruments().muteIdle(heard);
     sound_.publish(heard);
-}
-
-void ReplayController::toggleGhost() {
-    if (ghost_ != nullptr) return removeGhost();
-    panel_->bar().setCompares(false);  // until it is there
-    files_.open(tr("Compare with another recording"), tr("Recorded sessions (*.ttsession);;All files (*)"),
-                [this](const QString& file) {
-                    if (isActive()) openGhost(file);
-                });
 }
 
 }  // namespace tactooth

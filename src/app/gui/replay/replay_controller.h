@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/gui/controllers/window_panels.h"
+#include "app/gui/replay/replay_comparison.h"
 #include "app/gui/replay/replay_cursor.h"
 #include "app/gui/replay/replay_source.h"
 #include "session/audio/tick_sound.h"
@@ -24,6 +25,7 @@ class FileDialogs;
 class PanelUpdater;
 class ReplayCommentMenu;
 class ReplayPanel;
+class ToothView;
 class WindowMessages;
 
 /// Replays recordings in the window: opens them, plays them, and leads back to the tooth on the bench, which waits
@@ -42,24 +44,25 @@ public:
     void open(const QString& file) { openAt(file, 0); }
     /// Shows the recording from this time on, s.
     void openAt(const QString& file, double time);
-    /// Shows another recording as a ghost in this one.
-    void openGhost(const QString& file);
-    void removeGhost();
+    /// Shows a recording and, as soon as it is there, another one to compare with.
+    void openTwo(const QString& file, const QString& other);
     void leave();
 
     [[nodiscard]] bool isActive() const { return source_ != nullptr; }
     /// A recording is being opened.
-    [[nodiscard]] bool isLoading() const { return opening_.isBusy() || openingGhost_.isBusy(); }
+    [[nodiscard]] bool isLoading() const { return opening_.isBusy() || comparison_.isOpening(); }
     /// While a recording is shown; else null.
     [[nodiscard]] ReplayPanel* panel() const { return isActive() ? panel_ : nullptr; }
     [[nodiscard]] ReplaySource* source() const { return source_.get(); }
-    [[nodiscard]] ReplaySource* ghost() const { return ghost_.get(); }
+    /// The other recording, which is compared with this one.
+    [[nodiscard]] ReplayComparison& comparison() { return comparison_; }
+    [[nodiscard]] const ReplayComparison& comparison() const { return comparison_; }
     /// While a recording is shown.
     [[nodiscard]] ReplayCursor& cursor() { return *cursor_; }
 
 signals:
-    /// The panel is there; it is made for the first recording.
-    void panelMade();
+    /// A picture has been made, and does not know the keys yet.
+    void pictureMade();
     /// No recording is shown any more, or it could not be opened.
     void left();
 
@@ -74,13 +77,16 @@ private:
     void setLocked(bool locked);
     [[nodiscard]] bool isOtherToothOnTheBench();
     [[nodiscard]] SceneContents contents(bool withTurbine);
+    [[nodiscard]] SceneContents otherContents(bool withTurbine);
+    void showComparison();
+    void closeFirst();
     void showMarks();
     void showNote();
     void showNumbers();
     void showInspection();
+    void inspect(const ReplaySource& source, ToothView& view);
     void reportEnd();
     void playSound();
-    void toggleGhost();
     [[nodiscard]] std::vector<double> markTimes() const;
 
     QMainWindow& window_;
@@ -91,10 +97,13 @@ private:
     FileDialogs& files_;
     PanelUpdater& updater_;
     SoundOutput& sound_;
-    Task<Opened> opening_, openingGhost_;
+    Task<Opened> opening_;
+    QString openingOther_;  // file of the other recording that is opened with it, or empty
+    ReplayComparison comparison_;
     ReplayPanel* panel_ = nullptr;  // made when it is needed first; the window owns it
     std::unique_ptr<ReplayCommentMenu> comments_;
-    Opened source_, ghost_;
+    Opened source_;
+    Opened besides_;  // the other recording that has a picture of its own
     std::optional<ReplayCursor> cursor_;
     std::shared_ptr<CutModel> bench_;  // the tooth on the bench when the replay began
     bool wasPaused_ = false;           // the simulation, before the replay began

@@ -116,7 +116,7 @@ const JoystickState* GamepadNavigation::find(const std::vector<JoystickState>& j
 
 bool GamepadNavigation::step(double dt) {
     if (joysticks_ == nullptr) return false;
-    if (control_ != nullptr && (!control_->isVisible() || window_.focusWidget() == &view_)) control_ = nullptr;
+    if (control_ != nullptr && (!control_->isVisible() || window_.focusWidget() == &shownView())) control_ = nullptr;
     const std::vector<JoystickState> joysticks = joysticks_->states();
     const JoystickState* const pad = find(joysticks);
     const PadButtons now = pad != nullptr ? pad->padButtons : PadButtons();
@@ -250,7 +250,16 @@ void GamepadNavigation::pressInPanel(PadButton button) {
     }
 }
 
-/// Tool bars and docks that have controls; docks behind others count too.
+/// The picture in the middle of the window: in a replay it is that of the recording.
+ToothView& GamepadNavigation::shownView() const {
+    if (view_.isVisible()) return view_;
+    for (auto* const view : window_.findChildren<ToothView*>()) {
+        if (view->isVisible() && view->window() == &window_) return *view;
+    }
+    return view_;
+}
+
+/// Tool bars and docks that have controls, and the controls below a recording; docks behind others count too.
 std::vector<QWidget*> GamepadNavigation::panels() const {
     std::vector<QWidget*> all;
     const auto add = [&all](QWidget* panel) {
@@ -258,6 +267,8 @@ std::vector<QWidget*> GamepadNavigation::panels() const {
     };
     for (auto* const bar : window_.findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly)) add(bar);
     for (auto* const dock : window_.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) add(dock);
+    auto* const replay = window_.findChild<QWidget*>("replayBar");
+    if (replay != nullptr && replay->isVisible()) add(replay);
     return all;
 }
 
@@ -276,7 +287,7 @@ void GamepadNavigation::enterPanels() {
 
 void GamepadNavigation::leavePanels() {
     control_ = nullptr;
-    view_.setFocus();
+    shownView().setFocus();
 }
 
 void GamepadNavigation::goToPanel(int direction) {
@@ -318,9 +329,9 @@ void GamepadNavigation::repeatArrow(const PadButtons& now, double dt) {
 void GamepadNavigation::orbitBy(const PadButtons& now, double dt) {
     using enum PadButton;
     const Vec2 direction = kOrbitSpeed * dt * Vec2(axis(now, Left, Right), axis(now, Up, Down));
-    if (!direction.isZero(0)) view_.orbitBy(direction, now.isDown(RightShoulder));
+    if (!direction.isZero(0)) shownView().orbitBy(direction, now.isDown(RightShoulder));
     const double nearer = axis(now, LeftStick, RightStick);
-    if (nearer != 0) view_.zoomBy(std::pow(kNearer, nearer * dt));
+    if (nearer != 0) shownView().zoomBy(std::pow(kNearer, nearer * dt));
 }
 
 }  // namespace tactooth

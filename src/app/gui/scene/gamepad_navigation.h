@@ -47,6 +47,7 @@ private:
     void goToControl(int direction);
     void goToPanel(int direction);
     void take(QWidget& control);
+    [[nodiscard]] ToothView& shownView() const;
     [[nodiscard]] std::vector<QWidget*> panels() const;
     [[nodiscard]] QWidget* panelOf(const QWidget& control) const;
     [[nodiscard]] QWidget* frontWidget() const;

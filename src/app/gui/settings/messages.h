@@ -34,6 +34,9 @@ inline constexpr MessageText kOptionViewCube{
     "option_view_cube", "Cube that shows and chooses the side from which one looks", "見る向きを示し、選べるキューブ"};
 inline constexpr MessageText kOptionViewMagnifier{"option_view_magnifier", "Magnifier of the bur's head",
                                                   "バーの頭部の拡大鏡"};
+inline constexpr MessageText kOptionViewSideBySide{
+    "option_view_side_by_side", "Shows the second of two recordings beside the first, not as a ghost in it",
+    "2つ目の記録を、半透明で重ねずに隣に表示する"};
 inline constexpr MessageText kOptionMirrorSize{"option_mirror_size", "Size number of the mirror (18, 22 or 24 mm)",
                                                "ミラーのサイズ番号（18、22、24 mm）"};
 inline constexpr MessageText kOptionMirrorFogged{"option_mirror_fogged", "Fog on the mirror's glass", "ミラーの曇り"};

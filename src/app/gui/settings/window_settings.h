@@ -126,7 +126,8 @@ struct WindowSettings {
     bool recordsSessions = true;      ///< keeps a recording of each session
     double recordingGigabytes = 2;    ///< of all recordings together
     ViewAids aids;
-    std::string ownKeys;  ///< see KeyMap::ownText
+    bool sideBySide = false;  ///< a second recording is shown beside the first, not as a ghost in it
+    std::string ownKeys;      ///< see KeyMap::ownText
 };
 
 /// The pages of the dialog with the settings.

@@ -68,10 +68,12 @@ MainWindow::MainWindow(SoundOutput& sound)
     connect(&devices_, &DeviceController::userActive, &loop_, &StepLoop::wake);
     connect(&menus_.file(), &FileMenu::settingsWanted, this, &MainWindow::editSettings);
     connect(&menus_.file(), &FileMenu::keysWanted, &keys_, &KeyController::edit);
-    connect(&replay_, &ReplayController::panelMade, &keys_, &KeyController::apply);
+    connect(&replay_, &ReplayController::pictureMade, &keys_, &KeyController::apply);
     connect(&keys_, &KeyController::changed, &hints_, &WindowHints::showUsual);
     connect(&menus_.file(), &FileMenu::recordingWanted, &replay_, &ReplayController::askForRecording);
     connect(&teeth_, &ToothController::recordingChosen, &replay_, &ReplayController::open);
+    connect(&teeth_, &ToothController::twoRecordingsChosen, &replay_, &ReplayController::openTwo);
+    menus_.addReplayEntry(replay_.comparison().sideBySideAction());
     connect(&menus_.exercise(), &ExerciseMenu::newExerciseWanted, &editor_, &EditorController::beginNew);
     connect(&menus_.exercise(), &ExerciseMenu::copyWanted, &editor_, &EditorController::askForCopy);
     connect(&editor_, &EditorController::panelMade, &docks_, &DockLayout::fitLater);
@@ -219,6 +221,7 @@ void MainWindow::apply(const WindowSettings& settings) {
     devices_.apply(hand);
     sounds_.restore(settings);
     recordings_.restore(settings);
+    replay_.comparison().restore(settings);
     exercise_.addOwn();
 }
 
@@ -235,6 +238,7 @@ WindowSettings MainWindow::settings() const {
     keys_.store(settings);
     sounds_.store(settings);
     recordings_.store(settings);
+    replay_.comparison().store(settings);
     return settings;
 }
 
@@ -246,6 +250,7 @@ void MainWindow::change(const WindowSettings& wanted) {
     };
     panels_.drill->choose(changed(now.bur, wanted.bur), changed(now.spindle, wanted.spindle));
     menus_.restore(wanted);
+    replay_.comparison().restore(wanted);
     if (wanted.force != now.force) panels_.force->set(wanted.force);
     devices_.change(wanted.hand);
     sounds_.change(wanted);

@@ -4,33 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gui/replay/ready_track.h"
 #include "app/gui/replay/replay_trace.h"
-#include "support/materials.h"
-#include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 1.0 / 1024;  // s; sums are exact
-
-/// A track without cuts: `ready` ticks of a recording of `seconds`.
-std::shared_ptr<SessionTrack> trackOf(std::uint64_t ready, double seconds) {
-    auto tooth = LayeredTooth::make(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 0)), {}, test::kDentin);
-    const CutModel model(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.1);
-    auto track = std::make_shared<SessionTrack>(model, seconds);
-    for (std::uint64_t first = 0; first < ready; first += TrackChunk::kTicks) {
-        TrackChunk chunk;
-        for (std::uint64_t i = first; i < std::min(ready, first + TrackChunk::kTicks); ++i) {
-            TrackTick tick;
-            tick.time = kTick * static_cast<double>(i + 1);
-            tick.depth = tick.time / 100;
-            tick.force = {0, 0, tick.time};
-            chunk.ticks.push_back(tick);
-        }
-        track->append(std::move(chunk));
-    }
-    return track;
-}
+using test::trackOf;
 
 TEST(ReplayCursor, PlaysAtItsSpeedAndPausesAtTheEnd) {
     const auto track = trackOf(4096, 4);
@@ -122,6 +102,63 @@ TEST(ReplayCursor, JumpsFromMarkToMark) {
     cursor.advance(0.2);
     cursor.jumpToPrevious(marks);
     EXPECT_EQ(cursor.time(), 0.5);
+}
+
+TEST(ReplayCursor, LeadsTwoRecordingsThroughOneTime) {
+    const auto track = trackOf(2048, 2), other = trackOf(4096, 4);
+    track->finish({}, {});
+    other->finish({}, {});
+    ReplayCursor cursor(track);
+    cursor.setPlaying(false);
+    cursor.setOther(other, 0.5);
+    EXPECT_EQ(cursor.length(), 4.5);
+    cursor.jumpTo(0.25);
+    EXPECT_EQ(cursor.moment(), 256U);
+    EXPECT_EQ(cursor.otherMoment(), 0U);  // it has not begun
+    cursor.jumpTo(1);
+    EXPECT_EQ(cursor.moment(), 1024U);
+    EXPECT_EQ(cursor.otherTime(), 0.5);
+    EXPECT_EQ(cursor.otherMoment(), 512U);
+    cursor.step(1);
+    EXPECT_EQ(cursor.moment(), 1025U);
+    EXPECT_EQ(cursor.otherMoment(), 513U);
+    cursor.jumpTo(2);
+    cursor.step(1);  // the first has ended
+    EXPECT_EQ(cursor.moment(), 2048U);
+    EXPECT_EQ(cursor.otherMoment(), 1537U);
+    cursor.step(-1);
+    EXPECT_EQ(cursor.otherMoment(), 1536U);
+    cursor.step(-1);
+    EXPECT_EQ(cursor.moment(), 2047U);
+    cursor.jumpTo(99);
+    EXPECT_EQ(cursor.otherMoment(), 4096U);
+    cursor.step(1);
+    EXPECT_EQ(cursor.time(), 4.5);
+    cursor.setOther(other, -1);  // it begins before the first
+    EXPECT_EQ(cursor.length(), 3);
+    EXPECT_EQ(cursor.time(), 3);
+    cursor.jumpTo(0);
+    EXPECT_EQ(cursor.otherMoment(), 1024U);
+    cursor.removeOther();
+    EXPECT_EQ(cursor.length(), 2);
+}
+
+TEST(ReplayCursor, WaitsForTheSlowerOfTwoTracks) {
+    const auto track = trackOf(2048, 2), other = trackOf(1000, 4);
+    track->finish({}, {});
+    ReplayCursor cursor(track);
+    cursor.setOther(other, 0.5);
+    EXPECT_EQ(cursor.ready(), 0.5 + 1000.0 / 1024);
+    cursor.advance(9);
+    EXPECT_EQ(cursor.time(), cursor.ready());
+    EXPECT_TRUE(cursor.isPlaying());
+    other->append(TrackChunk(*trackOf(1000, 1)->chunkAt(0)));
+    other->finish({}, {});
+    cursor.advance(9);
+    EXPECT_FALSE(cursor.isPlaying());
+    EXPECT_EQ(cursor.time(), cursor.length());
+    cursor.setPlaying(true);  // from the start again
+    EXPECT_EQ(cursor.time(), 0);
 }
 
 TEST(ReplayTrace, ShowsTheSecondsBeforeTheMoment) {

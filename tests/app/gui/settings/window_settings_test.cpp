@@ -49,6 +49,7 @@ WindowSettings unusual() {
             .recordsSessions = false,
             .recordingGigabytes = 12.5,
             .aids = {.glass = false, .scaleBar = false, .letters = false, .cube = false, .magnifier = true},
+            .sideBySide = true,
             .ownKeys = "touch = F11\nfly = F12"};
 }
 
@@ -83,6 +84,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.recordsSessions, b.recordsSessions);
     EXPECT_EQ(a.recordingGigabytes, b.recordingGigabytes);
     EXPECT_EQ(a.aids, b.aids);
+    EXPECT_EQ(a.sideBySide, b.sideBySide);
     EXPECT_EQ(a.ownKeys, b.ownKeys);
 }
 
