@@ -21,6 +21,7 @@
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "devices/virtual_pad.h"
+#include "track/recorded_strokes.h"
 
 namespace tactooth {
 namespace {
@@ -48,6 +49,7 @@ private slots:
     void aParameterIsChangedInAPanel();
     void aDialogIsReadAndLeft();
     void aFileIsAskedForByADialogThatThePadReaches();
+    void twoRecordingsAreComparedByThePad();
     void withTheMouseThePadOpensNothing();
     void cleanupTestCase();
 
@@ -340,6 +342,45 @@ void PadSessionTest::aFileIsAskedForByADialogThatThePadReaches() {
     QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
+}
+
+void PadSessionTest::twoRecordingsAreComparedByThePad() {
+    for (const unsigned seed : {1U, 2U}) {
+        (void)test::RecordedStrokes{.seconds = 2, .seed = seed, .resetAt = 99}.writeTo(
+            folder_ / (std::to_string(seed) + ".ttsession"));
+    }
+    ReplayController& replay = window_->replay();
+    replay.open(QString::fromStdString(folder_ / "1.ttsession"));
+    QTRY_VERIFY_WITH_TIMEOUT(replay.isActive(), kLoadPatience);
+    choose(&replay.comparison().sideBySideAction());
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() != nullptr, kPatience);
+    press(SDL_CONTROLLER_BUTTON_START);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
+    replay.comparison().open(QString::fromStdString(folder_ / "2.ttsession"), ReplayComparison::Way::SideBySide);
+    QTRY_VERIFY_WITH_TIMEOUT(replay.comparison().isSideBySide(), kLoadPatience);
+    replay.cursor().setPlaying(false);
+
+    const auto azimuth = [this](const char* view) {
+        return window_->findChild<ToothView*>(view)->orbitCamera().direction().azimuth;
+    };
+    const double before = azimuth("replayView");
+    holdUntil(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, [&] { return before - azimuth("replayView") > 0.2; });
+    QTRY_COMPARE_WITH_TIMEOUT(azimuth("replayOtherView"), azimuth("replayView"), kPatience);
+
+    press(SDL_CONTROLLER_BUTTON_BACK);
+    const auto isPlay = [this] { return window_->focusWidget()->objectName() == "replayPlay"; };
+    for (int i = 0; i < 20 && !isPlay(); ++i) {
+        press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
+        for (int k = 0; k < 3 && !isPlay(); ++k) press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    }
+    QVERIFY(isPlay());
+    press(SDL_CONTROLLER_BUTTON_A);
+    QTRY_VERIFY_WITH_TIMEOUT(replay.cursor().isPlaying(), kPatience);
+    press(SDL_CONTROLLER_BUTTON_B);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->focusWidget()->objectName(), QString("replayView"), kPatience);
+    replay.leave();
+    QTRY_VERIFY_WITH_TIMEOUT(view().isVisible() && window_->model().runner() != nullptr, kPatience);
+    view().setFocus();
 }
 
 void PadSessionTest::withTheMouseThePadOpensNothing() {
