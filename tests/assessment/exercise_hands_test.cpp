@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the rubric of each built-in exercise makes of hands of three levels: real contact, real cutting, simulated time.
-// TACTOOTH_HANDS=20 takes 20 hands of each level.
+// TACTOOTH_HANDS=20 takes 20 hands of each level, and beginners, too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::vector<double> marksOf(const StudyScene& scene, const Rubric& rubric, HandL
     return marks;
 }
 
-TEST_P(EachExercise, PutsAnExpertsHandBeforeABeginners) {
+TEST_P(EachExercise, PutsAnExpertsHandFirst) {
     const auto study = scene();
     if (!study && std::get<PreparationPlan>(exercise_.ideal).crown) GTEST_SKIP() << study.error().message();
     ASSERT_TRUE(study) << study.error().message();
@@ -71,17 +71,18 @@ TEST_P(EachExercise, PutsAnExpertsHandBeforeABeginners) {
     const std::vector<double> expert = marksOf(*study, *rubric, HandLevel::Expert);
     std::cout << ", student";
     const std::vector<double> student = marksOf(*study, *rubric, HandLevel::Student);
-    std::cout << ", beginner";
-    const std::vector<double> beginner = marksOf(*study, *rubric, HandLevel::Beginner);
     std::cout << std::endl;
     EXPECT_GE(expert.back(), 90);
     EXPECT_GE(student.back(), 60);
+    // A student's hand goes a little deeper: where the floor is all, as in a pit, that is no worse.
+    EXPECT_GT(expert.back(), student.front() - 5);
+    if (handsOfEach() < 2) return;  // the bad ones take as long
+    std::cout << "  beginner";
+    const std::vector<double> beginner = marksOf(*study, *rubric, HandLevel::Beginner);
+    std::cout << std::endl;
     EXPECT_LE(beginner.front(), 85);
-    // Never does a beginner come before an expert. A student's hand goes a little deeper: where the floor is all, as in
-    // a pit, that is no worse.
     EXPECT_GT(expert.back(), beginner.front() + 5);
     EXPECT_GT(student.back(), beginner.front());
-    EXPECT_GT(expert.back(), student.front() - 5);
 }
 
 std::string idOfExercise(const ::testing::TestParamInfo<std::shared_ptr<const Exercise>>& one) {
