@@ -70,17 +70,19 @@ TEST(CrownAnatomy, IsNotFartherFromMeasuredTeethThanItsLimits) {
     }
 }
 
-/// A lower tooth of one real adult.
+/// A real tooth: a lower one of an adult, or an extracted upper molar.
 struct RealTooth {
     int fdi;
     const char* file;
-    bool mirrored;    ///< it is a tooth of the right side
+    bool mirrored;    ///< it is a tooth of the other side
+    bool lies;        ///< its crown is at +x, not at +z
     double distance;  ///< limit, mm
 };
 
-constexpr RealTooth kRealTeeth[] = {{32, "openmandible/whole/L1_whole.stl", true, 0.14},
-                                    {33, "openmandible/whole/L3_whole.stl", false, 0.21},
-                                    {36, "openmandible/whole/L6_whole.stl", false, 0.21}};
+constexpr RealTooth kRealTeeth[] = {{16, "microct-meshes/tooth_2_outer.stl", false, true, 0.19},
+                                    {32, "openmandible/whole/L1_whole.stl", true, false, 0.14},
+                                    {33, "openmandible/whole/L3_whole.stl", false, false, 0.21},
+                                    {36, "openmandible/whole/L6_whole.stl", false, false, 0.21}};
 
 TEST(CrownAnatomy, IsAsNearToARealToothAsItsLimit) {
     const auto folder = test::realTeethFolder();
@@ -90,6 +92,9 @@ TEST(CrownAnatomy, IsAsNearToARealToothAsItsLimit) {
         if (tooth.mirrored) {
             for (Vec3f& vertex : real.vertices) vertex.x() = -vertex.x();
             for (Triangle& triangle : real.triangles) std::swap(triangle[1], triangle[2]);
+        }
+        if (tooth.lies) {
+            for (Vec3f& vertex : real.vertices) vertex = Vec3f(vertex.y(), vertex.z(), vertex.x());
         }
         constexpr double kFrom = 1.5;  // mm: the crown above its neck
         const TriangleMesh model = makeTooth({tooth.fdi, kTriangles, 0, {}}).outer;
