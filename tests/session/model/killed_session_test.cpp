@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 // kill -9 at random moments of five kinds of work: recording, saving, exporting, autosave and restoring. Whatever was
-// written opens, replays, and lacks no more than it may. TACTOOTH_KILLS sets the number of kills of each kind; 60 are
-// usual, 300 in all.
+// written opens, replays, and lacks no more than it may. TACTOOTH_KILLS sets the number of kills of each kind; 10 are
+// usual.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -169,7 +169,7 @@ const Kind* findKind(std::string_view name) {
 
 int kills() {
     const char* const wanted = std::getenv("TACTOOTH_KILLS");
-    return wanted != nullptr ? std::atoi(wanted) : 60;
+    return wanted != nullptr ? std::atoi(wanted) : 10;
 }
 
 /// Runs this program as one that lives in `folder`. It is a new process: threads do not survive a fork.
