@@ -36,8 +36,8 @@ struct SceneObject {
     /// hold the same shape.
     std::shared_ptr<const AppearanceZones> zones = {};
     bool visible = true;
-    bool closed = true;      ///< the surface has no holes, so back faces need not be drawn
-    bool moves = false;      ///< a tool: its shadow is drawn in each frame, that of other objects only on change
+    bool closed = true;  ///< the surface has no holes, so back faces need not be drawn
+    bool moves = false;  ///< a tool: its shadow is drawn in each frame, that of other objects only on change
     /// Part of an instrument: left out of the second view, where it would hide the tooth. Throws no shadow: an
     /// operating light is several times as wide, so that at its distance from the tooth little is left of a shadow.
     bool handle = false;
