@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the rubric of each built-in exercise makes of hands of three levels: real contact, real cutting, simulated time.
-// TACTOOTH_HANDS=20 takes 20 hands of each level, and beginners, too.
+// It takes minutes, so it runs where TACTOOTH_HANDS says how many hands of each level work; 2 and more: beginners, too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using test::ExerciseScene;
 
 int handsOfEach() {
     const char* wanted = std::getenv("TACTOOTH_HANDS");
-    return wanted != nullptr ? std::atoi(wanted) : 1;
+    return wanted != nullptr ? std::atoi(wanted) : 0;
 }
 
 class EachExercise : public ::testing::TestWithParam<std::shared_ptr<const Exercise>> {
@@ -62,6 +62,7 @@ std::vector<double> marksOf(const StudyScene& scene, const Rubric& rubric, HandL
 }
 
 TEST_P(EachExercise, PutsAnExpertsHandFirst) {
+    if (handsOfEach() < 1) GTEST_SKIP() << "TACTOOTH_HANDS is not set";
     const auto study = scene();
     if (!study && std::get<PreparationPlan>(exercise_.ideal).crown) GTEST_SKIP() << study.error().message();
     ASSERT_TRUE(study) << study.error().message();
