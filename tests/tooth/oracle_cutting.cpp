@@ -18,23 +18,20 @@ constexpr double kVolumeBound = 0.004;  // relative difference of the surface's 
 constexpr double kRounding = 1e-5;
 /// Limits (docs/cutting.md): the fraction of the facets that may intersect another one deeper than kRounding, a few
 /// more in any case, and the depth in voxels. Measured: 1.3e-3 and 0.38. If little of the tooth is left, nearly all
-/// facets are walls of cavities: 3e-3 of a ball of which a twenty-seventh is left, and a depth of 0.41 in 67 crumbs of
-/// a molar.
+/// facets are walls of cavities: 3e-3 of a ball of which a twenty-seventh is left.
 constexpr double kMaxIntersecting = 2e-3, kMaxIntersectingIfLittleIsLeft = 4e-3;
 constexpr double kLittleIsLeft = 0.05;  // fraction of the tooth's volume
 constexpr double kFewIntersecting = 10;
-constexpr double kMaxDepth = 0.4, kMaxDepthIfLittleIsLeft = 0.45;
+constexpr double kMaxDepth = 0.4;
 
 void expectSound(const ExportCheck& check, double fractionLeft, double voxel) {
-    const bool isLittleLeft = fractionLeft < kLittleIsLeft;
-    const double most = isLittleLeft ? kMaxIntersectingIfLittleIsLeft : kMaxIntersecting;
-    const double depth = isLittleLeft ? kMaxDepthIfLittleIsLeft : kMaxDepth;
+    const double most = fractionLeft < kLittleIsLeft ? kMaxIntersectingIfLittleIsLeft : kMaxIntersecting;
     EXPECT_TRUE(check.isValid()) << check;
     EXPECT_EQ(check.collapsed, 0U) << check;
     EXPECT_LE(static_cast<double>(check.intersectionsDeeperThan(kRounding)),
               most * static_cast<double>(check.facets) + kFewIntersecting)
         << check;
-    EXPECT_LE(check.deepestIntersection(), depth * voxel) << check;
+    EXPECT_LE(check.deepestIntersection(), kMaxDepth * voxel) << check;
 }
 
 }  // namespace
