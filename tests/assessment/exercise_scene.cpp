@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "support/materials.h"
+
 namespace tactooth::test {
 
 const ExerciseScene& ExerciseScene::of(const Exercise& exercise) {
@@ -15,6 +17,21 @@ const ExerciseScene& ExerciseScene::of(const Exercise& exercise) {
     scene.tooth = *exerciseTooth(exercise);
     scene.ideal = idealShape(exercise, scene.tooth);
     return made.emplace(exercise.id, std::move(scene)).first->second;
+}
+
+Preparation ExerciseScene::preparation(const Exercise& exercise) const {
+    Preparation preparation;
+    preparation.tooth = tooth;
+    preparation.original = tooth->ownOuter();
+    preparation.ideal = std::make_shared<const SurfacePart>(*ideal);
+    preparation.axis = std::get<PreparationPlan>(exercise.ideal).outward;
+    preparation.mesialX = tooth->toothContext().mesialX;
+    preparation.forbidden = exercise.forbidden;
+    preparation.gums = exerciseGums(exercise);
+    for (const LayeredTooth::Layer& layer : tooth->layers()) {
+        if (layer.material == kPulp) preparation.pulps.push_back(layer.part);
+    }
+    return preparation;
 }
 
 }  // namespace tactooth::test

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "assessment/exercise.h"
+#include "assessment/preparation/preparation.h"
 
 namespace tactooth::test {
 
@@ -14,6 +15,8 @@ struct ExerciseScene {
     Expected<TriangleMesh> ideal = TriangleMesh{};
 
     [[nodiscard]] static const ExerciseScene& of(const Exercise& exercise);
+    /// What the work is compared with: all but `prepared`. Needs the ideal.
+    [[nodiscard]] Preparation preparation(const Exercise& exercise) const;
 };
 
 }  // namespace tactooth::test

@@ -10,7 +10,6 @@
 
 #include "assessment/exercise_scene.h"
 #include "assessment/rubric/rubric_file.h"
-#include "support/materials.h"
 
 namespace tactooth {
 namespace {
@@ -19,17 +18,7 @@ class HandTrialTest : public testing::Test {
 protected:
     HandTrialTest() {
         const Exercise& exercise = *builtinExercise("line-11");
-        const test::ExerciseScene& scene = test::ExerciseScene::of(exercise);
-        Preparation preparation;
-        preparation.tooth = scene.tooth;
-        preparation.original = scene.tooth->ownOuter();
-        preparation.ideal = std::make_shared<const SurfacePart>(*scene.ideal);
-        preparation.axis = std::get<PreparationPlan>(exercise.ideal).outward;
-        preparation.mesialX = scene.tooth->toothContext().mesialX;
-        for (const LayeredTooth::Layer& layer : scene.tooth->layers()) {
-            if (layer.material == test::kPulp) preparation.pulps.push_back(layer.part);
-        }
-        auto made = studyScene(exercise, std::move(preparation));
+        auto made = studyScene(exercise, test::ExerciseScene::of(exercise).preparation(exercise));
         if (made) scene_.emplace(std::move(*made));
     }
     void SetUp() override { ASSERT_TRUE(scene_); }
