@@ -14,8 +14,7 @@ void MeasureTool::setKind(std::optional<MeasureKind> kind) {
     if (!allowed_) kind.reset();
     measure_ = kind ? std::optional(SurfaceMeasure(*kind, axis_)) : std::nullopt;
     pointer_.reset();
-    show();
-    emit changed();
+    showChange();
 }
 
 std::optional<MeasureKind> MeasureTool::kind() const {
@@ -31,7 +30,8 @@ void MeasureTool::setAllowed(bool allowed) {
 void MeasureTool::clear() {
     if (!measure_) return;
     if (measure_->places().empty()) return setKind({});
-    setAxis(axis_);
+    measure_->clear();
+    showChange();
 }
 
 void MeasureTool::takeTooth() { setAxis(Vec3::UnitZ()); }
@@ -40,6 +40,10 @@ void MeasureTool::setAxis(const Vec3& axis) {
     TACTOOTH_ASSERT(isUnit(axis));
     axis_ = axis;
     if (measure_) measure_.emplace(measure_->kind(), axis_);
+    showChange();
+}
+
+void MeasureTool::showChange() {
     show();
     emit changed();
 }

@@ -44,6 +44,7 @@ signals:
     void changed();
 
 private:
+    void showChange();
     void show();
 
     QWidget& view_;
