@@ -1,21 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lower right second and third molar (47, 48). Lengths and diameters: Wheeler's table of average teeth. All else
-// follows textbook drawings.
+// Lower right second and third molar (47, 48). Lengths and diameters: Wheeler's table of average teeth;
+// outline and landmarks of the second: after CT scans (docs/teeth.md). All else follows textbook drawings.
 #include "instruments/anatomy/lower_second_molar_tables.h"
 #include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/third_molar_tables.h"
-#include "instruments/anatomy/tooth_form.h"
 
 namespace tactooth {
 namespace {
-
-void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
-             double concavity) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
-    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
-}
 
 PosteriorToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown, double root) {
     PosteriorToothPlan plan;

@@ -165,6 +165,12 @@ double PosteriorTooth::pulp(const Vec3& p) const {
 
 }  // namespace
 
+void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
+             double concavity) {
+    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
+    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
+}
+
 ToothShape posteriorTooth(const PosteriorToothPlan& plan) {
     TACTOOTH_ASSERT(!plan.pits.empty() && !plan.cusps.empty() && !plan.roots.empty());
     TACTOOTH_ASSERT(plan.enamel > 0);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "instruments/anatomy/outline_wave.h"
+#include "instruments/anatomy/tooth_form.h"
 #include "instruments/anatomy/tooth_shape.h"
 #include "instruments/modelling/section_loft.h"
 
@@ -86,6 +88,10 @@ struct PosteriorToothPlan {
     double hornBase = 0.62, hornRise = 5.0;  ///< radius of the pulp horns, and their distance below the cusps
     std::vector<std::vector<Section>> canals;
 };
+
+/// Adds a root with its canals. `concavity`: as in RootPlan.
+void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
+             double concavity = 0);
 
 [[nodiscard]] ToothShape posteriorTooth(const PosteriorToothPlan& plan);
 

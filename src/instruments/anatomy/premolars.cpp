@@ -1,19 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth. All
-// else follows textbook drawings.
+// Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth;
+// sections, outlines and landmarks: after CT scans (docs/teeth.md). All else follows textbook drawings.
 #include "instruments/anatomy/posterior_tooth.h"
-#include "instruments/anatomy/tooth_form.h"
 
 namespace tactooth {
 namespace {
-
-void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
-             double concavity = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
-    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
-}
 
 PosteriorToothPlan premolar(const char* name, int fdi, const CrownForm& crown, double root) {
     PosteriorToothPlan plan;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Upper right molars (16, 17, 18). Lengths and diameters: Wheeler's table of average teeth; pulp chambers: A. S.
-// Deutsch, B. L. Musikant, J. Endod. 30 (2004) 388. All else follows textbook drawings.
+// Deutsch, B. L. Musikant, J. Endod. 30 (2004) 388; crowns of the first two: after CT scans (docs/teeth.md). All else
+// follows textbook drawings.
 #include <cmath>
 
 #include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/third_molar_tables.h"
-#include "instruments/anatomy/tooth_form.h"
 #include "instruments/anatomy/upper_molar_tables.h"
 
 namespace tactooth {
@@ -33,12 +33,6 @@ PosteriorToothPlan upperMolar(const char* name, int fdi, double length, double c
     plan.hornBase = 0.55;
     plan.hornRise = 5.1;
     return plan;
-}
-
-void addRoot(PosteriorToothPlan& plan, const RootForm& form, std::initializer_list<CanalForm> canals,
-             double concavity = 0) {
-    plan.roots.push_back({rootSections(form), -form.length - 0.05, concavity, form.bendY, 1 - form.length});
-    for (const CanalForm& canal : canals) plan.canals.push_back(canalSections(form, canal));
 }
 
 }  // namespace
