@@ -241,7 +241,8 @@ void ReplayController::showComparison() {
     panel_->bar().showOther(
         other != nullptr ? QString::fromStdString(displayName(other->file().filename())) : QString(),
         comparison_.shift());
-    if (std::exchange(besides_, comparison_.isSideBySide() ? other : nullptr) == besides_) return;
+    const Opened before = std::exchange(besides_, comparison_.isSideBySide() ? other : nullptr);
+    if (besides_ == before) return;
     if (besides_ == nullptr) return panel_->removeOther();
     panel_->addOther(*besides_);
     panel_->other()->view().setContents([this](bool withTurbine, bool) { return otherContents(withTurbine); });
