@@ -5,7 +5,9 @@
 // usual.
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -204,12 +206,29 @@ Replayed replayed(const fs::path& file) {
     return {*seconds, replay->ticks(), replay->model().hash()};
 }
 
+bool hasBegun(const Progress& progress) { return progress.ticks > 0 || progress.turns > 0; }
+
+/// Waits for the end of a child, so many seconds at most. It stays to be waited for.
+bool endsWithin(pid_t child, double seconds) {
+    const int watched = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
+    if (watched < 0) std::abort();
+    pollfd end{.fd = watched, .events = POLLIN, .revents = 0};
+    const auto most = std::chrono::duration_cast<std::chrono::nanoseconds>(Seconds(seconds)).count();
+    const timespec patience{.tv_sec = most / 1'000'000'000, .tv_nsec = most % 1'000'000'000};
+    const bool hasEnded = ::ppoll(&end, 1, &patience, nullptr) > 0;
+    ::close(watched);
+    return hasEnded;
+}
+
 class KilledSession : public ::testing::Test {
 protected:
-    /// Kills one life after `delay`, and waits until it is gone. False if it had ended before.
-    static bool killAfter(const char* kind, const fs::path& folder, double delay) {
+    /// Kills one life after `delay`, or after `delay` at work, and waits until it is gone. False if it had ended
+    /// before.
+    static bool killAfter(const char* kind, const fs::path& folder, double delay, const Progress* atWork) {
         const pid_t child = begin(kind, folder);
-        std::this_thread::sleep_for(Seconds(delay));  // the moment itself, not a wait for it
+        while (atWork != nullptr && !hasBegun(*atWork) && !endsWithin(child, 1e-3)) {
+        }
+        (void)endsWithin(child, delay);
         ::kill(child, SIGKILL);
         int status = 0;
         EXPECT_EQ(::waitpid(child, &status, 0), child);
@@ -229,9 +248,10 @@ protected:
             prepare(folder.path());
             const double delay = std::uniform_real_distribution(0.0, within)(random);
             SCOPED_TRACE(std::string(kind) + ", killed after " + std::to_string(delay) + " s");
-            if (!killAfter(kind, folder.path(), delay)) continue;
+            // Each other one is at work, however long a busy machine takes to begin.
+            if (!killAfter(kind, folder.path(), delay, tried % 2 == 0 ? &*progress : nullptr)) continue;
             ++killed;
-            atWork += (*progress).ticks > 0 || (*progress).turns > 0 ? 1 : 0;
+            atWork += hasBegun(*progress) ? 1 : 0;
             check(folder.path(), *progress);
         }
         EXPECT_EQ(killed, kills());
@@ -323,7 +343,7 @@ TEST_F(KilledSession, WhileItIsRestoredIsNotLost) {
     const test::TemporaryFolder before;
     {
         const SharedProgress progress(before.path());
-        ASSERT_TRUE(killAfter("recording", before.path(), 3));  // what there is to restore
+        ASSERT_TRUE(killAfter("recording", before.path(), 3, &*progress));  // what there is to restore
     }
     const Replayed all = replayed(before / "s.ttsession");
     ASSERT_GT(all.ticks, 1000U);
