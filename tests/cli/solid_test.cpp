@@ -77,9 +77,9 @@ TEST_F(Solids, AnInnerShellIsAHollowWhicheverWayItLooks) {
          {together(kBlock, kHollow), together(kBlock, turned(kHollow)), together(turned(kBlock), kHollow),
           together(kHollow, turned(kBlock)), turned(together(kBlock, kHollow))}) {
         surface(mesh);
-        const nlohmann::json json = info();
-        EXPECT_EQ(json["closed"], true);
-        EXPECT_NEAR(json["volume"].get<double>(), 1568, 1e-3);
+        const nlohmann::json facts = info();
+        EXPECT_EQ(facts["closed"], true);
+        EXPECT_NEAR(facts["volume"].get<double>(), 1568, 1e-3);
         const ProgramRun run = cut({"--removed", out()});
         ASSERT_EQ(run.exitCode, 0) << run.err;
         // The bur goes 5 mm deep, to the start of the void.
@@ -100,10 +100,10 @@ TEST_F(Solids, BodiesThatReachIntoEachOtherAreRefusedByAll) {
     for (const TriangleMesh& mesh : bodies) {
         surface(mesh);
         expectRefusedByAll("reach into each other");
-        const nlohmann::json json = info();
-        EXPECT_TRUE(json["volume"].is_null());
-        EXPECT_EQ(json["watertight"], false);
-        EXPECT_FALSE(json["findings"].empty());
+        const nlohmann::json facts = info();
+        EXPECT_TRUE(facts["volume"].is_null());
+        EXPECT_EQ(facts["watertight"], false);
+        EXPECT_FALSE(facts["findings"].empty());
         EXPECT_THAT(runTactooth({"info", file("tooth.stl")}).out, HasSubstr("reach into each other by"));
     }
 }
