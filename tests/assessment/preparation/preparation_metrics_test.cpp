@@ -34,12 +34,6 @@ TriangleMesh withLeaningWall(double degrees) {
                              Rectangle::level(-2, 2, -1.5, 1.5, 3));
 }
 
-/// A stump of 4 mm height and `degrees` taper on a shoulder.
-TriangleMesh stump(double degrees) {
-    const double in = 4 * std::tan(degrees * kDegree);
-    return preparedBlock(0, Rectangle::level(-4, 4, -4, 4, 0), Rectangle::level(-4 + in, 4 - in, -4 + in, 4 - in, 4));
-}
-
 TEST(PreparationMetrics, HaveUniqueIdsUnitsAndDefinitions) {
     std::set<std::string_view> ids;
     for (const PreparationMetric& each : preparationMetrics()) {
@@ -168,74 +162,6 @@ TEST(PreparationMetrics, FindTheInsertionThatFreesAWallThatLeans) {
     const double wall = 3 * std::hypot(2, 0.1) * (1 - kCavityDepth / 2), tilt = 2 * std::tan(2 * kDegree);
     EXPECT_NEAR(valueOf(stuck, "undercut_area"), 2 * (wall + 0.3 + 0.2), 0.4);
     EXPECT_NEAR(valueOf(stuck, "undercut_area_best"), wall + 3 * (0.1 + tilt) + 3 * (0.1 - tilt) + 0.3, 0.4);
-}
-
-/// A pyramid on a step of this width round the whole block, 4 mm high; its end rises by `rise` from -x to +x.
-TriangleMesh crownStump(double convergence, double step, double rise = 0) {
-    const double side = 5 - step, in = 4 * std::tan(convergence / 2 * kDegree);
-    return preparedBlock(0, Rectangle::level(-side, side, -side, side, 0),
-                         Rectangle{-side + in, side - in, -side + in, side - in, 4 - rise / 2, 4 + rise / 2});
-}
-
-TEST(CrownMetrics, MeasureConvergenceAndStepOfAStump) {
-    for (const double convergence : {3.0, 10.0, 22.0}) {
-        SCOPED_TRACE(convergence);
-        const TriangleMesh stump = crownStump(convergence, 0.15);
-        const PreparationMeasures crown = measured(stump, stump);
-        EXPECT_NEAR(valueOf(crown, "toc_md"), convergence, kAngle);
-        EXPECT_NEAR(valueOf(crown, "toc_bl"), convergence, kAngle);
-        EXPECT_NEAR(valueOf(crown, "finish_line_width"), 0.15, kLength);
-        EXPECT_EQ(valueOf(crown, "undercut_area_best"), 0);
-    }
-}
-
-TEST(CrownMetrics, MeasureTheRoomOverTheStump) {
-    const PreparationMeasures flat = measured(crownStump(12, 0.5), crownStump(12, 0.5));
-    EXPECT_NEAR(valueOf(flat, "occlusal_reduction_min"), 1, kLength);
-    EXPECT_NEAR(valueOf(flat, "occlusal_reduction_median"), 1, kLength);
-    // From 0.8 to 1.2 mm: a twentieth is less than 0.82 mm.
-    const PreparationMeasures rising = measured(crownStump(12, 0.5, 0.4), crownStump(12, 0.5));
-    EXPECT_NEAR(valueOf(rising, "occlusal_reduction_min"), 0.82, kLength);
-    EXPECT_NEAR(valueOf(rising, "occlusal_reduction_median"), 1, kLength);
-    EXPECT_EQ(reasonOf(measured(kIdeal), "occlusal_reduction_min"), "no_crown_preparation");
-}
-
-TEST(CrownMetrics, MeasureTheHeightAboveTheGum) {
-    const TriangleMesh stump = crownStump(12, 0.5);
-    EXPECT_EQ(reasonOf(measured(stump, stump), "finish_line_height"), "no_gum_known");
-    EXPECT_EQ(reasonOf(measured(kIdeal), "finish_line_height"), "no_crown_preparation");
-    for (const double height : {-0.3, 0.5, 1.2}) {
-        Preparation preparation = blockPreparation(stump, stump);
-        for (const double side : {-1.0, 1.0}) {  // a gum of 2 mm round the block, 0.05 mm beside it
-            const double near = 5.05 * side, far = 7.05 * side;
-            preparation.gums.push_back(std::make_shared<const SurfacePart>(
-                box(Vec3(std::min(near, far), -8, -5), Vec3(std::max(near, far), 8, -height))));
-            preparation.gums.push_back(std::make_shared<const SurfacePart>(
-                box(Vec3(-8, std::min(near, far), -5), Vec3(8, std::max(near, far), -height))));
-        }
-        EXPECT_NEAR(valueOf(PreparationMeasures(preparation), "finish_line_height"), height, kLength);
-    }
-}
-
-TEST(PreparationMetrics, MeasureTheRadiusOfInnerAngles) {
-    EXPECT_NEAR(valueOf(measured(kIdeal), "inner_angle_radius"), 0, kLength);
-    EXPECT_NEAR(valueOf(measured(withLeaningWall(12)), "inner_angle_radius"), 0, kLength);
-    for (const double radius : {0.1, 0.2, 0.4}) {
-        const TriangleMesh rounded = blockWithRoundedAngle(2, radius, 3);
-        EXPECT_NEAR(valueOf(measured(rounded, rounded), "inner_angle_radius"), std::min(radius, 0.3), kLength);
-    }
-    EXPECT_EQ(reasonOf(measured(box(Vec3(-5, -5, -5), Vec3(5, 5, 5))), "inner_angle_radius"), "nothing_cut");
-}
-
-TEST(PreparationMetrics, MeasureTheTaperOfAStump) {
-    for (const double taper : {3.0, 10.0, 22.0}) {
-        const PreparationMeasures crown = measured(stump(taper), stump(6));
-        EXPECT_NEAR(valueOf(crown, "toc_md"), 2 * taper, kAngle);
-        EXPECT_NEAR(valueOf(crown, "toc_bl"), 2 * taper, kAngle);
-        EXPECT_NEAR(valueOf(crown, "wall_angle_m"), taper, kAngle);
-        EXPECT_EQ(reasonOf(crown, "isthmus_min"), "no_cavity");
-    }
-    EXPECT_EQ(reasonOf(measured(kIdeal), "toc_md"), "no_crown_preparation");
 }
 
 TEST(PreparationMetrics, MeasureRidgesAndIsthmus) {
