@@ -64,9 +64,9 @@ private:
         const double start = threadMicros();
         const Tick tick = simulation_->step({device, 1, true}, kTick);
         const double micros = threadMicros() - start;
-        if (tick.contacts > 0) tickMicros_.push_back(micros);
-        timing_.deepest = std::max(timing_.deepest, tick.depth);
-        if (tick.contacts > 0) working_.push_back(now);
+        if (tick.contact.triangles > 0) tickMicros_.push_back(micros);
+        timing_.deepest = std::max(timing_.deepest, tick.contact.depth);
+        if (tick.contact.triangles > 0) working_.push_back(now);
         stepNeighbourLists(now, tick);
         stepCarving(now, tick);
         if (now >= prefetchFreeAt_) stepBrickPrefetch(now, tick);
@@ -75,7 +75,7 @@ private:
     /// The carving uses the new bricks from the next tick on: to make a few takes less than a tick.
     void stepBrickPrefetch(double now, const Tick& tick) {
         const double start = threadMicros();
-        (void)model_.pool()->makeAround(tool_->envelope, tick.proxy);
+        (void)model_.pool()->makeAround(tool_->envelope, tick.contact.proxy);
         const double took = threadMicros() - start;
         prefetchMicros_ += took;
         prefetchFreeAt_ = now + 1e-6 * took;
@@ -104,8 +104,10 @@ private:
     void stepNeighbourLists(double now, const Tick& tick) {
         if (neighbourListFreeAt_ <= now && (cuts_.empty() || cuts_.front().from > now)) {
             watch(now, tick);
-            list(now,
-                 [&] { return tick.placed ? surfaceBuilder_->rebuild() : surfaceBuilder_->place(newest_, tick.hand); });
+            list(now, [&] {
+                return tick.contact.placed ? surfaceBuilder_->rebuild()
+                                           : surfaceBuilder_->place(newest_, tick.input.device);
+            });
         }
         while (!cuts_.empty() && std::max(cuts_.front().from, neighbourListFreeAt_) < now + kTick) {
             const Cut cut = cuts_.front();
@@ -115,11 +117,11 @@ private:
             newest_ = cut.surface;
             newestCut_ = cut;
             list(std::max({now, cut.from, neighbourListFreeAt_}),
-                 [&] { return surfaceBuilder_->make(cut.surface, tick.proxy, cut.reached); });
+                 [&] { return surfaceBuilder_->make(cut.surface, tick.contact.proxy, cut.reached); });
         }
     }
     void watch(double now, const Tick& tick) {
-        if (tick.placed) surfaceBuilder_->watch(now, tick.proxy, tick.ownListRebuilds);
+        if (tick.contact.placed) surfaceBuilder_->watch(now, tick.contact.proxy, tick.diagnostics.ownListRebuilds);
     }
     template <class Make>
     void list(double begin, const Make& make) {

@@ -23,7 +23,7 @@ constexpr double kStart = 0.1;  // mm: depth from which the hand moves on
 /// A moment of the standard path with the bur pressed in, not far from the middle of its way.
 Pose pressedPose(std::span<const Pose> devicePath, std::span<const Tick> ticks) {
     for (std::size_t i = 2 * ticks.size() / 5; i < ticks.size(); ++i) {
-        if (ticks[i].contacts > 0 && ticks[i].depth > kStart) return devicePath[i];
+        if (ticks[i].contact.triangles > 0 && ticks[i].contact.depth > kStart) return devicePath[i];
     }
     return devicePath[devicePath.size() / 2];
 }
@@ -39,16 +39,16 @@ Noticed moveFurther(HapticSimulation simulation, Pose device, double step) {
     constexpr int kSettle = 10;     // ticks in which the hand stands still
     Tick before;
     for (int i = 0; i < kSettle; ++i) before = simulation.step({device, 0, false}, kTick);
-    const double start = before.depth;
-    const Vec3 inward = -before.normal;
+    const double start = before.contact.depth;
+    const Vec3 inward = -before.contact.normal;
     Noticed noticed;
     for (int i = 0; i < kSteps; ++i) {
         device.position += step * inward;
         const Tick now = simulation.step({device, 0, false}, kTick);
-        noticed.steps += now.depth > before.depth ? 1 : 0;
+        noticed.steps += now.contact.depth > before.contact.depth ? 1 : 0;
         before = now;
     }
-    noticed.change = kPerMm * (before.depth - start) / kSteps;
+    noticed.change = kPerMm * (before.contact.depth - start) / kSteps;
     return noticed;
 }
 

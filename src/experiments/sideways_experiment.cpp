@@ -78,14 +78,14 @@ Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
                              false,          false,      {{"along y", {}, false, false}, {"across", {}, false, false}}};
         for (const Tick& tick : ticks) {
             const double ms = 1e3 * tick.time;
-            const Vec3& f = tick.wrench.force;
-            distance.series[0].points.push_back({ms, tick.hand.position.y() - start.y() - contact});
-            distance.series[1].points.push_back({ms, tick.proxy.position.y() - start.y() - contact});
+            const Vec3& f = tick.force.wrench.force;
+            distance.series[0].points.push_back({ms, tick.input.device.position.y() - start.y() - contact});
+            distance.series[1].points.push_back({ms, tick.contact.proxy.position.y() - start.y() - contact});
             force.series[0].points.push_back({ms, -f.y()});
             force.series[1].points.push_back({ms, std::hypot(f.x(), f.z())});
-            deepest = std::max(deepest, tick.depth);
-            experiment.rows.push_back(
-                {speed, tick.time, tick.hand.position.y(), tick.proxy.position.y(), tick.depth, f.x(), f.y(), f.z()});
+            deepest = std::max(deepest, tick.contact.depth);
+            experiment.rows.push_back({speed, tick.time, tick.input.device.position.y(),
+                                       tick.contact.proxy.position.y(), tick.contact.depth, f.x(), f.y(), f.z()});
         }
         experiment.panels.push_back(distance);
         experiment.panels.push_back(force);

@@ -124,13 +124,13 @@ SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
         double took = 0;
         const Tick tick = tool.step(moved(start, motion, i * kTick), took);
         if (i < ticksIn(kSettle)) {
-            first = tick.proxy;
+            first = tick.contact.proxy;
             continue;
         }
-        last = tick.proxy;
+        last = tick.contact.proxy;
         micros.push_back(took);
-        forces.push_back(tick.wrench.force);
-        timing.force += tick.wrench.force.norm();
+        forces.push_back(tick.force.wrench.force);
+        timing.force += tick.force.wrench.force.norm();
     }
     timing.ticks = micros.size();
     timing.force /= static_cast<double>(timing.ticks);
@@ -149,7 +149,8 @@ SlotTiming timeMotion(StillTool& tool, const Pose& start, SlotMotion motion) {
         device.position += kLiftSpeed * kTick * shaft;
         tick = tool.step(device);
     }
-    timing.leaves = tick.contacts == 0 && tick.wrench.force.isZero(0) && tick.proxy.position == device.position;
+    timing.leaves = tick.contact.triangles == 0 && tick.force.wrench.force.isZero(0) &&
+                    tick.contact.proxy.position == device.position;
     return timing;
 }
 
@@ -184,7 +185,7 @@ std::vector<SlotTiming> timeInSlot(const std::shared_ptr<const LayeredTooth>& to
     const std::vector<TimedPose> path = slotPath(tooth->outer()->mesh(), depth);
     // Built-in shapes and a path of our own give finite ticks.
     [[maybe_unused]] const auto isCut =
-        cutWithRemovalLaw(path, cutting, [&](double, const Tick& tick, const ToothLoss&) { end = tick.proxy; });
+        cutWithRemovalLaw(path, cutting, [&](double, const Tick& tick, const ToothLoss&) { end = tick.contact.proxy; });
     TACTOOTH_ASSERT(isCut);
 
     if (probe) shape = std::make_shared<const ToolShape>(makePeriodontalProbe());

@@ -177,7 +177,7 @@ StabilityResult runStability(const StabilityCase& one) {
         hand.write(sent);
         const double force = sent.force().norm();
         if ((i + 1) * dt > kEnd - kRest) rest.add(force);
-        result.stiffness = std::max(result.stiffness, tick.stiffness);
+        result.stiffness = std::max(result.stiffness, tick.force.stiffness);
         result.minEnergy = std::min(result.minEnergy, pipeline.passivity().energy());
         result.maxForce = std::max(result.maxForce, force);
         result.maxForceRate = std::max(result.maxForceRate, (sent.force() - last).norm() / dt * 1e-3);

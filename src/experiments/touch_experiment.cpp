@@ -50,8 +50,9 @@ struct Run {
 
 void addRows(Experiment& experiment, const Run& run) {
     for (const Tick& tick : run.ticks) {
-        experiment.rows.push_back({run.speed, tick.time, tick.depth, tick.speed, tick.wrench.force.norm(),
-                                   static_cast<double>(tick.contacts), tick.micros});
+        experiment.rows.push_back({run.speed, tick.time, tick.contact.depth, tick.input.speed,
+                                   tick.force.wrench.force.norm(), static_cast<double>(tick.contact.triangles),
+                                   tick.diagnostics.micros});
     }
 }
 
@@ -67,9 +68,9 @@ Reliability watchProxy(const std::shared_ptr<const Surface>& surface, const std:
     for (const double speed : {10.0, 66.0, 100.0, 250.0, 500.0, 1000.0}) {
         const std::vector<Pose> devicePath = toolTrajectory(surface->base->mesh(), standardToolPath(speed));
         for (const Tick& tick : touchPath(bur, surface, devicePath, 1)) {
-            if (tick.contacts == 0) continue;
+            if (tick.contact.triangles == 0) continue;
             ++found.touching;
-            found.inside += query.isFree(tick.proxy) ? 0 : 1;
+            found.inside += query.isFree(tick.contact.proxy) ? 0 : 1;
         }
     }
     return found;
@@ -103,9 +104,9 @@ Expected<Experiment> measureTouch(TestTeeth& testTeeth, StandardToothKind kind) 
         const char* unit;
         double (*value)(const Tick&);
     };
-    const std::array<Curve, 3> curves = {{{"Depth", "mm", [](const Tick& t) { return t.depth; }},
-                                          {"Velocity of the tip", "mm/s", [](const Tick& t) { return t.speed; }},
-                                          {"Force", "N", [](const Tick& t) { return t.wrench.force.norm(); }}}};
+    const std::array<Curve, 3> curves = {{{"Depth", "mm", [](const Tick& t) { return t.contact.depth; }},
+                                          {"Velocity of the tip", "mm/s", [](const Tick& t) { return t.input.speed; }},
+                                          {"Force", "N", [](const Tick& t) { return t.force.wrench.force.norm(); }}}};
     for (const Curve& curve : curves) {
         for (const Run& run : runs) {
             const std::string at = ", " + numberText(run.speed / 10) + " cm/s";

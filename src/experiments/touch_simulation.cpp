@@ -27,11 +27,11 @@ std::vector<Tick> touchPath(const std::shared_ptr<const ToolShape>& bur, const s
     for (int run = 0; run < repeat; ++run) {
         HapticSimulation simulation = enamelSimulation(bur, surface);
         for (std::size_t i = 0; i < devicePath.size(); ++i) {
-            const double before = run == 0 ? 0 : ticks[i].micros;
+            const double before = run == 0 ? 0 : ticks[i].diagnostics.micros;
             const double start = threadMicros();
             ticks[i] = simulation.step({devicePath[i], 0, false}, kTick);
             const double micros = threadMicros() - start;
-            ticks[i].micros = run == 0 ? micros : std::min(before, micros);
+            ticks[i].diagnostics.micros = run == 0 ? micros : std::min(before, micros);
         }
     }
     return ticks;
@@ -40,7 +40,7 @@ std::vector<Tick> touchPath(const std::shared_ptr<const ToolShape>& bur, const s
 ForceTiming forceMicros(std::span<const Tick> ticks) {
     std::vector<double> micros;
     for (const Tick& tick : ticks) {
-        if (tick.contacts > 0) micros.push_back(tick.micros);
+        if (tick.contact.triangles > 0) micros.push_back(tick.diagnostics.micros);
     }
     return {quantile(micros, 0.5), quantile(micros, 0.99)};
 }

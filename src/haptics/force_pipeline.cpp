@@ -35,16 +35,16 @@ bool isValid(const ForceCommand& wanted) {
 }  // namespace
 
 ForceCommand forceCommandFrom(const Tick& tick) {
-    TACTOOTH_ASSERT(tick.contacts >= 0);
-    TACTOOTH_ASSERT(tick.placed || tick.contacts == 0);
+    TACTOOTH_ASSERT(tick.contact.triangles >= 0);
+    TACTOOTH_ASSERT(tick.contact.placed || tick.contact.triangles == 0);
     ForceCommand wanted;
-    wanted.wrench = tick.wrench;
-    wanted.hand = tick.hand.position;
-    wanted.driveForce = tick.driveForce;
-    wanted.deflection = tick.deflection;
-    wanted.stiffness = tick.stiffness;
-    wanted.touching = tick.contacts > 0;
-    wanted.allowed = tick.placed;
+    wanted.wrench = tick.force.wrench;
+    wanted.hand = tick.input.device.position;
+    wanted.driveForce = tick.force.drive;
+    wanted.deflection = tick.force.deflection;
+    wanted.stiffness = tick.force.stiffness;
+    wanted.touching = tick.contact.triangles > 0;
+    wanted.allowed = tick.contact.placed;
     return wanted;
 }
 

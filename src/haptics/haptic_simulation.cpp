@@ -70,7 +70,8 @@ void HapticSimulation::setSurface(HapticSurface& hapticSurface) {
 /// micrometres. A tool that only touches is exact at every tick.
 Pose HapticSimulation::targetOf(const OperatorInput& input, double dt) {
     feedLimiter_.pass(dt);
-    const bool cuts = input.cutting && last_.contacts > 0 && last_.speedRpm > kMinCuttingRpm && following_;
+    const bool cuts =
+        input.cutting && last_.contact.triangles > 0 && last_.spindle.speedRpm > kMinCuttingRpm && following_;
     const Pose& device = input.deviceInTooth;
     if (hand_ == HandInstrument::Explorer) {
         proxy_.setBudget(kUnlimitedWork);
@@ -116,79 +117,89 @@ double HapticSimulation::softnessAtTip(const ProxyState& state) const {
 
 void HapticSimulation::updateTipHold(const ProxyState& state, double dt, Tick& tick) {
     if (hand_ != HandInstrument::Explorer) return;
-    if (!state.placed || state.contacts == 0 || tick.normal.isZero(0)) {
+    if (!state.placed || state.contacts == 0 || tick.contact.normal.isZero(0)) {
         // A hand that is where the tip is held pulls at nothing.
         if (!state.placed || tipHold_.force() == 0) tipHold_.release();
     } else {
         tipHold_.touch(
-            {state.proxy.position, tick.normal, force_.normalForce(), force_.stiffness(), softnessAtTip(state)}, dt);
+            {state.proxy.position, tick.contact.normal, force_.normalForce(), force_.stiffness(), softnessAtTip(state)},
+            dt);
     }
-    tick.tipHold = tipHold_.force();
+    tick.force.tipHold = tipHold_.force();
 }
 
 /// The work of a blade in this tick, N*m: of its force along the way of the hand, but for the way out of the tissue.
 double HapticSimulation::bladeWork(const Tick& tick, double dt) const {
-    if (tick.contacts == 0) return 0;
+    if (tick.contact.triangles == 0) return 0;
     Vec3 way = dt * velocity_;
-    way -= std::max(0.0, way.dot(tick.normal)) * tick.normal;
+    way -= std::max(0.0, way.dot(tick.contact.normal)) * tick.contact.normal;
     return 1e-3 * force_.normalForce() * way.norm();
 }
 
 /// Advances the spindle by one step under the load of the cut, and adds up the work that the cut may spend.
 void HapticSimulation::stepBur(double dt, Tick& tick) {
-    TACTOOTH_ASSERT(tick.pedal >= 0 && tick.pedal <= 1);
-    const bool isEngaged = tick.cutting && tick.contacts > 0 && bur_.speedRpm > kMinCuttingRpm;
+    TACTOOTH_ASSERT(tick.input.pedal >= 0 && tick.input.pedal <= 1);
+    const bool isEngaged = tick.input.cutting && tick.contact.triangles > 0 && bur_.speedRpm > kMinCuttingRpm;
     const double tangential = isEngaged ? kTangentialRatio * force_.normalForce() : 0;
-    tick.load = tangential * burRadius_;
-    bur_ = stepSpindle(spindle_, bur_, tick.cutting ? tick.pedal : 0, tick.load, dt);
-    TACTOOTH_ASSERT(tick.load >= 0);
+    tick.spindle.load = tangential * burRadius_;
+    bur_ = stepSpindle(spindle_, bur_, tick.input.cutting ? tick.input.pedal : 0, tick.spindle.load, dt);
+    TACTOOTH_ASSERT(tick.spindle.load >= 0);
     TACTOOTH_ASSERT(std::isfinite(bur_.speedRpm) && bur_.speedRpm >= 0);
     const double rimMeters = 1e-3 * rimSpeed();  // a second
-    tick.speedRpm = bur_.speedRpm;
-    tick.removalPower = tangential * rimMeters;
-    const Vec3 axis = tick.proxy.rotation * Vec3::UnitZ();
+    tick.spindle.speedRpm = bur_.speedRpm;
+    tick.spindle.removalPower = tangential * rimMeters;
+    const Vec3 axis = tick.contact.proxy.rotation * Vec3::UnitZ();
     const double force = isEngaged ? force_.normalForce() : 0;
-    const Vec3 pull = cuttingForce_.at({tick.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
-    tick.driveForce = pull;
-    tick.wrench.force += pull;
-    tick.wrench.torque += lever_.cross(pull);
+    const Vec3 pull = cuttingForce_.at({tick.contact.normal, axis, force, bur_.speedRpm, spindle_.freeSpeedRpm}, dt);
+    tick.force.drive = pull;
+    tick.force.wrench.force += pull;
+    tick.force.wrench.torque += lever_.cross(pull);
     // The mean of both ends of the tick: for a growing force it gives the same at any rate.
     const double power = force * rimMeters;  // N*m a second
-    tick.cutWork = last_.cutWork + (isEngaged ? (power_ + power) / 2 * dt : 0);
-    if (hand_ == HandInstrument::Excavator) tick.cutWork += bladeWork(tick, dt);
-    TACTOOTH_ASSERT(tick.cutWork >= last_.cutWork);
+    tick.spindle.cutWork = last_.spindle.cutWork + (isEngaged ? (power_ + power) / 2 * dt : 0);
+    if (hand_ == HandInstrument::Excavator) tick.spindle.cutWork += bladeWork(tick, dt);
+    TACTOOTH_ASSERT(tick.spindle.cutWork >= last_.spindle.cutWork);
     power_ = power;
+}
+
+/// Of a proxy that has touched at both ends of the tick.
+double HapticSimulation::slideSpeed(const Tick::Contact& now, double dt) const {
+    if (last_.contact.triangles == 0 || dt <= 0) return 0;
+    const Vec3 way = now.proxy.position - last_.contact.proxy.position;
+    return (way - way.dot(now.normal) * now.normal).norm() / dt;
 }
 
 /// Moves the proxy toward the device and computes the force.
 void HapticSimulation::touch(const OperatorInput& input, double dt, Tick& tick) {
-    tick.hand = input.deviceInTooth;
-    tick.speed = following_ && dt > 0 ? (input.deviceInTooth.position - lastDevice_.position).norm() / dt : 0;
+    tick.input.device = input.deviceInTooth;
+    tick.input.speed = following_ && dt > 0 ? (input.deviceInTooth.position - lastDevice_.position).norm() / dt : 0;
     const Pose goal = targetOf(input, dt);
     filterVelocity(input.deviceInTooth, dt);
 
     const ProxyState state = proxy_.follow(input.deviceInTooth, goal, dt);
     feedLimiter_.carryOver(state.late);
-    tick.placed = state.placed;
-    tick.ownListRebuilds = proxy_.ownListRebuilds();
-    tick.proxy = state.placed ? state.proxy : input.deviceInTooth;
-    tick.contacts = state.contacts;
+    tick.contact.placed = state.placed;
+    tick.diagnostics.ownListRebuilds = proxy_.ownListRebuilds();
+    tick.contact.proxy = state.placed ? state.proxy : input.deviceInTooth;
+    tick.contact.triangles = state.contacts;
     if (state.contacts > 0 && state.offset.norm() > 0) {
-        tick.depth = state.offset.norm();
-        tick.normal = state.offset / tick.depth;
-        TACTOOTH_ASSERT(isUnit(tick.normal));
+        tick.contact.depth = state.offset.norm();
+        tick.contact.normal = state.offset / tick.contact.depth;
+        TACTOOTH_ASSERT(isUnit(tick.contact.normal));
+        tick.contact.slideSpeed = slideSpeed(tick.contact, dt);
         TACTOOTH_ASSERT(state.contactPointCount > 0);
-        tick.material = std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::multiplier)->material;
+        tick.contact.material =
+            std::ranges::max_element(state.contactPoints(), {}, &ContactPoint::multiplier)->material;
     }
     for (const ContactPoint& held : state.contactPoints()) {
-        if (held.isAdjacent) tick.around = held.material;
+        if (held.isAdjacent) tick.contact.around = held.material;
     }
     const ContactState contact{state.deviceTip,       state.offset, velocity_, state.travel,
                                state.contactPoints(), spin_,        dt,        rimSpeed() * dt};
-    tick.wrench = force_.at(contact);
+    tick.force.wrench = force_.at(contact);
     updateTipHold(state, dt, tick);
-    tick.stiffness = force_.stiffness();
-    tick.deflection = force_.deflection();
+    tick.force.stiffness = force_.stiffness();
+    tick.force.deflection = force_.deflection();
     lever_.setZero();
     double sum = 0;
     for (const ContactPoint& held : state.contactPoints()) {
@@ -205,25 +216,26 @@ Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
     Tick tick;
     tick.time = last_.time + (started_ ? dt : 0);
     started_ = true;
-    tick.cutting = input.cutting && !hand_;  // no drive: nothing turns, whatever pedal and buttons say
-    tick.pedal = std::isfinite(input.pedal) && !hand_ ? std::clamp(input.pedal, 0.0, 1.0) : 0;
+    tick.input.cutting = input.cutting && !hand_;  // no drive: nothing turns, whatever pedal and buttons say
+    tick.input.pedal = std::isfinite(input.pedal) && !hand_ ? std::clamp(input.pedal, 0.0, 1.0) : 0;
     if (isPlausible(input.deviceInTooth)) {
         touch(withUnitRotation(input), dt, tick);
     } else {
-        tick.hand = last_.hand;
-        tick.proxy = last_.proxy;
+        tick.input.device = last_.input.device;
+        tick.contact.proxy = last_.contact.proxy;
         following_ = false;
         tipHold_.release();
     }
     stepBur(dt, tick);
 
-    TACTOOTH_ASSERT(tick.placed || tick.contacts == 0);
-    TACTOOTH_ASSERT(tick.contacts > 0 || tick.wrench.force.isZero(0));
-    const bool touching = tick.contacts > 0;
-    tick.contactOnsets = last_.contactOnsets + (touching && !touching_ ? 1 : 0);
-    tick.impactSpeed = touching && !touching_ ? std::max(0.0, -velocity_.dot(tick.normal)) : last_.impactSpeed;
+    TACTOOTH_ASSERT(tick.contact.placed || tick.contact.triangles == 0);
+    TACTOOTH_ASSERT(tick.contact.triangles > 0 || tick.force.wrench.force.isZero(0));
+    const bool touching = tick.contact.triangles > 0;
+    tick.contact.onsets = last_.contact.onsets + (touching && !touching_ ? 1 : 0);
+    tick.contact.impactSpeed =
+        touching && !touching_ ? std::max(0.0, -velocity_.dot(tick.contact.normal)) : last_.contact.impactSpeed;
     TACTOOTH_ASSERT(tick.time >= last_.time);
-    TACTOOTH_ASSERT(tick.impactSpeed >= 0);
+    TACTOOTH_ASSERT(tick.contact.impactSpeed >= 0);
     touching_ = touching;
     last_ = tick;
     return tick;

@@ -9,6 +9,7 @@
 #include "haptics/contact_force.h"
 #include "haptics/cutting_force.h"
 #include "haptics/feed_rate_limiter.h"
+#include "haptics/tick.h"
 #include "haptics/tip/tip_hold.h"
 #include "haptics/tool_proxy.h"
 #include "instruments/hand_instruments.h"
@@ -21,38 +22,6 @@ struct OperatorInput {
     Pose deviceInTooth;    ///< pose of the tool that the device asks for
     double pedal = 0;      ///< 0 up .. 1 down
     bool cutting = false;  ///< false: touch only; the bur does not turn
-};
-
-/// All results of one tick, for the device, the recorder, the plots and the sound. Lengths in mm, forces in N.
-struct Tick {
-    std::uint32_t number = 0;    ///< of the tick since the start, from 1; the caller fills it in; 0: not counted
-    double time = 0;             ///< s since the start of the simulation
-    Pose hand;                   ///< device pose: of the tool as the device asks for it, in the tooth's frame
-    Pose proxy;                  ///< of the proxy, in the tooth's frame
-    double depth = 0;            ///< distance between the two
-    Vec3 normal = Vec3::Zero();  ///< unit, out of the tooth; zero without contact
-    double speed = 0;            ///< of the device's tip, mm/s
-    Wrench wrench;               ///< computed; the force pipeline comes after it
-    Vec3 driveForce =
-        Vec3::Zero();         ///< the part of the force with which the spinning bur pulls, N: the drive pays for it
-    double stiffness = 0;     ///< of the contact spring, N/mm; 0 without contact
-    double deflection = 0;    ///< of the contact spring, inwards and against friction, mm
-    int contacts = 0;         ///< triangles that hold the proxy
-    bool placed = false;      ///< false: the device pose is faulty, or no free pose is known; there is no force
-    bool cutting = false;     ///< as OperatorInput::cutting; never for an instrument in the hand
-    double pedal = 0;         ///< 0 up .. 1 down
-    double speedRpm = 0;      ///< of the bur
-    double load = 0;          ///< torque on the bur, N*mm
-    double removalPower = 0;  ///< tangential force times rim speed, W
-    double cutWork = 0;     ///< normal force times rim travel since the start, N*m: what the removal law spends; of an
-                            ///< excavator, normal force times the way of the hand
-    double tipHold = 0;     ///< the force that draws an explorer's tip out of soft decay, N; 0: nothing holds it
-    MaterialId material{};  ///< of the contact point with the largest multiplier; undefined without contact
-    std::optional<MaterialId> around;   ///< of a body of the surroundings, if one holds the tool
-    std::uint32_t contactOnsets = 0;    ///< number of contact onsets so far
-    double impactSpeed = 0;             ///< along the normal at the last contact onset, mm/s
-    std::uint32_t ownListRebuilds = 0;  ///< number of ticks that had to rebuild the neighbour list themselves
-    double micros = 0;                  ///< computing time of the tick, us; the caller fills it in
 };
 
 /// Work budget of a tick of a cutting bur. With it the slowest of a thousand ticks take about 0.2 ms of their 1 ms
@@ -104,6 +73,7 @@ private:
     void touch(const OperatorInput& input, double dt, Tick& tick);
     [[nodiscard]] Pose targetOf(const OperatorInput& input, double dt);
     [[nodiscard]] double rimSpeed() const;
+    [[nodiscard]] double slideSpeed(const Tick::Contact& now, double dt) const;
     [[nodiscard]] double softnessAtTip(const ProxyState& state) const;
     void updateTipHold(const ProxyState& state, double dt, Tick& tick);
     [[nodiscard]] double bladeWork(const Tick& tick, double dt) const;

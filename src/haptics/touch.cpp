@@ -36,9 +36,9 @@ public:
 
     TouchResult follow(const RigidPose& toolInTooth, double dt) {
         const Tick tick = simulation_.step({poseOf(toolInTooth), 0, false}, dt);
-        return {tick.contacts > 0,           tick.depth,
-                arrayOf(tick.normal),        arrayOf(tick.wrench.force),
-                arrayOf(tick.wrench.torque), rigidPoseOf(tick.proxy)};
+        return {tick.contact.triangles > 0,        tick.contact.depth,
+                arrayOf(tick.contact.normal),      arrayOf(tick.force.wrench.force),
+                arrayOf(tick.force.wrench.torque), rigidPoseOf(tick.contact.proxy)};
     }
 
 private:

@@ -64,7 +64,8 @@ void DeviceSession::clickButton(int button) const {
 /// A lost device stays where it was and may come back later: see lean.
 void DeviceSession::liftOff() const {
     moveHand(0, kAbove);
-    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().log().newest().contacts == 0; }, 3000);
+    (void)QTest::qWaitFor([this] { return force() == 0 && window_->model().log().newest().contact.triangles == 0; },
+                          3000);
 }
 
 /// A stalled machine stops the force until the hand has lifted off.
@@ -80,7 +81,7 @@ void DeviceSession::lean() const {
 
 void DeviceSession::touchTheTooth() const {
     lean();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
     QCOMPARE(removed(), 0.0);
     const auto isOn = [this] {
         if (!state().contains("The force is on")) lean();
@@ -92,10 +93,10 @@ void DeviceSession::touchTheTooth() const {
 void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().cutting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().input.cutting, kPatience);
     auto* pedal = window_->findChild<QCheckBox*>("keepPedal");
     pedal->setChecked(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 300'000, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().spindle.speedRpm > 300'000, kPatience);
     const double before = removed();
     QElapsedTimer since;
     since.start();
@@ -108,7 +109,7 @@ void DeviceSession::cutByButtonAndPedal(int button, double seconds) const {
     pedal->setChecked(false);
     liftOff();
     clickButton(button);
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().cutting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->model().log().newest().input.cutting, kPatience);
 }
 
 void DeviceSession::takeTheMirrorByButton(int button) const {

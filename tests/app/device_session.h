@@ -32,7 +32,7 @@ protected:
     [[nodiscard]] QString hint() const;
     /// Closes the messages in front and returns their texts.
     [[nodiscard]] QString dismissMessages() const;
-    [[nodiscard]] Vec3 toolTip() const { return window_->model().log().newest().hand.position; }
+    [[nodiscard]] Vec3 toolTip() const { return window_->model().log().newest().input.device.position; }
     [[nodiscard]] Vec3 mirrorMotion() const { return window_->model().runner()->feed().mirrorMotion().position; }
     void chooseDevice(const char* list, const QString& name) const;
 

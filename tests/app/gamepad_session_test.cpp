@@ -30,13 +30,13 @@ TEST(GamepadSession, AGamepadTouchesAndCutsTheToothAndRumbles) {
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.6);
     model.install(DeviceSlot::First, std::move(*device));
     const auto& newest = model.log().newest();
-    EXPECT_TRUE(soon([&] { return newest.contacts > 0 && newest.wrench.force.norm() > 1; }));
+    EXPECT_TRUE(soon([&] { return newest.contact.triangles > 0 && newest.force.wrench.force.norm() > 1; }));
     EXPECT_TRUE(soon([&] { return pad.slowMotor() > 0.3; })) << "contact is felt";
     EXPECT_EQ(total(model.runner()->feed().removed()), 0);
     pad.button(SDL_CONTROLLER_BUTTON_A, true);
     pad.axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
     pad.forgetMotors();
-    EXPECT_TRUE(soon([&] { return newest.cutting && total(model.runner()->feed().removed()) > 0.005; }));
+    EXPECT_TRUE(soon([&] { return newest.input.cutting && total(model.runner()->feed().removed()) > 0.005; }));
     EXPECT_TRUE(soon([&] { return pad.strongestQuick() > 0.1; })) << "cutting is felt";
 }
 

@@ -74,9 +74,9 @@ void HaplySessionTest::theArmTakesTheTool() {
 
 void HaplySessionTest::theGripTurnsTheBur() {
     liftOff();
-    const Vec3 shaft = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
+    const Vec3 shaft = window_->model().log().newest().input.device.rotation * Vec3::UnitZ();
     const auto leansBy = [&](double cosine) {
-        const Vec3 now = window_->model().log().newest().hand.rotation * Vec3::UnitZ();
+        const Vec3 now = window_->model().log().newest().input.device.rotation * Vec3::UnitZ();
         return std::abs(now.dot(shaft) - cosine) < 1e-3;
     };
     const double half = 0.25;  // rad

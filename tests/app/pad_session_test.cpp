@@ -63,8 +63,8 @@ private:
     void choose(const QAction* entry);
     [[nodiscard]] static QMenu* menu() { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); }
     [[nodiscard]] QAction* entry(const QString& text) const;
-    [[nodiscard]] Pose tool() const { return window_->model().log().newest().hand; }
-    [[nodiscard]] bool isCutting() const { return window_->model().log().newest().cutting; }
+    [[nodiscard]] Pose tool() const { return window_->model().log().newest().input.device; }
+    [[nodiscard]] bool isCutting() const { return window_->model().log().newest().input.cutting; }
     [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
 
     std::unique_ptr<test::VirtualPad> pad_;
@@ -104,7 +104,7 @@ void PadSessionTest::liftOff() {
     stick(SDL_CONTROLLER_AXIS_LEFTX, 0);
     const double height = tool().position.z();
     holdUntil(SDL_CONTROLLER_BUTTON_LEFTSHOULDER, [&] { return tool().position.z() > height + kLift; });
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contacts, 0U, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().log().newest().contact.triangles, 0U, kPatience);
 }
 
 QAction* PadSessionTest::entry(const QString& text) const {
@@ -170,7 +170,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
 
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
     QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
     QCOMPARE(removed(), 0.0);
     liftOff();
@@ -180,7 +180,7 @@ void PadSessionTest::theToothIsCut() {
     press(SDL_CONTROLLER_BUTTON_A);
     QTRY_VERIFY_WITH_TIMEOUT(isCutting(), kPatience);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().speedRpm > 200'000, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().spindle.speedRpm > 200'000, kPatience);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.3);
     QElapsedTimer since;
     since.start();

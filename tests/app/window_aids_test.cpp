@@ -161,7 +161,7 @@ void WindowAidsTest::theMirrorIsPlacedBehindTheBurAndPutBack() {
     QTest::keyClick(&view(), Qt::Key_M, Qt::ShiftModifier);
     const Pose placed = window_->model().mirror().pose();
     QVERIFY((placed.position - parked.position).norm() > 0.1);
-    const Pose bur = window_->model().log().newest().proxy;
+    const Pose bur = window_->model().log().newest().contact.proxy;
     const Vec3 toEye = (view().camera().cameraInWorld.position - bur.position).normalized();
     QVERIFY((placed.position - bur.position).normalized().dot(toEye) < 0.5);
     QVERIFY((placed.rotation * Vec3::UnitZ()).dot(toEye) > 0);
@@ -206,7 +206,7 @@ void WindowAidsTest::theRingLiesUnderThePointer() {
                              kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(view().aim().lines().join(' ').contains("mm"), kPatience);
     QVERIFY(view().aim().warning() == TipWarning::None);
-    QVERIFY(window_->model().log().newest().contacts == 0);
+    QVERIFY(window_->model().log().newest().contact.triangles == 0);
     key(Qt::Key_J);
     QVERIFY(view().aim().ring().empty());
     key(Qt::Key_J);
@@ -224,7 +224,9 @@ void WindowAidsTest::overAMarginalRidgeTheRingMarksTheNeighbour() {
         const Vec3 crown(x, tooth.center().y(), tooth.max().z() - 1);
         const auto pixel = project(view().camera(), {view().width(), view().height()}, crown);
         QTest::mouseMove(&view(), QPoint(static_cast<int>(pixel->x()), static_cast<int>(pixel->y())));
-        const auto isThere = [&] { return std::abs(window_->model().log().newest().proxy.position.x() - x) < 0.5; };
+        const auto isThere = [&] {
+            return std::abs(window_->model().log().newest().contact.proxy.position.x() - x) < 0.5;
+        };
         QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatience);
     };
     aimBeside(0.3);

@@ -102,8 +102,8 @@ void WindowInstrumentsTest::aHandInstrumentHasNoHandpieceAndDoesNotTurn() {
     view().setFocus();
     QTest::keyPress(&view(), Qt::Key_Space);
     waitForSteps(30);
-    QCOMPARE(window_->model().log().newest().speedRpm, 0.0);
-    QCOMPARE(window_->model().log().newest().pedal, 0.0);
+    QCOMPARE(window_->model().log().newest().spindle.speedRpm, 0.0);
+    QCOMPARE(window_->model().log().newest().input.pedal, 0.0);
     QVERIFY(window_->model().animation().particles().empty());
     QTest::keyRelease(&view(), Qt::Key_Space);
     key(Qt::Key_T);
@@ -143,9 +143,9 @@ void WindowInstrumentsTest::theExplorerAndTheProbeTouchWithTheForceThatIsSet() {
          {std::pair("explorer", HandInstrument::Explorer), std::pair("probe", HandInstrument::Probe)}) {
         take(name, kind);
         pressBurOn(middle());
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
         const double wanted = window_->model().manipulator().pressDepth();
-        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().depth > 0.7 * wanted, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.depth > 0.7 * wanted, kPatience);
         const QStringList lines = window_->findChild<AimOverlay*>()->lines();
         QVERIFY2(lines.join('\n').contains("Force"), qPrintable(lines.join('\n')));
         QVERIFY2(!lines.join('\n').contains("pulp"), qPrintable(lines.join('\n')));
@@ -174,7 +174,7 @@ void WindowInstrumentsTest::savePictures(const QString& folder) {
             action(QString::fromStdString(std::string(spec.name))).trigger();
             waitForTooth();
             pressBurOn(middle());
-            QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+            QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
             QVERIFY(waitForQuietPicture());
             window_->grab().save(folder + "/instrument-" + QString::fromStdString(std::string(spec.name)) + end);
             liftBur(middle());

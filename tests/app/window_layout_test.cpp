@@ -125,7 +125,7 @@ void WindowLayoutTest::anotherLanguageKeepsCutAndThePedal() {
     chooseJapanese(*owner);
     QVERIFY(owner->window().findChild<DrillBar*>()->isCutting());
     QVERIFY(kept()->isChecked());
-    QTRY_VERIFY_WITH_TIMEOUT(owner->window().model().log().newest().cutting, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(owner->window().model().log().newest().input.cutting, kPatience);
     kept()->setChecked(false);
     applyLanguage(*qApp, "en");
 }
@@ -253,7 +253,7 @@ void WindowLayoutTest::theDemonstrationShowsWhatTheBurDoes() {
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
     Surface handpiece;
     handpiece.base = std::make_shared<const SurfacePart>(*window_->model().instruments().meshes()->handpieces.turbine);
-    const Pose tool = window_->model().log().newest().proxy;
+    const Pose tool = window_->model().log().newest().contact.proxy;
     const Vec3 toEye = (view().camera().cameraInWorld.position - tool.position).normalized();
     const double seen = seenShare({surface(), &handpiece}, tool, toEye);
     QVERIFY2(seen >= 0.9, qPrintable(QString::number(seen)));

@@ -127,7 +127,7 @@ void WindowLookTest::aSectionGoesWithTheBur() {
     follows->setChecked(true);
     QVERIFY(!place->isEnabled());
     const auto atTip = [&] {
-        const double tip = window_->model().log().newest().proxy.position.x();
+        const double tip = window_->model().log().newest().contact.proxy.position.x();
         const double middle = window_->model().tooth()->box().center().x();
         return std::abs(place->value() / 10.0 - window_->model().mesialX() * (tip - middle)) <= 0.051;
     };

@@ -212,7 +212,7 @@ void WindowReplayTest::theBenchIsAsItWasAfterwards() {
     QVERIFY(window_->model().runner()->feed().surface() == bench_);
     QCOMPARE(removed(), benchRemoved_);
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);  // it can be felt again
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);  // it can be felt again
     liftBur(middle());
 }
 

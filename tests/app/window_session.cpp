@@ -45,7 +45,7 @@ void WindowSession::pressBurOn(const QPoint& place) const {
         aimed.aim(view().viewport(), Vec2(pixel.x(), pixel.y()), *touchableSurface(window_->model()));
         const Vec3 goal = aimed.pose().position;
         return (goal - window_->model().manipulator().pose().position).norm() < kNear &&
-               (goal - window_->model().log().newest().proxy.position).norm() < kNear;
+               (goal - window_->model().log().newest().contact.proxy.position).norm() < kNear;
     };
     (void)QTest::qWaitFor(isThere, 5000);
     QTest::mousePress(&view(), Qt::LeftButton, {}, place);
@@ -55,8 +55,8 @@ void WindowSession::liftBur(const QPoint& place) const {
     QTest::mouseRelease(&view(), Qt::LeftButton, {}, place);
     const auto isClear = [&] {
         const Vec3 hand = window_->model().manipulator().pose().position;
-        return window_->model().log().newest().contacts == 0 &&
-               (hand - window_->model().log().newest().proxy.position).norm() < kNear;
+        return window_->model().log().newest().contact.triangles == 0 &&
+               (hand - window_->model().log().newest().contact.proxy.position).norm() < kNear;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isClear(), kPatience);
 }

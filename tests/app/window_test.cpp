@@ -89,7 +89,7 @@ void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
     QTest::mouseClick(welcome->findChild<QPushButton*>("practise"), Qt::LeftButton);
     waitForTooth();
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
     QVERIFY2(test::isSanitized() || started_.elapsed() < 30000, qPrintable(QString::number(started_.elapsed())));
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, kPatience);
@@ -116,7 +116,7 @@ void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
     QCOMPARE(gauge("forceGauge"), 0.0);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.3, kPatience);
-    QVERIFY(window_->model().log().newest().contacts > 0);
+    QVERIFY(window_->model().log().newest().contact.triangles > 0);
     liftBur(middle());
     QTRY_COMPARE_WITH_TIMEOUT(gauge("forceGauge"), 0.0, kPatience);
 }
@@ -128,8 +128,8 @@ void WindowTest::pressingHarderGivesMoreForce() {
     depth->setValue(0.4);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(window_->model().log().newest().depth - 0.4) < 0.02, kPatience);
-    const double light = std::max(gauge("forceGauge"), window_->model().log().newest().wrench.force.norm());
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(window_->model().log().newest().contact.depth - 0.4) < 0.02, kPatience);
+    const double light = std::max(gauge("forceGauge"), window_->model().log().newest().force.wrench.force.norm());
     for (int notch = 0; notch < 8; ++notch) {
         QWheelEvent wheel(middle(), view().mapToGlobal(middle()), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
                           false);
@@ -173,7 +173,7 @@ void WindowTest::aBurThatCannotCutSaysWhy() {
 void WindowTest::aTouchingBurRemovesNothing() {
     window_->findChild<QCheckBox*>("keepPedal")->setChecked(true);
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contacts > 0, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
     const double touched = window_->model().log().newest().time;
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().time > touched + 0.3, kPatience);
     liftBur(middle());

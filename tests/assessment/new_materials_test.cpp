@@ -75,10 +75,10 @@ protected:
 };
 
 TEST_F(NewMaterials, AreTouchedWithTheirOwnStiffness) {
-    EXPECT_EQ(pressedAt(-1).material, idOf("composite"));
-    EXPECT_NEAR(pressedAt(-1).stiffness, 0.7, 1e-9);
-    EXPECT_EQ(pressedAt(1).material, idOf("amalgam"));
-    EXPECT_NEAR(pressedAt(1).stiffness, 0.9, 1e-9);
+    EXPECT_EQ(pressedAt(-1).contact.material, idOf("composite"));
+    EXPECT_NEAR(pressedAt(-1).force.stiffness, 0.7, 1e-9);
+    EXPECT_EQ(pressedAt(1).contact.material, idOf("amalgam"));
+    EXPECT_NEAR(pressedAt(1).force.stiffness, 0.9, 1e-9);
 }
 
 TEST_F(NewMaterials, AreHeardInTheirOwnBand) {

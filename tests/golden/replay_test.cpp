@@ -94,12 +94,12 @@ Outcome replay(const BuiltinTooth& molar) {
         const bool cuts = sample.buttons == kCutButton;
         const Tick tick = simulation.step({sample.hand, sample.pedal, cuts}, kTick);
         updateHapticSurface(piece, tick, cuts && piece.feed(cutting, tick, MaterialTable()), surfaces, simulation);
-        fingerprint.add(tick.wrench.force);
-        fingerprint.add(tick.wrench.torque);
-        fingerprint.add(tick.proxy.position);
-        fingerprint.add(tick.proxy.rotation);
+        fingerprint.add(tick.force.wrench.force);
+        fingerprint.add(tick.force.wrench.torque);
+        fingerprint.add(tick.contact.proxy.position);
+        fingerprint.add(tick.contact.proxy.rotation);
         if (!cuts) outcome.touch = fingerprint.value();
-        (cuts ? outcome.cut : outcome.touched) += tick.contacts > 0;
+        (cuts ? outcome.cut : outcome.touched) += tick.contact.triangles > 0;
     }
     fingerprint.add(piece.hash());
     outcome.hash = fingerprint.value();

@@ -73,7 +73,7 @@ TEST(Allocation, TouchingUsesNoHeap) {
         for (int i = 1; i <= kSteps; ++i) {
             const Tick tick = simulation.step(circling(i, false), kTick);
             (void)pipeline.pass(forceCommandFrom(tick), kTick);
-            touched += tick.contacts > 0;
+            touched += tick.contact.triangles > 0;
         }
         EXPECT_EQ(test::heapCalls(), before);
         EXPECT_GT(touched, kSteps / 3);
@@ -86,7 +86,7 @@ TEST(Allocation, AHandInTheToothThatWaitsForAPlaceUsesNoHeap) {
     simulation.step({test::at(0, 0, -0.3), 1, true}, kTick);
     const long before = test::heapCalls();
     for (int i = 1; i <= kSteps / 10; ++i) {
-        ASSERT_FALSE(simulation.step({test::at(0.001 * i, 0, -0.3), 1, true}, kTick).placed);
+        ASSERT_FALSE(simulation.step({test::at(0.001 * i, 0, -0.3), 1, true}, kTick).contact.placed);
     }
     EXPECT_EQ(test::heapCalls(), before);
 }
@@ -106,8 +106,8 @@ TEST(Allocation, CuttingUsesNoHeapWhileTheSurfaceChanges) {
             retired.push_back(simulation.setSurface(std::move(surfaces[retired.size() + 1])));
         }
         const Tick tick = simulation.step(circling(i, true), kTick);
-        touched += tick.contacts > 0;
-        lost += !tick.placed;
+        touched += tick.contact.triangles > 0;
+        lost += !tick.contact.placed;
     }
     EXPECT_EQ(test::heapCalls(), before);
     EXPECT_GT(touched, kSteps / 3);

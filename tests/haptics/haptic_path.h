@@ -33,7 +33,7 @@ struct ForceStats {
     ForceStats hapticSurface;
     const std::vector<Pose> path = toolTrajectory(ground, how);
     for (const Pose& hand : path) {
-        const double force = simulation.step({hand, 0, false}, kServoTick).wrench.force.norm();
+        const double force = simulation.step({hand, 0, false}, kServoTick).force.wrench.force.norm();
         hapticSurface.mean += force / static_cast<double>(path.size());
         hapticSurface.peak = std::max(hapticSurface.peak, force);
     }

@@ -157,7 +157,7 @@ TEST(Precondition, ADevicePoseThatIsNotRigidIsHandledBySimulation) {
     const test::ThrowingAsserts asserts;
     HapticSimulation running = simulation();
     for (const Pose& pose : {test::at(kNan, 0, 0), Pose{Vec3::Zero(), Quat(0, 0, 0, 0)}, test::at(1e300, 0, 0)}) {
-        EXPECT_NO_THROW(EXPECT_FALSE(running.step({pose}, kTick).placed));
+        EXPECT_NO_THROW(EXPECT_FALSE(running.step({pose}, kTick).contact.placed));
     }
     EXPECT_NO_THROW((void)running.step({test::at(0, 0, 1)}, kNan));
 }

@@ -81,10 +81,10 @@ Report sealedTicks(HapticSimulation& simulation, const Vec3& top, int ticks) {
     Fnv1a hash;
     for (int i = 1; i <= ticks; ++i) {
         const Tick tick = simulation.step(handAt(top, i), kTick);
-        const auto wrench = limiter.limit(tick.wrench, kTick, tick.placed, 0);
-        report.touching += tick.contacts > 0 ? 1 : 0;
+        const auto wrench = limiter.limit(tick.force.wrench, kTick, tick.contact.placed, 0);
+        report.touching += tick.contact.triangles > 0 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) {
-            for (const double value : {wrench.force()[axis], wrench.torque()[axis], tick.proxy.position[axis]})
+            for (const double value : {wrench.force()[axis], wrench.torque()[axis], tick.contact.proxy.position[axis]})
                 hash.addWord(std::bit_cast<std::uint64_t>(value));
         }
     }

@@ -81,12 +81,12 @@ TEST(SmoothForce, ItsDirectionTurnsWithTheBallUnderIt) {
             const Vec3 outward(std::sin(angle), 0.004 * std::cos(angle), std::cos(angle));
             const Vec3 hand = (kRadius - kPress) * outward - kRadius * Vec3::UnitZ();
             const Tick tick = simulation.step({{hand, Quat::Identity()}, 0, false}, kTick);
-            ASSERT_GT(tick.contacts, 0) << angle;
+            ASSERT_GT(tick.contact.triangles, 0) << angle;
             if (!last.isZero()) {
-                EXPECT_LE(degreesBetween(tick.normal, last), step * 180 / std::numbers::pi + 0.1) << angle;
+                EXPECT_LE(degreesBetween(tick.contact.normal, last), step * 180 / std::numbers::pi + 0.1) << angle;
                 ++turns;
             }
-            last = tick.normal;
+            last = tick.contact.normal;
         }
         EXPECT_GT(turns, 10);
     }
@@ -105,10 +105,10 @@ TEST(SmoothForce, ADeviceAtRestGetsNoNoise) {
             for (int tick = 0; tick < 60; ++tick)
                 (void)simulation.step({path[i], 0, false}, kTick);  // the low-passed speed decays
             const Tick first = simulation.step({path[i], 0, false}, kTick);
-            pressed += first.contacts > 0 ? 1 : 0;
+            pressed += first.contact.triangles > 0 ? 1 : 0;
             for (int tick = 0; tick < 300; ++tick) {
                 const Tick later = simulation.step({path[i], 0, false}, kTick);
-                ASSERT_LT((later.wrench.force - first.wrench.force).norm(), 1e-3) << tooth.name << " " << i;
+                ASSERT_LT((later.force.wrench.force - first.force.wrench.force).norm(), 1e-3) << tooth.name << " " << i;
             }
         }
         EXPECT_GT(pressed, 1) << tooth.name;

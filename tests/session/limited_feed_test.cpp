@@ -83,7 +83,7 @@ CutOutcome cutOut(const HeldBack& one, double tick) {
     StepwiseSession session(piece, cutSetup({std::make_shared<const ToolShape>(bur), tool}, settings));
     double behind = 0;
     EXPECT_TRUE(cutWithRemovalLaw(pathOf(one, tick), session, [&](double, const Tick& now, const ToothLoss&) {
-        behind = std::max(behind, now.depth);
+        behind = std::max(behind, now.contact.depth);
     }));
     EXPECT_GT(behind, 0.01) << "the hand is ahead of its bur";
     return CutOutcome(*piece);

@@ -60,9 +60,9 @@ CutForces mill() {
     CutForces forces;
     double work = 0;
     EXPECT_TRUE(cutWithRemovalLaw(millingPath(), session, [&](double, const Tick& tick, const ToothLoss&) {
-        forces.normal.push_back((tick.cutWork - work) / rimTravel);
-        forces.force.push_back(tick.wrench.force);
-        work = tick.cutWork;
+        forces.normal.push_back((tick.spindle.cutWork - work) / rimTravel);
+        forces.force.push_back(tick.force.wrench.force);
+        work = tick.spindle.cutWork;
     }));
     return forces;
 }

@@ -79,9 +79,10 @@ Expected<void> writeForcePlot(const std::filesystem::path& path, std::span<const
     const OffscreenApplication application;
     const Plot plots[] = {
         {"Penetration depth: how far the hand is behind the surface", "mm", QColor(0x1b, 0x6c, 0xa8),
-         [](const Tick& t) { return t.depth; }},
-        {"Speed of the tip", "mm/s", QColor(0x3c, 0x8d, 0x5a), [](const Tick& t) { return t.speed; }},
-        {"Force on the hand", "N", QColor(0xb8, 0x4a, 0x32), [](const Tick& t) { return t.wrench.force.norm(); }}};
+         [](const Tick& t) { return t.contact.depth; }},
+        {"Speed of the tip", "mm/s", QColor(0x3c, 0x8d, 0x5a), [](const Tick& t) { return t.input.speed; }},
+        {"Force on the hand", "N", QColor(0xb8, 0x4a, 0x32),
+         [](const Tick& t) { return t.force.wrench.force.norm(); }}};
     QImage image(kWidth, 3 * kPlotHeight, QImage::Format_RGB32);
     QPainter painter(&image);
     for (int row = 0; row < 3; ++row) drawPlot(painter, plots[row], ticks, row, row == 2);

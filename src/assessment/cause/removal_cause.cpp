@@ -102,9 +102,9 @@ std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& 
     track.forEachTick(track.momentAt(work->from - kContext), track.momentAt(work->to + kContext),
                       [&](const TrackTick& kept) {
                           const Tick tick = kept.tick();
-                          if (tick.contacts == 0) return;
-                          const Vec3 shaft = tick.proxy.rotation * Vec3::UnitZ();
-                          force += tick.wrench.force.norm();
+                          if (tick.contact.triangles == 0) return;
+                          const Vec3 shaft = tick.contact.proxy.rotation * Vec3::UnitZ();
+                          force += tick.force.wrench.force.norm();
                           tilt += std::acos(std::clamp(shaft.dot(axis), -1.0, 1.0));
                           ++count;
                       });

@@ -75,7 +75,7 @@ HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& mod
     for (; tick < longest && !hand.isDone(); ++tick) {
         const double time = kTick * static_cast<double>(tick);
         const Tick now = session.step({hand.move(kTick, sense), 1, true}, kTick, time);
-        sense = {pipeline.pass(forceCommandFrom(now), kTick).force().norm(), now.proxy.position};
+        sense = {pipeline.pass(forceCommandFrom(now), kTick).force().norm(), now.contact.proxy.position};
         meter.add(TrackTick::of(now.time, now));
         if (tick % kTicksPerCut == 0) (void)session.carve();
         session.list();

@@ -54,17 +54,19 @@ TickSound::TickSound(const SpindlePreset& spindle, const MaterialTable& material
 DrillSoundState TickSound::at(const Tick& tick) const {
     DrillSoundState state;
     state.motor = motor_;
-    state.speedRpm = tick.speedRpm;
+    state.speedRpm = tick.spindle.speedRpm;
     state.freeSpeedRpm = freeSpeedRpm_;
-    state.pedal = tick.cutting ? tick.pedal : 0;  // in touch mode the pedal has no effect
-    state.load = std::clamp(tick.load / stallTorque_, 0.0, 1.0);
-    state.removalPower = tick.removalPower;
-    state.material = characters_[static_cast<std::size_t>(tick.material)];
+    state.pedal = tick.input.cutting ? tick.input.pedal : 0;  // in touch mode the pedal has no effect
+    state.load = std::clamp(tick.spindle.load / stallTorque_, 0.0, 1.0);
+    state.removalPower = tick.spindle.removalPower;
+    state.material = characters_[static_cast<std::size_t>(tick.contact.material)];
     state.blades = blades_;
-    state.contactCount = tick.contactOnsets;
-    state.contactSpeed = tick.impactSpeed;
+    state.contactCount = tick.contact.onsets;
+    state.contactSpeed = tick.contact.impactSpeed;
+    state.contactForce = tick.force.wrench.force.norm();
+    state.slideSpeed = tick.contact.slideSpeed;
     state.water = state.pedal;
-    state.suction = tick.cutting ? 1 : 0;
+    state.suction = tick.input.cutting ? 1 : 0;
     return state;
 }
 

@@ -145,7 +145,7 @@ ForceCommand DeviceSet::wantedFor(const HeldDevice& hand, const Tick& tick, bool
 }
 
 void DeviceSet::write(const Tick& tick, bool enabled, double elapsed) {
-    if (tick.placed) proxy_ = tick.proxy;
+    if (tick.contact.placed) proxy_ = tick.contact.proxy;
     silent_ = true;
     for (HeldDevice* const hand : devices_) {
         if (hand == nullptr) continue;

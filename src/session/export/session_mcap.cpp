@@ -95,18 +95,18 @@ public:
     void onTick(double time, const Tick& tick) {
         if (time < next_) return;
         next_ = std::max(next_ + period_, time + period_ / 2);
-        write(pose_, time, {{"pose", poseJson(tick.proxy)}});
+        write(pose_, time, {{"pose", poseJson(tick.contact.proxy)}});
         write(force_, time,
-              {{"force", vectorJson(tick.wrench.force)},
-               {"torque", vectorJson(tick.wrench.torque)},
-               {"depth", tick.depth},
-               {"contacts", tick.contacts}});
+              {{"force", vectorJson(tick.force.wrench.force)},
+               {"torque", vectorJson(tick.force.wrench.torque)},
+               {"depth", tick.contact.depth},
+               {"contacts", tick.contact.triangles}});
         write(spindle_, time,
-              {{"speed", tick.speedRpm},
-               {"load", tick.load},
-               {"power", tick.removalPower},
-               {"pedal", tick.pedal},
-               {"cutting", tick.cutting}});
+              {{"speed", tick.spindle.speedRpm},
+               {"load", tick.spindle.load},
+               {"power", tick.spindle.removalPower},
+               {"pedal", tick.input.pedal},
+               {"cutting", tick.input.cutting}});
     }
     /// A moment is known only after the ticks of its time, so a chunk of their own has them.
     void endTicks() { writer_.endChunk(); }

@@ -43,13 +43,13 @@ void SessionMoments::onEvent(double time, const SessionEvent& event) {
 
 void SessionMoments::onTick(double time, const Tick& tick) {
     if (cut_ && time > cut_->lastContact + kPauseBetweenCuts) endCut();
-    if (tick.cutting && tick.contacts > 0 && tick.speedRpm > 0) {
+    if (tick.input.cutting && tick.contact.triangles > 0 && tick.spindle.speedRpm > 0) {
         if (!cut_) {
-            cut_ = Cut{time, removed(), tick.proxy.position};
-            all_.push_back({time, "cut begun", tick.proxy.position});
+            cut_ = Cut{time, removed(), tick.contact.proxy.position};
+            all_.push_back({time, "cut begun", tick.contact.proxy.position});
         }
         cut_->lastContact = time;
-        cut_->place = tick.proxy.position;
+        cut_->place = tick.contact.proxy.position;
     }
     events_.update(time, tick, replay_->model().loss());
 }

@@ -18,17 +18,17 @@ Expected<void> notFinite(double time, const MessageText& what) {
 }  // namespace
 
 Expected<void> checkFinite(double time, const Tick& tick) {
-    if (!tick.wrench.force.allFinite()) return notFinite(time, msg::kTickForce);
-    if (!tick.wrench.torque.allFinite()) return notFinite(time, msg::kTickTorque);
-    if (!std::isfinite(tick.depth)) return notFinite(time, msg::kTickDepth);
-    if (!tick.normal.allFinite()) return notFinite(time, msg::kTickNormal);
-    if (!tick.proxy.position.allFinite() || !tick.proxy.rotation.coeffs().allFinite())
+    if (!tick.force.wrench.force.allFinite()) return notFinite(time, msg::kTickForce);
+    if (!tick.force.wrench.torque.allFinite()) return notFinite(time, msg::kTickTorque);
+    if (!std::isfinite(tick.contact.depth)) return notFinite(time, msg::kTickDepth);
+    if (!tick.contact.normal.allFinite()) return notFinite(time, msg::kTickNormal);
+    if (!tick.contact.proxy.position.allFinite() || !tick.contact.proxy.rotation.coeffs().allFinite())
         return notFinite(time, msg::kTickProxy);
-    if (!tick.hand.position.allFinite() || !tick.hand.rotation.coeffs().allFinite())
+    if (!tick.input.device.position.allFinite() || !tick.input.device.rotation.coeffs().allFinite())
         return notFinite(time, msg::kTickHand);
-    if (!std::isfinite(tick.speed)) return notFinite(time, msg::kTickSpeed);
-    if (!std::isfinite(tick.speedRpm)) return notFinite(time, msg::kTickBurSpeed);
-    if (!std::isfinite(tick.cutWork)) return notFinite(time, msg::kTickBurWork);
+    if (!std::isfinite(tick.input.speed)) return notFinite(time, msg::kTickSpeed);
+    if (!std::isfinite(tick.spindle.speedRpm)) return notFinite(time, msg::kTickBurSpeed);
+    if (!std::isfinite(tick.spindle.cutWork)) return notFinite(time, msg::kTickBurWork);
     return {};
 }
 

@@ -37,7 +37,7 @@ CarvingStage::CarvingStage(std::shared_ptr<CutModel> model, const Instrument& in
 }
 
 bool CarvingStage::cutsAt(const Tick& tick) const {
-    return tick.contacts > 0 && (scrapes_ || (tick.cutting && tick.speedRpm > 0));
+    return tick.contact.triangles > 0 && (scrapes_ || (tick.input.cutting && tick.spindle.speedRpm > 0));
 }
 
 /// Returns `changed`. A turn that changes nothing is in the hash by its place among the others.
@@ -57,7 +57,7 @@ bool CarvingStage::addToHash(bool changed) {
 
 bool CarvingStage::carve(const Tick& tick) {
     time_ = tick.time;
-    if (tick.cutting || scrapes_) {
+    if (tick.input.cutting || scrapes_) {
         const bool cuts = cutsAt(tick);
         if (cuts && tick.time > lastCut_ + kPauseBetweenCuts) model_->mark(tick.time);
         if (cuts) lastCut_ = tick.time;

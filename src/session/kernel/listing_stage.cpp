@@ -15,10 +15,11 @@ HapticSurface* ListingStage::turn(const Tick& now, std::optional<CarvedSurface> 
         newest_ = cut->surface;
         unsent_ = std::move(cut);
     }
-    if (now.placed) surfaces_.watch(now.time, now.proxy, now.ownListRebuilds);
-    if (unsent_) return surfaces_.make(unsent_->surface, now.proxy, unsent_->reached.value_or(now.proxy));
-    const bool waits = !now.placed && placement_ == Placement::Deferred;
-    return waits ? surfaces_.place(newest_, now.hand) : surfaces_.rebuild();
+    if (now.contact.placed) surfaces_.watch(now.time, now.contact.proxy, now.diagnostics.ownListRebuilds);
+    if (unsent_)
+        return surfaces_.make(unsent_->surface, now.contact.proxy, unsent_->reached.value_or(now.contact.proxy));
+    const bool waits = !now.contact.placed && placement_ == Placement::Deferred;
+    return waits ? surfaces_.place(newest_, now.input.device) : surfaces_.rebuild();
 }
 
 }  // namespace tactooth

@@ -31,15 +31,15 @@ Tick ServoStage::step(const OperatorInput& input, double elapsed) {
 void addToHash(Fnv1a& hash, const Tick& tick) {
     const auto add = [&hash](double value) { hash.addWord(std::bit_cast<std::uint64_t>(value)); };
     for (int axis = 0; axis < 3; ++axis) {
-        add(tick.proxy.position[axis]);
-        add(tick.wrench.force[axis]);
-        add(tick.wrench.torque[axis]);
+        add(tick.contact.proxy.position[axis]);
+        add(tick.force.wrench.force[axis]);
+        add(tick.force.wrench.torque[axis]);
     }
-    for (int i = 0; i < 4; ++i) add(tick.proxy.rotation.coeffs()[i]);
-    add(tick.depth);
-    add(tick.speedRpm);
-    add(tick.cutWork);
-    hash.addWord(static_cast<std::uint64_t>(tick.contacts) << 1 | (tick.placed ? 1 : 0));
+    for (int i = 0; i < 4; ++i) add(tick.contact.proxy.rotation.coeffs()[i]);
+    add(tick.contact.depth);
+    add(tick.spindle.speedRpm);
+    add(tick.spindle.cutWork);
+    hash.addWord(static_cast<std::uint64_t>(tick.contact.triangles) << 1 | (tick.contact.placed ? 1 : 0));
 }
 
 }  // namespace tactooth

@@ -28,15 +28,15 @@ Tick SweepStage::step(const Pose& tool, double time, double elapsed, bool spins)
     Tick tick;
     tick.number = ++ticks_;
     tick.time = time;
-    tick.hand = tick.proxy = tool;
-    tick.placed = tick.cutting = true;
-    tick.speed = elapsed > 0 ? step.norm() / elapsed : 0;
+    tick.input.device = tick.contact.proxy = tool;
+    tick.contact.placed = tick.input.cutting = true;
+    tick.input.speed = elapsed > 0 ? step.norm() / elapsed : 0;
     if (spins) {
         const MaterialVolumes volumes = model_->sweep(tool_, before, tool);
         const double travel = rimSpeed_ * elapsed;
         if (travel > 0 && step.norm() > 0) {
-            tick.normal = -step.normalized();
-            tick.wrench.force = workFor(volumes, materials_, tool_.sharpness) / travel * tick.normal;
+            tick.contact.normal = -step.normalized();
+            tick.force.wrench.force = workFor(volumes, materials_, tool_.sharpness) / travel * tick.contact.normal;
         }
     }
     addToHash(hash_, tick);

@@ -27,7 +27,7 @@ bool isDue(double& next, double time) {
 class IdleDetector {
 public:
     [[nodiscard]] bool idle(const Tick& now) {
-        if (now.proxy.position != place_) place_ = now.proxy.position, movedAt_ = now.time;
+        if (now.contact.proxy.position != place_) place_ = now.contact.proxy.position, movedAt_ = now.time;
         return now.time > movedAt_ + kRests;
     }
 
@@ -124,10 +124,11 @@ void LiveRunner::servoTick(double elapsed) {
     feed_.publishDevices(devices_.mirror(), devices_.forceState(), devices_.isAtWorkspaceLimit());
     silent_.store(devices_.isSilent(), std::memory_order_relaxed);
 
-    tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    tick.diagnostics.micros =
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     tickForCarving_.write(tick);
     tickForNeighbourLists_.write(tick);
-    feed_.publish(tick, 1e6 * devices_.age() + tick.micros);
+    feed_.publish(tick, 1e6 * devices_.age() + tick.diagnostics.micros);
     if (onTick_) onTick_(tick);
 }
 
@@ -169,7 +170,7 @@ bool LiveRunner::processModel() {
     }
     if (!tickForCarving_.refresh()) return false;
     const Tick& now = tickForCarving_.value();
-    carvingPose_.write(now.cutting && now.speedRpm > 0 ? std::optional(now.proxy) : std::nullopt);
+    carvingPose_.write(now.input.cutting && now.spindle.speedRpm > 0 ? std::optional(now.contact.proxy) : std::nullopt);
     const bool changed = carving_.carve(now);
     if (lanes_) {
         lanes_->carving(CarveEvent{now.number, changed});

@@ -44,13 +44,14 @@ std::array<std::byte, kStreamBytes> streamDatagram(const Tick& tick) {
     out.putAll(std::span(kMagic.data(), kMagic.size()));
     out.put(tick.number);
     out.put(tick.time);
-    for (int axis = 0; axis < 3; ++axis) out.put(tick.proxy.position[axis]);
-    for (int i = 0; i < 4; ++i) out.put(tick.proxy.rotation.coeffs()[i]);
-    for (int axis = 0; axis < 3; ++axis) out.put(tick.wrench.force[axis]);
-    for (int axis = 0; axis < 3; ++axis) out.put(tick.wrench.torque[axis]);
-    for (const double number : {tick.depth, tick.speedRpm, tick.load, tick.pedal}) out.put(number);
-    out.put(static_cast<std::uint32_t>(tick.contacts));
-    out.put(static_cast<std::uint32_t>((tick.cutting ? 1 : 0) + (tick.placed ? 2 : 0)));
+    for (int axis = 0; axis < 3; ++axis) out.put(tick.contact.proxy.position[axis]);
+    for (int i = 0; i < 4; ++i) out.put(tick.contact.proxy.rotation.coeffs()[i]);
+    for (int axis = 0; axis < 3; ++axis) out.put(tick.force.wrench.force[axis]);
+    for (int axis = 0; axis < 3; ++axis) out.put(tick.force.wrench.torque[axis]);
+    for (const double number : {tick.contact.depth, tick.spindle.speedRpm, tick.spindle.load, tick.input.pedal})
+        out.put(number);
+    out.put(static_cast<std::uint32_t>(tick.contact.triangles));
+    out.put(static_cast<std::uint32_t>((tick.input.cutting ? 1 : 0) + (tick.contact.placed ? 2 : 0)));
     TACTOOTH_ASSERT(out.bytes().size() == kStreamBytes);
     std::array<std::byte, kStreamBytes> datagram{};
     std::copy(out.bytes().begin(), out.bytes().end(), datagram.begin());

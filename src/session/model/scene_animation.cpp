@@ -8,11 +8,11 @@
 namespace tactooth {
 
 void SceneAnimation::advance(const Tick& tick, bool water, bool suction, const MaterialVolumes& ground, double dt) {
-    spin_ = std::remainder(spin_ + tick.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
-    spray_.advance({.toolInTooth = tick.proxy,
-                    .normal = tick.normal,
-                    .speedRpm = tick.speedRpm,
-                    .water = water && tick.cutting ? tick.pedal : 0,
+    spin_ = std::remainder(spin_ + tick.spindle.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
+    spray_.advance({.toolInTooth = tick.contact.proxy,
+                    .normal = tick.contact.normal,
+                    .speedRpm = tick.spindle.speedRpm,
+                    .water = water && tick.input.cutting ? tick.input.pedal : 0,
                     .suction = suction,
                     .ground = ground},
                    dt);

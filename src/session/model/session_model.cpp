@@ -65,8 +65,8 @@ void SessionModel::advanceDepthControl() {
     DepthControl& control = manipulator_.depthControl();
     control.setSurface(tooth_->piece->tooth().ownOuter());
     const Tick& newest = log_.newest();
-    if (newest.contacts == 0 || !newest.cutting) return;
-    control.beginAt(newest.proxy.position, newest.proxy.rotation * -Vec3::UnitZ());
+    if (newest.contact.triangles == 0 || !newest.input.cutting) return;
+    control.beginAt(newest.contact.proxy.position, newest.contact.proxy.rotation * -Vec3::UnitZ());
 }
 
 void SessionModel::install(SessionBur bur) {
@@ -109,7 +109,7 @@ void SessionModel::setHand(const HandSettings& hand) {
 }
 
 void SessionModel::setCutting(bool cutting) {
-    const bool chosenByButton = log_.newest().cutting != controls.cutting;
+    const bool chosenByButton = log_.newest().input.cutting != controls.cutting;
     controls.cutting = cutting != (devices_.first() != nullptr && chosenByButton);
 }
 
@@ -250,8 +250,8 @@ void SessionModel::startRunner() {
         hand_.rate, registration(), devices_.second(), currentControls(), keeper_->begin({bur_->instrument, haptics_}));
     reportedOverload_ = false;
     Tick start;
-    start.cutting = controls.cutting;
-    start.proxy = start.hand = manipulator_.pose();
+    start.input.cutting = controls.cutting;
+    start.contact.proxy = start.input.device = manipulator_.pose();
     log_.restart(start);
     animation_.restart(bur_->instrument.cutting.envelope.maxRadius(),
                        parkedSuction(tooth_->box(), tooth_->mesialX).position);
@@ -264,7 +264,7 @@ void SessionModel::reportOverload(StepResult& stepResult) {
 }
 
 void SessionModel::noteTouches() {
-    const auto touches = [](const Tick& tick) { return tick.contacts > 0; };
+    const auto touches = [](const Tick& tick) { return tick.contact.triangles > 0; };
     if (!std::ranges::any_of(log_.ticks(), touches)) return;
     isTouched_ = true;
     keeper_->noteTouch();
@@ -312,7 +312,7 @@ SessionModel::StepResult SessionModel::step(double dt) {
     reportOverload(stepResult);
     const Tick& newest = log_.newest();
     showSurroundings();
-    manipulator_.advance(dt, newest.proxy.position, newest.depth);
+    manipulator_.advance(dt, newest.contact.proxy.position, newest.contact.depth);
     devices_.moveMouse(manipulator_.pose());
     runner_->setControls(currentControls());
     animation_.advance(newest, instruments_.water(), instruments_.suction(), runner_->feed().loss().ground(), dt);

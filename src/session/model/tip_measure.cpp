@@ -22,7 +22,7 @@ constexpr double kFirstCut = 0.3;  // mm that a bur cuts at once where a force p
 /// The direction in which the hand presses, into the tooth.
 Vec3 inwardOf(const SessionModel& model) {
     if (model.devices().first() == nullptr) return model.manipulator().pressDirection();
-    return model.log().newest().proxy.rotation * -Vec3::UnitZ();
+    return model.log().newest().contact.proxy.rotation * -Vec3::UnitZ();
 }
 
 /// False for an instrument that only touches.
@@ -67,17 +67,17 @@ std::optional<double> probedDepth(const DepthControl& depths, const Pose& probe)
 TipMeasure tipMeasure(const SessionModel& model) {
     const Tick& newest = model.log().newest();
     TipMeasure measure;
-    measure.force = newest.wrench.force.norm();
+    measure.force = newest.force.wrench.force.norm();
     const DepthControl& depths = model.manipulator().depthControl();
-    measure.depth = depths.depthOf(newest.proxy.position, inwardOf(model));
-    measure.hold = newest.tipHold;
+    measure.depth = depths.depthOf(newest.contact.proxy.position, inwardOf(model));
+    measure.hold = newest.force.tipHold;
     if (model.bur()->instrument.hand == HandInstrument::Probe) {
-        measure.probed = probedDepth(depths, newest.proxy);
+        measure.probed = probedDepth(depths, newest.contact.proxy);
     }
     const LayeredTooth& tooth = model.tooth()->piece->tooth();
     for (const LayeredTooth::Layer& layer : tooth.layers()) {
         if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
-        const auto distance = distanceOf(*layer.part, model.bur()->instrument.cutting.envelope, newest.proxy);
+        const auto distance = distanceOf(*layer.part, model.bur()->instrument.cutting.envelope, newest.contact.proxy);
         if (distance) measure.overPulp = std::min(measure.overPulp.value_or(*distance), *distance);
     }
     return measure;
@@ -89,9 +89,9 @@ TipWarning warningOf(const TipMeasure& measure, const SessionModel& model) {
     if (measure.overPulp && *measure.overPulp < kNearPulp) return TipWarning::NearPulp;
     const MouseManipulator& hand = model.manipulator();
     const Tick& newest = model.log().newest();
-    const auto left = hand.depthControl().toFloor(newest.proxy.position, inwardOf(model));
+    const auto left = hand.depthControl().toFloor(newest.contact.proxy.position, inwardOf(model));
     const bool isDeep = hand.pressMode() == PressMode::Depth && left && *left < -kToleratedDepth;
-    return isDeep && newest.contacts > 0 ? TipWarning::Deep : TipWarning::None;
+    return isDeep && newest.contact.triangles > 0 ? TipWarning::Deep : TipWarning::None;
 }
 
 bool AimMark::touchesBeside() const {

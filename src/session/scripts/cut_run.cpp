@@ -46,7 +46,7 @@ Expected<void> cutKinematically(std::span<const TimedPose> path, bool spins, Ste
         if (stop.stop_requested()) break;
         double micros = 0;
         Tick tick = timed(micros, [&] { return session.sweep(row.toolInTooth, row.time - last, row.time, spins); });
-        tick.micros = micros;
+        tick.diagnostics.micros = micros;
         last = row.time;
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         visit(row.time, tick, session.model().loss());
@@ -57,9 +57,9 @@ Expected<void> cutKinematically(std::span<const TimedPose> path, bool spins, Ste
 
 void updateHapticSurface(const CutModel& piece, const Tick& tick, bool isCut, HapticSurfaceBuilder& surfaces,
                          HapticSimulation& simulation) {
-    if (tick.placed) surfaces.watch(tick.time, tick.proxy, tick.ownListRebuilds);
+    if (tick.contact.placed) surfaces.watch(tick.time, tick.contact.proxy, tick.diagnostics.ownListRebuilds);
     HapticSurface* hapticSurface =
-        isCut ? surfaces.make(piece.contactSurface(), tick.proxy, piece.reached().value_or(tick.proxy))
+        isCut ? surfaces.make(piece.contactSurface(), tick.contact.proxy, piece.reached().value_or(tick.contact.proxy))
               : surfaces.rebuild();
     if (hapticSurface == nullptr) return;
     simulation.setSurface(*hapticSurface);
@@ -74,7 +74,7 @@ Expected<void> cutWithRemovalLaw(std::span<const TimedPose> path, StepwiseSessio
         if (stop.stop_requested()) break;
         double micros = 0;
         Tick tick = timed(micros, [&] { return session.step({row.toolInTooth, 1, true}, row.time - last, row.time); });
-        tick.micros = micros;
+        tick.diagnostics.micros = micros;
         last = row.time;
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         const bool isTurnToCut = row.time - lastCut >= kSurfaceDelay - 1e-9;

@@ -28,10 +28,10 @@ std::vector<OperatorPhase> script(const Vec3& middle, double reach, double secon
 }
 
 SprayInput sprayOf(const Tick& tick, const CutModel& piece) {
-    return {.toolInTooth = tick.proxy,
-            .normal = tick.normal,
-            .speedRpm = tick.speedRpm,
-            .water = tick.cutting ? tick.pedal : 0,
+    return {.toolInTooth = tick.contact.proxy,
+            .normal = tick.contact.normal,
+            .speedRpm = tick.spindle.speedRpm,
+            .water = tick.input.cutting ? tick.input.pedal : 0,
             .ground = piece.loss().ground()};
 }
 
@@ -63,17 +63,18 @@ Demonstration playDemonstration(const std::shared_ptr<CutModel>& piece, const Bo
         Tick tick = session.step({sample.hand, sample.pedal, hand.phase().cutting}, kTick, time);
         time += kTick;
         hand.write(pipeline.pass(forceCommandFrom(tick), kTick));
-        tick.micros = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+        tick.diagnostics.micros =
+            std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
         result.ticks.push_back(tick);
         events.update(tick.time, tick, piece->loss());
         const bool isTurnToCut = i % kTicksPerCut == 0;
         const bool isChanged = isTurnToCut && session.carve();
-        const bool isCut = isChanged && tick.contacts > 0;  // else pieces have fallen
+        const bool isCut = isChanged && tick.contact.triangles > 0;  // else pieces have fallen
         session.list();
         if (isChanged) ++result.surfaceUpdates;
         if (!isTurnToCut) continue;
         spray.advance(sprayOf(tick, *piece), kTicksPerCut * kTick);
-        if (isCut && tick.pedal > 0)
+        if (isCut && tick.input.pedal > 0)
             result.work = {i, piece->surface(), {spray.particles().begin(), spray.particles().end()}};
         result.sound.push_back({tick.time, tickSound.at(tick), {}});
         progress(static_cast<double>(i) / static_cast<double>(count));

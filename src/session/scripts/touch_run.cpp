@@ -13,7 +13,7 @@ Expected<void> runTouchPath(std::span<const TimedPose> trajectory, StepwiseSessi
         if (stop.stop_requested()) break;
         double micros = 0;
         Tick tick = timed(micros, [&] { return session.step({row.toolInTooth, 0, false}, row.time - last, row.time); });
-        tick.micros = micros;
+        tick.diagnostics.micros = micros;
         last = row.time;
         if (auto finite = checkFinite(row.time, tick); !finite) return finite;
         visit(row.time, tick);

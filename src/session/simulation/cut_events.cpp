@@ -72,7 +72,7 @@ void CutEvents::bringBack(std::span<const std::size_t> places) {
 }
 
 void CutEvents::report(CutEventKind kind, double time, const Tick& tick) {
-    events_.push_back({kind, time, tick.proxy.position});
+    events_.push_back({kind, time, tick.contact.proxy.position});
 }
 
 void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const Tick& tick) {
@@ -83,8 +83,8 @@ void CutEvents::reportOnce(CutEventKind kind, bool happened, double time, const 
 
 /// Bodies around a tooth are other teeth, or gum and bone, which have a role of their own.
 void CutEvents::updateSurroundings(double time, const Tick& tick) {
-    if (!tick.around) return;
-    const bool isGingiva = materials_->hasRole(*tick.around, MaterialRole::Surroundings);
+    if (!tick.contact.around) return;
+    const bool isGingiva = materials_->hasRole(*tick.contact.around, MaterialRole::Surroundings);
     std::optional<double>& last = isGingiva ? gingivaTouchedAt_ : neighbourAt_;
     if (!last || time > *last + kApart) {
         report(isGingiva ? CutEventKind::GingivaTouched : CutEventKind::NeighbourTouched, time, tick);
@@ -121,15 +121,16 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
             return materials_->hasRole(id, role) && std::max(own_[i], beyond) > kReached;
         });
     };
-    reportOnce(CutEventKind::FirstContact, tick.contacts > 0 || total(removed) > total(before_), time, tick);
+    reportOnce(CutEventKind::FirstContact, tick.contact.triangles > 0 || total(removed) > total(before_), time, tick);
     reportOnce(CutEventKind::DentinReached, isReached(MaterialRole::Dentin), time, tick);
     reportOnce(CutEventKind::PulpExposed, isReached(MaterialRole::Pulp), time, tick);
     updateSurroundings(time, tick);
     reportOnce(CutEventKind::AdjacentCut, loss.beside - besideBefore_ > kReached, time, tick);
     if (loss.pieces > pieces_) report(CutEventKind::FragmentReleased, time, tick);
     pieces_ = loss.pieces;
-    turned_ = turned_ || tick.speedRpm > kTurnsRpm;
-    if (turned_ && tick.speedRpm < kMinCuttingRpm && tick.pedal > kPedalDown && tick.contacts > 0) {
+    turned_ = turned_ || tick.spindle.speedRpm > kTurnsRpm;
+    if (turned_ && tick.spindle.speedRpm < kMinCuttingRpm && tick.input.pedal > kPedalDown &&
+        tick.contact.triangles > 0) {
         report(CutEventKind::BurStalled, time, tick);
         turned_ = false;
     }

@@ -58,21 +58,21 @@ MaterialVolumes CutModel::sweep(const CuttingTool& tool, const Pose& from, const
 
 /// The start of the next cut: the proxy, or the end of the last cut while the proxy is still on its path there.
 Pose CutModel::startOf(const Tick& tick) const {
-    if (!reached_) return tick.proxy;
-    const Vec3 left = reached_->position - tick.proxy.position;
-    const Vec3 toDevice = tick.hand.position - tick.proxy.position;
+    if (!reached_) return tick.contact.proxy;
+    const Vec3 left = reached_->position - tick.contact.proxy.position;
+    const Vec3 toDevice = tick.input.device.position - tick.contact.proxy.position;
     const bool isMovingTo = left.norm() <= kLongestFeed && left.dot(toDevice) >= left.squaredNorm();
-    return isMovingTo ? *reached_ : tick.proxy;
+    return isMovingTo ? *reached_ : tick.contact.proxy;
 }
 
 /// The work that a cut may spend now, N*m; nothing if there is none, or none new.
 std::optional<double> CutModel::newWork(const Tick& tick) {
     updateContact(tick);
-    const double work = tick.cutWork - workSpent_;
-    const bool hasWorked = tick.cutWork > workSeen_;  // otherwise the last step is still not affordable
-    workSeen_ = tick.cutWork;
-    if (tick.contacts == 0 || !(work > 0)) {
-        workSpent_ = tick.cutWork;
+    const double work = tick.spindle.cutWork - workSpent_;
+    const bool hasWorked = tick.spindle.cutWork > workSeen_;  // otherwise the last step is still not affordable
+    workSeen_ = tick.spindle.cutWork;
+    if (tick.contact.triangles == 0 || !(work > 0)) {
+        workSpent_ = tick.spindle.cutWork;
         reached_.reset();
         return std::nullopt;
     }
@@ -85,21 +85,21 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
     if (!work) return false;
     constexpr std::array kLifts = {0.0, 0.05, 0.1, 0.2, 0.4};  // mm off the tissue
     constexpr double kKept = 5e-4;                             // N*m: 0.5 N along 1 mm
-    const Vec3 way = tick.hand.position - tick.proxy.position;
+    const Vec3 way = tick.input.device.position - tick.contact.proxy.position;
     const double feed = std::min(way.norm(), kLongestFeed);
     if (!(feed > 0)) return false;
     for (const double lift : kLifts) {
-        const Pose start{tick.proxy.position + lift * tick.normal, tick.proxy.rotation};
+        const Pose start{tick.contact.proxy.position + lift * tick.contact.normal, tick.contact.proxy.rotation};
         const Pose goal{start.position + feed * way.normalized(), start.rotation};
         const FeedResult result = feedBur(volume_, blade.envelope, start, goal, *work, materials, blade.sharpness);
         if (!std::isfinite(result.wanted)) continue;
-        workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - std::max(kKept, result.wanted));
+        workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - std::max(kKept, result.wanted));
         addRemoved(result.carve);
         const bool changed = !changed_.empty();
         refreshSurface();
         return changed;
     }
-    workSpent_ = tick.cutWork;
+    workSpent_ = tick.spindle.cutWork;
     return false;
 }
 
@@ -108,9 +108,9 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     if (!payable) return false;
     const double work = *payable;
     const Pose start = startOf(tick);
-    const double toDevice = (tick.hand.position - start.position).norm();
+    const double toDevice = (tick.input.device.position - start.position).norm();
     const double feed = std::min(toDevice, kLongestFeed);
-    const Pose goal = between(start, tick.hand, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
+    const Pose goal = between(start, tick.input.device, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
     // Twice the last feed; a step of the sweep shorter than a voxel costs no less.
     const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / feed;
     const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
@@ -118,7 +118,7 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save work for its smallest step, which depends on the clearance of the cut.
     const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
-    workSpent_ = std::max(workSpent_ + result.work, tick.cutWork - kept);
+    workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - kept);
     addRemoved(result.carve);
     const bool changed = !changed_.empty();
     refreshSurface();
@@ -127,7 +127,7 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
 
 /// Time starts anew with each simulation of the model.
 void CutModel::updateContact(const Tick& tick) {
-    if (tick.contacts > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
+    if (tick.contact.triangles > 0 || tick.time < touchedAt_) touchedAt_ = tick.time;
 }
 
 bool CutModel::removeDetachedPieces(const Tick& tick) {

@@ -12,23 +12,25 @@ TrackTick TrackTick::of(double time, const Tick& tick) {
     kept.time = time;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
-        kept.position[i] = tick.proxy.position[axis];
-        kept.force[i] = tick.wrench.force[axis];
+        kept.position[i] = tick.contact.proxy.position[axis];
+        kept.force[i] = tick.force.wrench.force[axis];
     }
-    for (std::size_t i = 0; i < 4; ++i) kept.rotation[i] = tick.proxy.rotation.coeffs()[static_cast<Eigen::Index>(i)];
-    kept.depth = tick.depth;
-    kept.speedRpm = tick.speedRpm;
-    kept.speed = static_cast<float>(tick.speed);
-    kept.pedal = static_cast<float>(tick.pedal);
-    kept.load = static_cast<float>(tick.load);
-    kept.removalPower = static_cast<float>(tick.removalPower);
-    kept.impactSpeed = static_cast<float>(tick.impactSpeed);
-    kept.contactOnsets = tick.contactOnsets;
+    for (std::size_t i = 0; i < 4; ++i)
+        kept.rotation[i] = tick.contact.proxy.rotation.coeffs()[static_cast<Eigen::Index>(i)];
+    kept.depth = tick.contact.depth;
+    kept.speedRpm = tick.spindle.speedRpm;
+    kept.speed = static_cast<float>(tick.input.speed);
+    kept.pedal = static_cast<float>(tick.input.pedal);
+    kept.load = static_cast<float>(tick.spindle.load);
+    kept.removalPower = static_cast<float>(tick.spindle.removalPower);
+    kept.impactSpeed = static_cast<float>(tick.contact.impactSpeed);
+    kept.slideSpeed = static_cast<float>(tick.contact.slideSpeed);
+    kept.contactOnsets = tick.contact.onsets;
     constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
-    kept.contacts = static_cast<std::uint16_t>(std::clamp(tick.contacts, 0, kMost));
-    kept.material = static_cast<std::uint8_t>(tick.material);
-    kept.cutting = tick.cutting;
-    kept.placed = tick.placed;
+    kept.contacts = static_cast<std::uint16_t>(std::clamp(tick.contact.triangles, 0, kMost));
+    kept.material = static_cast<std::uint8_t>(tick.contact.material);
+    kept.cutting = tick.input.cutting;
+    kept.placed = tick.contact.placed;
     return kept;
 }
 
@@ -37,23 +39,25 @@ Tick TrackTick::tick() const {
     tick.time = time;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto axis = static_cast<Eigen::Index>(i);
-        tick.proxy.position[axis] = position[i];
-        tick.wrench.force[axis] = force[i];
+        tick.contact.proxy.position[axis] = position[i];
+        tick.force.wrench.force[axis] = force[i];
     }
-    for (std::size_t i = 0; i < 4; ++i) tick.proxy.rotation.coeffs()[static_cast<Eigen::Index>(i)] = rotation[i];
-    tick.hand = tick.proxy;
-    tick.depth = depth;
-    tick.speedRpm = speedRpm;
-    tick.speed = static_cast<double>(speed);
-    tick.pedal = static_cast<double>(pedal);
-    tick.load = static_cast<double>(load);
-    tick.removalPower = static_cast<double>(removalPower);
-    tick.impactSpeed = static_cast<double>(impactSpeed);
-    tick.contactOnsets = contactOnsets;
-    tick.contacts = contacts;
-    tick.material = static_cast<MaterialId>(material);
-    tick.cutting = cutting;
-    tick.placed = placed;
+    for (std::size_t i = 0; i < 4; ++i)
+        tick.contact.proxy.rotation.coeffs()[static_cast<Eigen::Index>(i)] = rotation[i];
+    tick.input.device = tick.contact.proxy;
+    tick.contact.depth = depth;
+    tick.spindle.speedRpm = speedRpm;
+    tick.input.speed = static_cast<double>(speed);
+    tick.input.pedal = static_cast<double>(pedal);
+    tick.spindle.load = static_cast<double>(load);
+    tick.spindle.removalPower = static_cast<double>(removalPower);
+    tick.contact.impactSpeed = static_cast<double>(impactSpeed);
+    tick.contact.slideSpeed = static_cast<double>(slideSpeed);
+    tick.contact.onsets = contactOnsets;
+    tick.contact.triangles = contacts;
+    tick.contact.material = static_cast<MaterialId>(material);
+    tick.input.cutting = cutting;
+    tick.contact.placed = placed;
     return tick;
 }
 

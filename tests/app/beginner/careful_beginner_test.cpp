@@ -115,7 +115,7 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
     const double eventPeriod = 1 / std::uniform_real_distribution<double>(30, 125)(random);
     test::BeginnerHand beginner(seed, plan.depth, pitch);
     Tick tick;
-    tick.proxy = tick.hand = hand.pose();
+    tick.contact.proxy = tick.input.device = hand.pose();
     double time = 0, eventAt = 0;
     Outcome outcome;
     CutEvents events(scene.tooth->materials());
@@ -127,13 +127,14 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
             eventAt += eventPeriod;
             test::SeenPicture seen;
             seen.outline = outline;
-            const AimMark mark = aimMark(hand, scene.bur.head.radius, tick.proxy);
+            const AimMark mark = aimMark(hand, scene.bur.head.radius, tick.contact.proxy);
             for (const AimPlace& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place.at));
             if (mark.landing) seen.landing = *project(view.camera(), kPicture, *mark.landing);
-            seen.depth = hand.depthControl().depthOf(tick.proxy.position, hand.pressDirection());
+            seen.depth = hand.depthControl().depthOf(tick.contact.proxy.position, hand.pressDirection());
             if (plan.isFlat)
                 seen.depth =
-                    plan.depth - hand.depthControl().toFloor(tick.proxy.position, hand.pressDirection()).value_or(0);
+                    plan.depth -
+                    hand.depthControl().toFloor(tick.contact.proxy.position, hand.pressDirection()).value_or(0);
             const auto action = beginner.next(eventPeriod, seen);
             const bool wantsDown = action.button == test::BeginnerHand::Button::Down;
             if (wantsDown && !isDown) {
@@ -149,7 +150,7 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
             if (action.isDone) isDone = true, doneAt = time;
         }
         hand.setSurroundings({model->surface(), scene.bur.instrument.shape, uncut});
-        hand.advance(kFrame, tick.proxy.position, tick.depth);
+        hand.advance(kFrame, tick.contact.proxy.position, tick.contact.depth);
         mouse.moveTo({hand.pose(), 0, 0, true});
         for (const double end = time + kFrame; time < end; time += 0.001) {
             tick = session.step({mouse.read(0.001).hand, 1, true}, 0.001, time);

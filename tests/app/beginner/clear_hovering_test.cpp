@@ -50,7 +50,7 @@ TEST_P(ClearHovering, TouchesAndCutsNothing) {
     Vec2 pixel(kPicture.width / 2.0, kPicture.height / 2.0);
     CutEvents events(model->tooth().materials());
     Tick tick;
-    tick.proxy = tick.hand = hand.pose();
+    tick.contact.proxy = tick.input.device = hand.pose();
     double time = 0, travelled = 0;
     int contacts = 0, over = 0;
     for (int frame = 0; frame < 60 * 60; ++frame) {
@@ -68,15 +68,15 @@ TEST_P(ClearHovering, TouchesAndCutsNothing) {
         if (frame % 90 == 0) hand.tilt(view, 60 * Vec2(step(random), step(random)) / 12);
         hand.aim(view, pixel, *touchable);
         over += hand.landing() ? 1 : 0;
-        hand.advance(kFrame, tick.proxy.position, tick.depth);
+        hand.advance(kFrame, tick.contact.proxy.position, tick.contact.depth);
         mouse.moveTo({hand.pose(), 0, 0, true});
         for (const double end = time + kFrame; time < end; time += kTick) {
-            const Vec3 before = tick.proxy.position;
+            const Vec3 before = tick.contact.proxy.position;
             tick = session.step({mouse.read(kTick).hand, 1, true}, kTick, time);
-            travelled += (tick.proxy.position - before).norm();
-            if (tick.contacts > 0 && contacts++ == 0) {
+            travelled += (tick.contact.proxy.position - before).norm();
+            if (tick.contact.triangles > 0 && contacts++ == 0) {
                 ADD_FAILURE() << "touches at " << time << " s, frame " << frame << ": "
-                              << tick.proxy.position.transpose();
+                              << tick.contact.proxy.position.transpose();
             }
             events.update(tick.time, tick, model->loss());
             session.list();

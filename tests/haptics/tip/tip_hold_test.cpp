@@ -36,13 +36,13 @@ double pullOut(HapticSimulation& simulation, double depth, double seconds, const
     for (double z = 0.1; z > -depth; z -= kDown * kTick) (void)simulation.step({at(0, 0, z), 0, false}, kTick);
     Tick tick;
     for (double t = 0; t < seconds; t += kTick) tick = simulation.step({at(0, 0, -depth), 0, false}, kTick);
-    pressed = tick.wrench.force.z();
+    pressed = tick.force.wrench.force.z();
     double largest = 0;
     Vec3 hand(0, 0, -depth);
     for (int i = 0; i < 2000; ++i) {
         hand += kSpeed * kTick * way;
         tick = simulation.step({{hand, Quat::Identity()}, 0, false}, kTick);
-        largest = std::max(largest, -tick.wrench.force.dot(way));
+        largest = std::max(largest, -tick.force.wrench.force.dot(way));
     }
     return largest;
 }
@@ -99,25 +99,25 @@ TEST(TipHold, TheTipStaysWhereItIsUntilItComesFree) {
     (void)simulation.step({at(0, 0, 0.2), 0, false}, kTick);
     Tick tick;
     for (int i = 0; i < 1000; ++i) tick = simulation.step({at(0, 0, -0.4), 0, false}, kTick);
-    const Vec3 place = tick.proxy.position;
-    EXPECT_GT(tick.tipHold, 0.1);
+    const Vec3 place = tick.contact.proxy.position;
+    EXPECT_GT(tick.force.tipHold, 0.1);
     tick = simulation.step({at(0, 0, 0.3), 0, false}, kTick);
-    EXPECT_EQ(tick.proxy.position, place);
-    EXPECT_LT(tick.wrench.force.z(), 0);
+    EXPECT_EQ(tick.contact.proxy.position, place);
+    EXPECT_LT(tick.force.wrench.force.z(), 0);
     tick = simulation.step({at(0, 0, 2), 0, false}, kTick);
-    EXPECT_EQ(tick.tipHold, 0);
-    EXPECT_EQ(tick.contacts, 0);
-    EXPECT_EQ(tick.proxy.position, Vec3(0, 0, 2));
+    EXPECT_EQ(tick.force.tipHold, 0);
+    EXPECT_EQ(tick.contact.triangles, 0);
+    EXPECT_EQ(tick.contact.proxy.position, Vec3(0, 0, 2));
 }
 
 TEST(TipHold, NothingTurnsInTheHand) {
     HapticSimulation simulation = explorerOn(test::kEnamel);
     Tick tick;
     for (int i = 0; i < 500; ++i) tick = simulation.step({at(0, 0, -0.2), 1, true}, kTick);
-    EXPECT_FALSE(tick.cutting);
-    EXPECT_EQ(tick.pedal, 0);
-    EXPECT_EQ(tick.speedRpm, 0);
-    EXPECT_EQ(tick.cutWork, 0);
+    EXPECT_FALSE(tick.input.cutting);
+    EXPECT_EQ(tick.input.pedal, 0);
+    EXPECT_EQ(tick.spindle.speedRpm, 0);
+    EXPECT_EQ(tick.spindle.cutWork, 0);
 }
 
 }  // namespace

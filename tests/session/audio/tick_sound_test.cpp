@@ -11,14 +11,16 @@ namespace {
 
 Tick cuttingTick() {
     Tick tick;
-    tick.cutting = true;
-    tick.pedal = 0.8;
-    tick.speedRpm = 350000;
-    tick.load = 0.7;
-    tick.removalPower = 3;
-    tick.material = test::kCaries;
-    tick.contactOnsets = 4;
-    tick.impactSpeed = 12;
+    tick.input.cutting = true;
+    tick.input.pedal = 0.8;
+    tick.spindle.speedRpm = 350000;
+    tick.spindle.load = 0.7;
+    tick.spindle.removalPower = 3;
+    tick.contact.material = test::kCaries;
+    tick.contact.onsets = 4;
+    tick.contact.impactSpeed = 12;
+    tick.contact.slideSpeed = 15;
+    tick.force.wrench.force = {0, 0, 0.5};
     return tick;
 }
 
@@ -32,6 +34,8 @@ TEST(TickSound, HandsOnWhatTheTickFound) {
     EXPECT_EQ(state.removalPower, 3);
     EXPECT_EQ(state.contactCount, 4U);
     EXPECT_EQ(state.contactSpeed, 12);
+    EXPECT_EQ(state.slideSpeed, 15);
+    EXPECT_EQ(state.contactForce, 0.5);
 }
 
 TEST(TickSound, TakesTheCharacterOfTheMaterialThatHoldsTheTool) {
@@ -67,10 +71,10 @@ TEST(TickSound, SprayFollowsThePedalAndSuctionRunsWhileCuttingIsOn) {
     Tick tick = cuttingTick();
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).water, 0.8);
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 1);
-    tick.pedal = 0;
+    tick.input.pedal = 0;
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).water, 0);
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 1);
-    tick.cutting = false;
+    tick.input.cutting = false;
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).suction, 0);
 }
 
@@ -82,13 +86,13 @@ TEST(TickSound, KnowsTheThreeKindsOfDrive) {
 
 TEST(TickSound, LoadBeyondTheStallTorqueIsFullLoad) {
     Tick tick = cuttingTick();
-    tick.load = 99;
+    tick.spindle.load = 99;
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).load, 1);
 }
 
 TEST(TickSound, ThePedalDrivesNoAirInTouchMode) {
     Tick tick = cuttingTick();
-    tick.cutting = false;
+    tick.input.cutting = false;
     EXPECT_EQ(soundOf(tick, spindlePresets().front()).pedal, 0);
 }
 

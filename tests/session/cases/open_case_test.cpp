@@ -167,8 +167,8 @@ TEST(OpenCase, TheOthersAndWhatIsAroundAreNotTheToothThatIsWorkedOn) {
     const auto press = [&](const Vec3& top) {
         (void)simulation.step({{top + Vec3(0, 0, 1), Quat::Identity()}, 0, false}, 0.001);
         const Tick tick = simulation.step({{top - Vec3(0, 0, 0.2), Quat::Identity()}, 0, false}, 0.001);
-        EXPECT_GT(tick.contacts, 0);
-        return tick.around;
+        EXPECT_GT(tick.contact.triangles, 0);
+        return tick.contact.around;
     };
     EXPECT_EQ(press(Vec3(0, 0, 4)), std::nullopt);
     EXPECT_EQ(press(Vec3(-10, 0, 3)), test::kEnamel);

@@ -84,7 +84,7 @@ public:
         hands.write(last, true, dt_);
         time_ += dt_;
         strongest = std::max(strongest, device.force.norm());
-        finite = finite && device.force.allFinite() && last.proxy.position.allFinite();
+        finite = finite && device.force.allFinite() && last.contact.proxy.position.allFinite();
     }
     /// Moves the device down onto the block at 0.1 m/s, after a jump to 1 mm above it.
     void press() {
@@ -173,7 +173,8 @@ TEST_P(DeviceFaults, MidPressEndTheForceInTimeAndItComesBackWhenTheBurHasBeenFre
         bench.tick();
         if (!bench.device.force.isZero(0)) lastForce = i * bench.dt();
         if (i * bench.dt() < 0.1) {
-            EXPECT_LT((bench.last.proxy.position - Vec3(0, 0, 0)).norm(), 2.5) << "the tool stays about where it is";
+            EXPECT_LT((bench.last.contact.proxy.position - Vec3(0, 0, 0)).norm(), 2.5)
+                << "the tool stays about where it is";
         }
     }
     EXPECT_LE(lastForce, kKnowable);
@@ -228,12 +229,12 @@ TEST(DeviceFaultsNone, WhileAPoseIsAtFaultNothingIsCut) {
     Bench bench(*findDevicePreset("touch"), 1000);
     bench.cutting = true;
     bench.press();
-    ASSERT_GT(bench.last.cutWork, 0);
+    ASSERT_GT(bench.last.spindle.cutWork, 0);
     bench.device.fault = [](DeviceSample& sample, int tick, double) { sample.hand.position.x() += odd(tick, 4.9); };
     bench.run(0.01);
-    const double work = bench.last.cutWork;
+    const double work = bench.last.spindle.cutWork;
     bench.run(1);
-    EXPECT_NEAR(bench.last.cutWork, work, 1e-6);
+    EXPECT_NEAR(bench.last.spindle.cutWork, work, 1e-6);
 }
 
 /// A device that moves into the block and out again, and that now and then has an arbitrary fault while it presses, for
@@ -246,7 +247,7 @@ TEST(DeviceFaultsMixed, NoMixtureOfFaultsMakesAForceThatIsLateTooStrongOrNoNumbe
     for (int tick = 0; tick < 200'000; ++tick) {
         const double z = 0.4 - 1.2 * std::sin(0.004 * tick);
         bench.device.hand.hand.position = Vec3(0.3 * std::sin(0.001 * tick), 0, z);
-        if (left == 0 && bench.last.contacts > 0 && random() % 400 == 0) {
+        if (left == 0 && bench.last.contact.triangles > 0 && random() % 400 == 0) {
             bench.device.fault = kCases[random() % std::size(kCases)].fault;
             bench.device.ticks = 0;
             left = 1 + static_cast<int>(random() % 90);

@@ -359,13 +359,13 @@ TEST(DeviceSet, ABurWhoseDeviceIsLostStaysAtTheSurfaceAndCutsNoMore) {
     rig.second.sample.pedal = 1;
     rig.cuts = true;
     rig.press(rig.first);
-    ASSERT_GT(rig.tick.depth, 0.5);
+    ASSERT_GT(rig.tick.contact.depth, 0.5);
     rig.first.sample.connected = false;
     rig.run(2);
-    const double work = rig.tick.cutWork;
+    const double work = rig.tick.spindle.cutWork;
     rig.run(500);
-    EXPECT_LT(rig.tick.depth, 1e-3);
-    EXPECT_NEAR(rig.tick.cutWork, work, 1e-6);
+    EXPECT_LT(rig.tick.contact.depth, 1e-3);
+    EXPECT_NEAR(rig.tick.spindle.cutWork, work, 1e-6);
 }
 
 TEST(DeviceSet, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {

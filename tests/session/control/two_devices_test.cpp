@@ -35,12 +35,12 @@ const test::HdStandinControl& standin() {
 /// The result of a tick on a plane.
 Tick tickOnPlane(const Pose& tool) {
     Tick tick;
-    tick.placed = tool.position.allFinite();
-    tick.depth = std::max(0.0, kWall - tool.position.z());
-    tick.deflection = tick.depth;
-    tick.contacts = tick.depth > 0 ? 1 : 0;
-    tick.stiffness = tick.depth > 0 ? test::kWallStiffness : 0;
-    if (tick.placed) tick.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.depth);
+    tick.contact.placed = tool.position.allFinite();
+    tick.contact.depth = std::max(0.0, kWall - tool.position.z());
+    tick.force.deflection = tick.contact.depth;
+    tick.contact.triangles = tick.contact.depth > 0 ? 1 : 0;
+    tick.force.stiffness = tick.contact.depth > 0 ? test::kWallStiffness : 0;
+    if (tick.contact.placed) tick.force.wrench.force = Vec3(0, 0, test::kWallStiffness * tick.contact.depth);
     return tick;
 }
 

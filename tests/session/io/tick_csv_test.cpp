@@ -16,14 +16,14 @@ TEST(TickCsv, WritesOneRowATickUnderTheDocumentedNames) {
     auto file = TickCsv::create(folder / "ticks.csv");
     ASSERT_TRUE(file) << file.error().message();
     Tick tick;
-    tick.hand.position = Vec3(1, 2, 3);
-    tick.depth = 0.25;
-    tick.normal = Vec3(0, 0, 1);
-    tick.speed = 4;
-    tick.wrench = {Vec3(5, 6, 7), Vec3(8, 9, 10)};
-    tick.contacts = 3;
-    tick.micros = 11;
-    tick.proxy = {Vec3(12, 13, 14), Quat(0.5, -0.5, 0.5, -0.5)};
+    tick.input.device.position = Vec3(1, 2, 3);
+    tick.contact.depth = 0.25;
+    tick.contact.normal = Vec3(0, 0, 1);
+    tick.input.speed = 4;
+    tick.force.wrench = {Vec3(5, 6, 7), Vec3(8, 9, 10)};
+    tick.contact.triangles = 3;
+    tick.diagnostics.micros = 11;
+    tick.contact.proxy = {Vec3(12, 13, 14), Quat(0.5, -0.5, 0.5, -0.5)};
     file->write(0.125, tick);
     ASSERT_TRUE(file->commit());
     EXPECT_EQ(test::readText(folder / "ticks.csv"),

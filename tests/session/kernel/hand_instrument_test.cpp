@@ -44,9 +44,10 @@ Scraped scrape(HandInstrument kind, double newton, double seconds, double reach 
     double z = 0.3;
     for (double time = 0; time < seconds; time += kTick) {
         const double x = reach * std::sin(2 * M_PI * 1.5 * time), y = 0.3 * std::sin(2 * M_PI * 0.2 * time);
-        const double spring = run.ticks.empty() || run.ticks.back().stiffness == 0 ? 1 : run.ticks.back().stiffness;
+        const double spring =
+            run.ticks.empty() || run.ticks.back().force.stiffness == 0 ? 1 : run.ticks.back().force.stiffness;
         const Tick tick = session.step({at(x, y, z - newton / spring), 1, true}, kTick, time);
-        z = tick.proxy.position.z();
+        z = tick.contact.proxy.position.z();
         run.ticks.push_back(tick);
         (void)session.carve();
         session.list();
@@ -80,8 +81,8 @@ TEST(HandInstruments, NothingTurnsAndOthersTakeNothing) {
     for (const HandInstrumentSpec& spec : handInstruments()) {
         const Scraped run = scrape(spec.kind, 0.5, 1);
         for (const Tick& tick : run.ticks) {
-            ASSERT_FALSE(tick.cutting);
-            ASSERT_EQ(tick.speedRpm, 0);
+            ASSERT_FALSE(tick.input.cutting);
+            ASSERT_EQ(tick.spindle.speedRpm, 0);
         }
         if (spec.kind != HandInstrument::Excavator) {
             EXPECT_EQ(total(run.removed), 0) << spec.name;
@@ -98,8 +99,8 @@ TEST(HandInstruments, ASessionIsReplayedBitForBit) {
         for (const SessionEvent& event : run.events) {
             ASSERT_TRUE(kernel.apply(event)) << spec.name << ", tick " << ticks;
             if (std::holds_alternative<ExactTickEvent>(event)) {
-                ASSERT_EQ(kernel.tick().wrench.force, run.ticks[ticks].wrench.force);
-                ASSERT_EQ(kernel.tick().tipHold, run.ticks[ticks].tipHold);
+                ASSERT_EQ(kernel.tick().force.wrench.force, run.ticks[ticks].force.wrench.force);
+                ASSERT_EQ(kernel.tick().force.tipHold, run.ticks[ticks].force.tipHold);
                 ++ticks;
             }
         }

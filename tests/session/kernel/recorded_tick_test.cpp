@@ -39,7 +39,7 @@ int runSealed(ServoStage& servo, EventLanes& lanes) {
     int touching = 0;
     for (int i = 1; i <= kTicks; ++i) {
         const TickInput input = TickInput::of(circling(i), 0.001);
-        touching += servo.step(input).contacts > 0 ? 1 : 0;
+        touching += servo.step(input).contact.triangles > 0 ? 1 : 0;
         lanes.servo(TickEvent{input, 0});
         if (i % 1000 == 0) lanes.servo(TickHashEvent{servo.hash()});
     }

@@ -113,18 +113,18 @@ void expectSame(const Tick& live, const Tick& replayed) {
     ASSERT_EQ(live.number, replayed.number);
     ASSERT_EQ(bitsOf(live.time), bitsOf(replayed.time));
     for (int axis = 0; axis < 3; ++axis) {
-        ASSERT_EQ(bitsOf(live.hand.position[axis]), bitsOf(replayed.hand.position[axis]));
-        ASSERT_EQ(bitsOf(live.proxy.position[axis]), bitsOf(replayed.proxy.position[axis]));
-        ASSERT_EQ(bitsOf(live.wrench.force[axis]), bitsOf(replayed.wrench.force[axis]));
-        ASSERT_EQ(bitsOf(live.wrench.torque[axis]), bitsOf(replayed.wrench.torque[axis]));
+        ASSERT_EQ(bitsOf(live.input.device.position[axis]), bitsOf(replayed.input.device.position[axis]));
+        ASSERT_EQ(bitsOf(live.contact.proxy.position[axis]), bitsOf(replayed.contact.proxy.position[axis]));
+        ASSERT_EQ(bitsOf(live.force.wrench.force[axis]), bitsOf(replayed.force.wrench.force[axis]));
+        ASSERT_EQ(bitsOf(live.force.wrench.torque[axis]), bitsOf(replayed.force.wrench.torque[axis]));
     }
-    ASSERT_EQ(live.proxy.rotation.coeffs(), replayed.proxy.rotation.coeffs());
-    ASSERT_EQ(bitsOf(live.depth), bitsOf(replayed.depth));
-    ASSERT_EQ(bitsOf(live.cutWork), bitsOf(replayed.cutWork));
-    ASSERT_EQ(bitsOf(live.speedRpm), bitsOf(replayed.speedRpm));
-    ASSERT_EQ(live.contacts, replayed.contacts);
-    ASSERT_EQ(live.placed, replayed.placed);
-    ASSERT_EQ(live.ownListRebuilds, replayed.ownListRebuilds);
+    ASSERT_EQ(live.contact.proxy.rotation.coeffs(), replayed.contact.proxy.rotation.coeffs());
+    ASSERT_EQ(bitsOf(live.contact.depth), bitsOf(replayed.contact.depth));
+    ASSERT_EQ(bitsOf(live.spindle.cutWork), bitsOf(replayed.spindle.cutWork));
+    ASSERT_EQ(bitsOf(live.spindle.speedRpm), bitsOf(replayed.spindle.speedRpm));
+    ASSERT_EQ(live.contact.triangles, replayed.contact.triangles);
+    ASSERT_EQ(live.contact.placed, replayed.contact.placed);
+    ASSERT_EQ(live.diagnostics.ownListRebuilds, replayed.diagnostics.ownListRebuilds);
 }
 
 void expectExactReplay(const LiveSession& live, const std::shared_ptr<CutModel>& model) {

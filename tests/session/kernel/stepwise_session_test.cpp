@@ -77,9 +77,9 @@ void expectSameAgain(const Recorded& run, const std::shared_ptr<CutModel>& model
         const Tick& expected = run.ticks.at(ticks++);
         ASSERT_EQ(kernel.tick().number, ticks);
         ASSERT_EQ(kernel.tick().time, expected.time);
-        ASSERT_EQ(kernel.tick().wrench.force, expected.wrench.force) << "tick " << ticks;
-        ASSERT_EQ(kernel.tick().proxy.position, expected.proxy.position) << "tick " << ticks;
-        ASSERT_EQ(kernel.tick().cutWork, expected.cutWork) << "tick " << ticks;
+        ASSERT_EQ(kernel.tick().force.wrench.force, expected.force.wrench.force) << "tick " << ticks;
+        ASSERT_EQ(kernel.tick().contact.proxy.position, expected.contact.proxy.position) << "tick " << ticks;
+        ASSERT_EQ(kernel.tick().spindle.cutWork, expected.spindle.cutWork) << "tick " << ticks;
     }
     EXPECT_EQ(ticks, run.ticks.size());
     EXPECT_EQ(kernel.toothHash(), run.hash);
@@ -134,7 +134,7 @@ TEST(StepwiseSession, AnOpenSurfaceIsTouchedAgain) {
     double most = 0;
     ASSERT_TRUE(runTouchPath(path, session, [&](double, const Tick& tick) {
         run.ticks.push_back(tick);
-        most = std::max(most, tick.wrench.force.z());
+        most = std::max(most, tick.force.wrench.force.z());
     }));
     EXPECT_GT(most, 0.05);
     run.hash = openSquare()->hash();

@@ -137,7 +137,7 @@ TEST(LiveRunner, CutsABlockLive) {
     EXPECT_EQ(device.force(), 0);  // the last force sent to a device is zero
     ASSERT_GT(ticks.size(), 100U);
     for (std::size_t i = 1; i < ticks.size(); ++i) ASSERT_GE(ticks[i].time, ticks[i - 1].time);
-    EXPECT_GT(ticks.back().speedRpm, 10000);
+    EXPECT_GT(ticks.back().spindle.speedRpm, 10000);
 }
 
 TEST(LiveRunner, InTouchModeNothingIsCut) {
@@ -160,7 +160,7 @@ TEST(LiveRunner, ItsFirstTickHasTheControlsItBeganWith) {
             runner.feed().fetchTicks(ticks);
             return !ticks.empty();
         }));
-        EXPECT_TRUE(ticks.front().cutting);
+        EXPECT_TRUE(ticks.front().input.cutting);
     }
 }
 
@@ -259,9 +259,9 @@ TEST(LiveRunner, ARegisteredDeviceStartsWhereTheToolIsAndMovesItScaled) {
     runner.setControls(controls);
     EXPECT_TRUE(soon([&] {
         runner.feed().fetchTicks(ticks);
-        return !ticks.empty() && (ticks.back().hand.position - Vec3(1, 3, 5)).norm() < 1e-9;
+        return !ticks.empty() && (ticks.back().input.device.position - Vec3(1, 3, 5)).norm() < 1e-9;
     }));
-    EXPECT_LT((ticks.front().hand.position - Vec3(1, 2, 5)).norm(), 1e-9);
+    EXPECT_LT((ticks.front().input.device.position - Vec3(1, 2, 5)).norm(), 1e-9);
 }
 
 TEST(LiveRunner, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
@@ -276,7 +276,7 @@ TEST(LiveRunner, AHandWithAPlaceOfItsOwnIsFineFromTheFirstTickOn) {
         runner.feed().fetchTicks(ticks);
         return ticks.size() > 10;
     }));
-    for (const Tick& tick : ticks) EXPECT_LT((tick.hand.position - Vec3(2, 2, 5)).norm(), 1e-9);
+    for (const Tick& tick : ticks) EXPECT_LT((tick.input.device.position - Vec3(2, 2, 5)).norm(), 1e-9);
 }
 
 TEST(LiveRunner, AButtonOfTheDeviceTurnsTouchIntoCut) {
@@ -286,7 +286,7 @@ TEST(LiveRunner, AButtonOfTheDeviceTurnsTouchIntoCut) {
     SpyDevice device(script);
     std::atomic<bool> cutting{false};
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                      [&](const Tick& tick) { cutting = tick.cutting; });
+                      [&](const Tick& tick) { cutting = tick.input.cutting; });
     EXPECT_TRUE(soon([&] { return cutting.load(); }));
 }
 
@@ -299,7 +299,7 @@ TEST(LiveRunner, AButtonHandsOverToTheMirrorWhileTheToolStays) {
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device, {});
     EXPECT_TRUE(soon([&] { return std::abs(runner.feed().mirrorMotion().position.x() - 4) < 1e-9; }));
     runner.feed().fetchTicks(ticks);
-    EXPECT_EQ(ticks.back().hand.position, Vec3(0, 0, 3));
+    EXPECT_EQ(ticks.back().input.device.position, Vec3(0, 0, 3));
 }
 
 TEST(LiveRunner, ALostDeviceGetsNoForceAndComesBackWithARamp) {
@@ -321,7 +321,7 @@ TEST(LiveRunner, ADeviceThatIsLostFromTheStartIsNoHand) {
     device.plugIn(false);
     std::atomic<bool> placed{false};
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                      [&](const Tick& tick) { placed = placed || tick.placed; });
+                      [&](const Tick& tick) { placed = placed || tick.contact.placed; });
     EXPECT_TRUE(soon([&] { return runner.feed().timing().ticks > 30; }));
     EXPECT_FALSE(placed);
     EXPECT_EQ(device.strongest(), 0);
@@ -343,7 +343,7 @@ TEST(LiveRunner, TheLargerOfBothPedalsCounts) {
     SpyDevice device({moment(0, at(0, 0, 1), 0.25)});
     std::atomic<double> pedal{-1};
     LiveRunner runner(test::blockOnTheBench(), test::flatBur(), HapticSettings(), device,
-                      [&](const Tick& tick) { pedal = tick.pedal; });
+                      [&](const Tick& tick) { pedal = tick.input.pedal; });
     EXPECT_TRUE(soon([&] { return pedal == 0.25; }));
     SessionControls controls;
     controls.pedal = 0.75;
@@ -444,8 +444,8 @@ TEST(LiveRunner, WithoutADeviceItJustWatches) {
         runner.feed().fetchTicks(ticks);
         return ticks.size() > 20;
     }));
-    EXPECT_EQ(ticks.back().contacts, 0);
-    EXPECT_EQ(ticks.back().hand.position, Vec3(0, 0, 5));
+    EXPECT_EQ(ticks.back().contact.triangles, 0);
+    EXPECT_EQ(ticks.back().input.device.position, Vec3(0, 0, 5));
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ Tick someTick(std::uint32_t number) {
     Tick tick;
     tick.number = number;
     tick.time = 0.001 * number;
-    tick.proxy.position = Vec3(1, 2, 3);
-    tick.wrench.force = Vec3(0.1, 0.2, 0.3);
-    tick.speedRpm = 200'000;
-    tick.contacts = 4;
-    tick.cutting = tick.placed = true;
+    tick.contact.proxy.position = Vec3(1, 2, 3);
+    tick.force.wrench.force = Vec3(0.1, 0.2, 0.3);
+    tick.spindle.speedRpm = 200'000;
+    tick.contact.triangles = 4;
+    tick.input.cutting = tick.contact.placed = true;
     return tick;
 }
 

@@ -142,7 +142,8 @@ inline void cutBlock(SessionModel& model) {
     ASSERT_TRUE(stepUntil(model, [&] {
         const Tick& tick = model.log().newest();
         const MaterialVolumes now = model.runner()->feed().removed();
-        if (now != removed || tick.contacts > 0 || tick.hand.position.z() < 0.9) removed = now, since = tick.number;
+        if (now != removed || tick.contact.triangles > 0 || tick.input.device.position.z() < 0.9)
+            removed = now, since = tick.number;
         return tick.number > since + kQuiet;
     }));
 }

@@ -16,9 +16,9 @@ namespace {
 
 Tick cutting() {
     Tick tick;
-    tick.cutting = true;
-    tick.pedal = 1;
-    tick.speedRpm = 300'000;
+    tick.input.cutting = true;
+    tick.input.pedal = 1;
+    tick.spindle.speedRpm = 300'000;
     return tick;
 }
 
@@ -29,7 +29,7 @@ bool has(const SceneAnimation& scene, SprayParticleKind kind) {
 TEST(SceneAnimation, TheBurTurnsByItsSpeed) {
     SceneAnimation scene;
     Tick tick;
-    tick.speedRpm = 60;  // one turn a second
+    tick.spindle.speedRpm = 60;  // one turn a second
     scene.advance(tick, false, false, {}, 0.25);
     EXPECT_NEAR(scene.spin(), std::numbers::pi / 2, 1e-12);
     scene.advance(tick, false, false, {}, 0.5);
@@ -43,10 +43,10 @@ TEST(SceneAnimation, TheAngleIsThatOfAllTurnsTogether) {
     double angle = 0;
     for (int i = 0; i < 1000; ++i) {
         Tick tick;
-        tick.speedRpm = speed(random);
+        tick.spindle.speedRpm = speed(random);
         const double dt = time(random);
         scene.advance(tick, false, false, {}, dt);
-        angle += tick.speedRpm / 60 * 2 * std::numbers::pi * dt;
+        angle += tick.spindle.speedRpm / 60 * 2 * std::numbers::pi * dt;
         ASSERT_LE(std::abs(scene.spin()), std::numbers::pi);
     }
     EXPECT_NEAR(std::remainder(scene.spin() - angle, 2 * std::numbers::pi), 0, 1e-4);
@@ -61,7 +61,7 @@ TEST(SceneAnimation, WaterFlowsWhileTheBurCuts) {
 TEST(SceneAnimation, NoWaterFlowsWhereItIsOffOrTheBurOnlyTouches) {
     SceneAnimation off, touching;
     Tick touch = cutting();
-    touch.cutting = false;
+    touch.input.cutting = false;
     for (int i = 0; i < 10; ++i) {
         off.advance(cutting(), false, false, {}, 0.01);
         touching.advance(touch, true, false, {}, 0.01);

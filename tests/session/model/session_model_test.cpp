@@ -33,8 +33,8 @@ protected:
     [[nodiscard]] bool ticksCome() {
         return soon([&] { return !model_.log().ticks().empty(); });
     }
-    [[nodiscard]] Vec3 handle() const { return model_.log().newest().hand.rotation * Vec3::UnitX(); }
-    [[nodiscard]] Vec3 handPlace() const { return model_.log().newest().hand.position; }
+    [[nodiscard]] Vec3 handle() const { return model_.log().newest().input.device.rotation * Vec3::UnitX(); }
+    [[nodiscard]] Vec3 handPlace() const { return model_.log().newest().input.device.position; }
     StillDevice& installStill(DeviceSlot slot, const Vec3& workspace = Vec3::Zero()) {
         auto device = std::make_unique<StillDevice>(workspace, std::nullopt, Vec3::Zero());
         StillDevice& hand = *device;
@@ -157,7 +157,7 @@ TEST_F(SessionModelTest, TheToolFollowsTheMouse) {
     ASSERT_TRUE(ticksCome());
     model_.manipulator().rotateHandle(0.7);
     EXPECT_TRUE(soon([&] {
-        return model_.log().newest().hand.rotation.angularDistance(model_.manipulator().pose().rotation) < 1e-3;
+        return model_.log().newest().input.device.rotation.angularDistance(model_.manipulator().pose().rotation) < 1e-3;
     }));
 }
 
@@ -187,7 +187,7 @@ TEST_F(SessionModelTest, AScriptedHandIsWhereItsScriptSaysInTheToothsFrame) {
     model_.controls.motionScaling = 2;  // a device in the tooth's frame is not scaled
     model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(path), "path.csv", true));
     EXPECT_TRUE(soon([&] { return (handPlace() - end).norm() < 1e-9; }));
-    EXPECT_EQ(model_.log().newest().hand.rotation.coeffs(), Quat::Identity().coeffs());
+    EXPECT_EQ(model_.log().newest().input.device.rotation.coeffs(), Quat::Identity().coeffs());
     EXPECT_EQ(model_.motionScaling(), 1);
 }
 
@@ -196,17 +196,17 @@ TEST_F(SessionModelTest, TheScreensChoiceCountsAfterTheButtons) {
     StillDevice& device = installStill(DeviceSlot::First);
     ASSERT_TRUE(ticksCome());
     device.setButtons(kCutButton);
-    ASSERT_TRUE(soon([&] { return model_.log().newest().cutting; }));
+    ASSERT_TRUE(soon([&] { return model_.log().newest().input.cutting; }));
     model_.setCutting(false);
-    EXPECT_TRUE(soon([&] { return !model_.log().newest().cutting; }));
+    EXPECT_TRUE(soon([&] { return !model_.log().newest().input.cutting; }));
     model_.setCutting(true);
-    EXPECT_TRUE(soon([&] { return model_.log().newest().cutting; }));
+    EXPECT_TRUE(soon([&] { return model_.log().newest().input.cutting; }));
 }
 
 TEST_F(SessionModelTest, WithoutADeviceTheScreenAloneChooses) {
     model_.setCutting(true);
     EXPECT_TRUE(model_.controls.cutting);
-    EXPECT_TRUE(soon([&] { return model_.log().newest().cutting; }));
+    EXPECT_TRUE(soon([&] { return model_.log().newest().input.cutting; }));
     model_.setCutting(false);
     EXPECT_FALSE(model_.controls.cutting);
 }
@@ -219,7 +219,7 @@ TEST_F(SessionModelTest, ARunnerBeginsWithTheChoiceOfTheScreen) {
     ASSERT_TRUE(soon([&] {
         if (firstTime < 0 && !model_.log().ticks().empty()) {
             firstTime = model_.log().ticks().front().time;
-            firstCuts = model_.log().ticks().front().cutting;
+            firstCuts = model_.log().ticks().front().input.cutting;
         }
         return firstTime >= 0;
     }));
@@ -300,7 +300,7 @@ TEST_F(SessionModelTest, WaterIsHeardOnlyWhileItIsOn) {
 TEST_F(SessionModelTest, TheBurTurnsInThePictureWhileThePedalIsDown) {
     model_.setCutting(true);
     model_.controls.pedal = 1;
-    ASSERT_TRUE(soon([&] { return model_.log().newest().speedRpm > 1000; }));
+    ASSERT_TRUE(soon([&] { return model_.log().newest().spindle.speedRpm > 1000; }));
     const double before = model_.animation().spin();
     EXPECT_TRUE(soon([&] { return model_.animation().spin() != before; }));
 }

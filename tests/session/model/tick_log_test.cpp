@@ -12,7 +12,7 @@ namespace {
 Tick tickAt(double time, int contacts = 0) {
     Tick tick;
     tick.time = time;
-    tick.contacts = contacts;
+    tick.contact.triangles = contacts;
     return tick;
 }
 
@@ -68,11 +68,11 @@ TEST(TickLog, AnotherRunnerGoesOnInTimeThoughItsTicksStartAtZero) {
 TEST(TickLog, TheFirstTickOfARestartIsTheGivenOne) {
     TickLog log;
     Tick start;
-    start.cutting = true;
-    start.proxy.position = Vec3(1, 2, 3);
+    start.input.cutting = true;
+    start.contact.proxy.position = Vec3(1, 2, 3);
     log.restart(start);
-    EXPECT_TRUE(log.newest().cutting);
-    EXPECT_EQ(log.newest().proxy.position, Vec3(1, 2, 3));
+    EXPECT_TRUE(log.newest().input.cutting);
+    EXPECT_EQ(log.newest().contact.proxy.position, Vec3(1, 2, 3));
 }
 
 TEST(TickLog, ClearedEventsBeginAgainAtTheNewestTick) {

@@ -91,8 +91,8 @@ TEST(ProbedDepth, OfABoxCavityIsItsDepth) {
         for (double z = 6; z > 5 - depth - 0.3; z -= 0.01) {
             tick = simulation.step({{Vec3(0.2, 0.1, z), Quat::Identity()}, 0, false}, 0.001);
         }
-        EXPECT_GT(tick.contacts, 0);
-        const auto read = probedDepth(depths, tick.proxy);
+        EXPECT_GT(tick.contact.triangles, 0);
+        const auto read = probedDepth(depths, tick.contact.proxy);
         ASSERT_TRUE(read) << depth;
         EXPECT_NEAR(*read, depth, 0.005);
     }

@@ -32,11 +32,11 @@ struct Outcome {
 };
 
 std::array<double, 10> numbersOf(const Tick& tick) {
-    const Vec3& force = tick.wrench.force;
-    const Vec3& torque = tick.wrench.torque;
-    const Vec3& place = tick.proxy.position;
+    const Vec3& force = tick.force.wrench.force;
+    const Vec3& torque = tick.force.wrench.torque;
+    const Vec3& place = tick.contact.proxy.position;
     return {force.x(),  force.y(), force.z(), torque.x(), torque.y(),
-            torque.z(), place.x(), place.y(), place.z(),  tick.depth};
+            torque.z(), place.x(), place.y(), place.z(),  tick.contact.depth};
 }
 
 Outcome outcomeOf(std::vector<std::array<double, 10>> ticks, const CutModel& model) {

@@ -78,8 +78,8 @@ Recorded record(const fs::path& file, double secondsEach) {
             controls.cutting = true;
             LiveRunner runner(
                 model, instrument, settings, device,
-                [&](const Tick& tick) { result.forces.push_back(tick.wrench.force.z()); }, 1000, {}, nullptr, controls,
-                lanes);
+                [&](const Tick& tick) { result.forces.push_back(tick.force.wrench.force.z()); }, 1000, {}, nullptr,
+                controls, lanes);
             std::this_thread::sleep_for(std::chrono::duration<double>(secondsEach));
             if (bur == 0) runner.request(Edit::Undo);
         }
@@ -104,7 +104,7 @@ TEST(SessionRecording, ReplaysFromTheFileBitForBit) {
     ASSERT_TRUE(replay) << replay.error().message();
     std::vector<double> forces;
     const auto played =
-        replay->playUntil({}, [&](double, const Tick& tick) { forces.push_back(tick.wrench.force.z()); });
+        replay->playUntil({}, [&](double, const Tick& tick) { forces.push_back(tick.force.wrench.force.z()); });
     ASSERT_TRUE(played) << played.error().message();
     EXPECT_FALSE(replay->differsAt()) << *replay->differsAt();
     EXPECT_EQ(forces, live.forces);
@@ -223,10 +223,10 @@ TEST(SessionRecording, HostileEventsDoNoHarm) {
             if (!read) continue;
             goesOn = kernel.apply(read->front());
             refused += goesOn ? 0 : 1;
-            ASSERT_TRUE(kernel.tick().wrench.force.allFinite());
-            ASSERT_TRUE(kernel.tick().wrench.torque.allFinite());
-            ASSERT_TRUE(kernel.tick().proxy.position.allFinite());
-            ASSERT_TRUE(std::isfinite(kernel.tick().speedRpm));
+            ASSERT_TRUE(kernel.tick().force.wrench.force.allFinite());
+            ASSERT_TRUE(kernel.tick().force.wrench.torque.allFinite());
+            ASSERT_TRUE(kernel.tick().contact.proxy.position.allFinite());
+            ASSERT_TRUE(std::isfinite(kernel.tick().spindle.speedRpm));
         }
     }
     EXPECT_GT(refused, kRounds / 2);

@@ -24,7 +24,7 @@ struct Forces {
     friend bool operator==(const Forces&, const Forces&) = default;
     void add(double time, const Tick& tick) {
         times.push_back(time);
-        forces.push_back(tick.wrench.force);
+        forces.push_back(tick.force.wrench.force);
     }
 };
 

@@ -38,11 +38,11 @@ TEST(TouchRun, TakesOneTickARowAtTheRowsOwnTimes) {
     }));
     EXPECT_EQ(times, (std::vector<double>{3.0, 3.001, 3.001, 3.01}));
     EXPECT_NEAR(ticks[3].time, 0.01, 1e-12);
-    EXPECT_NEAR(ticks[3].speed, 1, 1e-9);
+    EXPECT_NEAR(ticks[3].input.speed, 1, 1e-9);
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(ticks[i].hand.position, trajectory[i].toolInTooth.position);
-        EXPECT_GT(ticks[i].micros, 0);
-        EXPECT_EQ(ticks[i].speedRpm, 0);
+        EXPECT_EQ(ticks[i].input.device.position, trajectory[i].toolInTooth.position);
+        EXPECT_GT(ticks[i].diagnostics.micros, 0);
+        EXPECT_EQ(ticks[i].spindle.speedRpm, 0);
     }
 }
 
@@ -52,7 +52,7 @@ TEST(TouchRun, PressingIntoTheBlockPushesBack) {
     for (int i = 0; i < 100; ++i) trajectory.push_back({0.001 * i, {Vec3(0, 0, 0.1 - 0.004 * i), Quat::Identity()}});
     double strongest = 0;
     ASSERT_TRUE(runTouchPath(trajectory, session, [&](double, const Tick& tick) {
-        strongest = std::max(strongest, tick.wrench.force.z());
+        strongest = std::max(strongest, tick.force.wrench.force.z());
     }));
     const Material enamel = MaterialTable{}[test::kEnamel];
     EXPECT_NEAR(strongest, 0.296 * enamel.stiffness + 4 * enamel.damping, 1e-5);
@@ -66,16 +66,16 @@ TEST(TouchRun, AnEmptyTrajectoryIsNoTick) {
 TEST(TouchRun, WhatIsNotFiniteInATickIsNamedWithItsTime) {
     for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1e308 * 10}) {
         const std::vector<std::pair<const char*, std::function<void(Tick&)>>> faults = {
-            {"force", [&](Tick& tick) { tick.wrench.force.y() = bad; }},
-            {"torque", [&](Tick& tick) { tick.wrench.torque.z() = bad; }},
-            {"depth", [&](Tick& tick) { tick.depth = bad; }},
-            {"normal", [&](Tick& tick) { tick.normal.x() = bad; }},
-            {"proxy", [&](Tick& tick) { tick.proxy.position.x() = bad; }},
-            {"proxy", [&](Tick& tick) { tick.proxy.rotation.w() = bad; }},
-            {"hand", [&](Tick& tick) { tick.hand.position.z() = bad; }},
-            {"speed", [&](Tick& tick) { tick.speed = bad; }},
-            {"speed of the bur", [&](Tick& tick) { tick.speedRpm = bad; }},
-            {"work of the bur", [&](Tick& tick) { tick.cutWork = bad; }}};
+            {"force", [&](Tick& tick) { tick.force.wrench.force.y() = bad; }},
+            {"torque", [&](Tick& tick) { tick.force.wrench.torque.z() = bad; }},
+            {"depth", [&](Tick& tick) { tick.contact.depth = bad; }},
+            {"normal", [&](Tick& tick) { tick.contact.normal.x() = bad; }},
+            {"proxy", [&](Tick& tick) { tick.contact.proxy.position.x() = bad; }},
+            {"proxy", [&](Tick& tick) { tick.contact.proxy.rotation.w() = bad; }},
+            {"hand", [&](Tick& tick) { tick.input.device.position.z() = bad; }},
+            {"speed", [&](Tick& tick) { tick.input.speed = bad; }},
+            {"speed of the bur", [&](Tick& tick) { tick.spindle.speedRpm = bad; }},
+            {"work of the bur", [&](Tick& tick) { tick.spindle.cutWork = bad; }}};
         for (const auto& [what, spoil] : faults) {
             Tick tick;
             EXPECT_TRUE(checkFinite(0.25, tick));

@@ -16,10 +16,10 @@ using test::at;
 
 Tick tickAt(double z, int contacts, double speedRpm = 200000, double pedal = 1) {
     Tick tick;
-    tick.proxy = at(0, 0, z);
-    tick.contacts = contacts;
-    tick.speedRpm = speedRpm;
-    tick.pedal = pedal;
+    tick.contact.proxy = at(0, 0, z);
+    tick.contact.triangles = contacts;
+    tick.spindle.speedRpm = speedRpm;
+    tick.input.pedal = pedal;
     return tick;
 }
 
@@ -90,7 +90,7 @@ TEST(CutEvents, ReportEachTouchOfTheSurroundings) {
     CutEvents events;
     Tick tick = tickAt(0, 1);
     const auto update = [&](double time, std::optional<MaterialId> around) {
-        tick.around = around;
+        tick.contact.around = around;
         events.update(time, tick, {});
     };
     update(0.0, {});
@@ -174,7 +174,7 @@ TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
     for (int i = 0; i < 4000; ++i) {
         const double z = i < 2000 ? 0.2 : 0.2 - 0.001 * std::min(i - 2000, 800);  // runs up, then is pressed by 12 N
         const Tick tick = simulation.step({at(0, 0, z), 1, true}, 0.001);
-        if (i >= 2000) slowest = std::min(slowest, tick.speedRpm);
+        if (i >= 2000) slowest = std::min(slowest, tick.spindle.speedRpm);
         events.update(tick.time, tick, {});
     }
     EXPECT_EQ(slowest, 0);

@@ -50,13 +50,13 @@ Drilled drill(CutModel& piece, const Instrument& bur, double newton, double peda
     double proxyZ = 0;
     for (int i = 0; i < ticks; ++i) {
         const Tick tick = simulation.step({at(0.01, 0.02, proxyZ - newton), pedal, true}, kTick);
-        proxyZ = tick.proxy.position.z();
-        result.speedRpm = tick.speedRpm;
-        result.force += tick.wrench.force.z() / ticks;
+        proxyZ = tick.contact.proxy.position.z();
+        result.speedRpm = tick.spindle.speedRpm;
+        result.force += tick.force.wrench.force.z() / ticks;
         if (!piece.feed(bur.cutting, tick, {})) continue;
         (void)simulation.setSurface(piece.surface());
         result.volume = total(piece.removed());
-        result.work = tick.cutWork;
+        result.work = tick.spindle.cutWork;
         result.time = tick.time;
         if (first.volume == 0) first = result;
     }
@@ -150,8 +150,8 @@ TEST(CutModel, BodiesAroundItAreTouchedAndBelongToNoOtherSurface) {
     HapticSimulation simulation(test::flatBur().shape, test::kBurRadius, piece->contactSurface(), electric());
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
     const Tick tick = simulation.step({at(3, 0, -0.3), 0, false}, kTick);
-    EXPECT_NEAR(tick.depth, 0.3, 0.02);
-    EXPECT_GT(tick.wrench.force.z(), 0.2);
+    EXPECT_NEAR(tick.contact.depth, 0.3, 0.02);
+    EXPECT_GT(tick.force.wrench.force.z(), 0.2);
 }
 
 TEST(CutModel, ATickSaysWhetherABodyAroundItHoldsTheTool) {
@@ -160,12 +160,12 @@ TEST(CutModel, ATickSaysWhetherABodyAroundItHoldsTheTool) {
     const Instrument bur = test::flatBur();
     HapticSimulation simulation(bur.shape, test::kBurRadius, piece->contactSurface(), electric());
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
-    EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).around, test::kEnamel);
+    EXPECT_EQ(simulation.step({at(3, 0, -0.3), 0, false}, kTick).contact.around, test::kEnamel);
     (void)simulation.step({at(3, 0, 0.2), 0, false}, kTick);
     (void)simulation.step({at(0, 0, 0.2), 0, false}, kTick);
     const Tick own = simulation.step({at(0, 0, -0.3), 0, false}, kTick);
-    EXPECT_GT(own.contacts, 0);
-    EXPECT_EQ(own.around, std::nullopt);
+    EXPECT_GT(own.contact.triangles, 0);
+    EXPECT_EQ(own.contact.around, std::nullopt);
     for (int i = 0; i < 400; ++i) simulation.step({at(0, 0, 0.1), 1, true}, kTick);
     Tick tick;
     for (int i = 0; i < 200; ++i) {  // in a cavity of its own, whose patches come before the neighbour
@@ -173,8 +173,8 @@ TEST(CutModel, ATickSaysWhetherABodyAroundItHoldsTheTool) {
         if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->contactSurface());
     }
     EXPECT_GT(piece->contactSurface()->patches.size(), 1U);
-    EXPECT_GT(tick.contacts, 0);
-    EXPECT_EQ(tick.around, std::nullopt);
+    EXPECT_GT(tick.contact.triangles, 0);
+    EXPECT_EQ(tick.contact.around, std::nullopt);
 }
 
 TEST(CutModel, BodiesAroundItAreNotCut) {
@@ -189,7 +189,7 @@ TEST(CutModel, BodiesAroundItAreNotCut) {
         if (piece->feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece->contactSurface());
     }
     EXPECT_EQ(total(piece->removed()), 0);
-    EXPECT_NEAR(tick.proxy.position.z(), 0, 0.02);
+    EXPECT_NEAR(tick.contact.proxy.position.z(), 0, 0.02);
 }
 
 TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
@@ -211,8 +211,8 @@ TEST(CutModel, ABodyOfTheSameToothAroundItIsCutAndCounted) {
         tick = simulation.step({at(3, 0, -0.5), 1, true}, kTick);
         if (piece.feed(bur.cutting, tick, {})) (void)simulation.setSurface(piece.contactSurface());
     }
-    EXPECT_LT(tick.proxy.position.z(), -0.1);
-    EXPECT_EQ(tick.around, test::kDentin) << "its cut wall is known as well";
+    EXPECT_LT(tick.contact.proxy.position.z(), -0.1);
+    EXPECT_EQ(tick.contact.around, test::kDentin) << "its cut wall is known as well";
     const double beside = total(piece.removed()) - own;
     EXPECT_GT(beside, 0.05);
     EXPECT_NEAR(piece.loss().beside, beside, 0.01 * beside);
@@ -230,11 +230,11 @@ TEST(CutModel, ABurWithoutEdgeLeavesTheToothWhole) {
 
 Tick pressing(double cutWork, double depth = 0.5, int contacts = 1) {
     Tick tick;
-    tick.proxy = at(0, 0, 0);
-    tick.hand = at(0, 0, -depth);
-    tick.cutting = true;
-    tick.contacts = contacts;
-    tick.cutWork = cutWork;
+    tick.contact.proxy = at(0, 0, 0);
+    tick.input.device = at(0, 0, -depth);
+    tick.input.cutting = true;
+    tick.contact.triangles = contacts;
+    tick.spindle.cutWork = cutWork;
     return tick;
 }
 
@@ -265,7 +265,7 @@ TEST(CutModel, WorkThatFindsNothingToCutIsNotSavedUp) {
     const double removed = total(piece->removed());
     EXPECT_NEAR(removed, holeOf(0.1), 0.02 * removed);
     Tick deeper = pressing(1000.001, 1);
-    deeper.proxy = at(0, 0, -0.1);
+    deeper.contact.proxy = at(0, 0, -0.1);
     piece->feed(bur, deeper, {});
     EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[test::kDentin].removal);
 }
@@ -312,7 +312,7 @@ TEST(CutModel, TheSurfaceKeepsUpWithEachCut) {
 Tick tickAt(double time, int contacts) {
     Tick tick;
     tick.time = time;
-    tick.contacts = contacts;
+    tick.contact.triangles = contacts;
     return tick;
 }
 

@@ -74,11 +74,11 @@ TEST(SessionTrack, HasEachTickOfTheReplayBitForBit) {
     const auto played = replay->playUntil({}, [&](double time, const Tick& tick) {
         const TrackTick kept = made.track->tickBefore(++moment);
         const Tick again = kept.tick();
-        same = same && kept.time == time && again.proxy.position == tick.proxy.position &&
-               again.proxy.rotation.coeffs() == tick.proxy.rotation.coeffs() &&
-               again.wrench.force == tick.wrench.force && again.depth == tick.depth &&
-               again.speedRpm == tick.speedRpm && again.contacts == tick.contacts && again.cutting == tick.cutting &&
-               again.placed == tick.placed;
+        same = same && kept.time == time && again.contact.proxy.position == tick.contact.proxy.position &&
+               again.contact.proxy.rotation.coeffs() == tick.contact.proxy.rotation.coeffs() &&
+               again.force.wrench.force == tick.force.wrench.force && again.contact.depth == tick.contact.depth &&
+               again.spindle.speedRpm == tick.spindle.speedRpm && again.contact.triangles == tick.contact.triangles &&
+               again.input.cutting == tick.input.cutting && again.contact.placed == tick.contact.placed;
     });
     ASSERT_TRUE(played) << played.error().message();
     EXPECT_TRUE(same);

@@ -40,7 +40,8 @@ CameraSetup cameraSetupOf(DemoView view) {
 Vec3 subjectOf(const Surface& tooth, const Tick& tick) {
     Box3 cavity;
     for (const auto& patch : tooth.patches) cavity.extend(patch->tree().box());
-    return cavity.isEmpty() ? tick.proxy.position : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
+    return cavity.isEmpty() ? tick.contact.proxy.position
+                            : Vec3(cavity.center().x(), cavity.center().y(), cavity.max().z());
 }
 
 Camera cameraOf(const CameraSetup& shot, const Vec3& subject, double mesialX) {
@@ -68,9 +69,9 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.camera = cameraOf(shot, subject, props.mesialX);
     if (shot.tool) {
         contents.tool = props.tool;
-        contents.tool->toolInTooth = tick.proxy;
-        contents.tool->speedRpm = tick.speedRpm;
-        contents.tool->spin = std::fmod(tick.time * tick.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
+        contents.tool->toolInTooth = tick.contact.proxy;
+        contents.tool->speedRpm = tick.spindle.speedRpm;
+        contents.tool->spin = std::fmod(tick.time * tick.spindle.speedRpm / 60, 1.0) * 2 * std::numbers::pi;
     }
     contents.flying = particlesOf(flying, props.materials);
     contents.mirror = props.mirror;

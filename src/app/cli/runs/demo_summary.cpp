@@ -18,12 +18,12 @@ std::string demoSummary(const Demonstration& demonstration, const CutModel& piec
     double fastest = 0;
     std::size_t touching = 0;
     for (const Tick& tick : demonstration.ticks) {
-        const double force = tick.wrench.force.norm();
-        micros.add(tick.micros);
+        const double force = tick.force.wrench.force.norm();
+        micros.add(tick.diagnostics.micros);
         peak = std::max(peak, force);
-        deepest = std::max(deepest, tick.depth);
-        fastest = std::max(fastest, tick.speedRpm);
-        if (tick.contacts > 0) ++touching, sum += force;
+        deepest = std::max(deepest, tick.contact.depth);
+        fastest = std::max(fastest, tick.spindle.speedRpm);
+        if (tick.contact.triangles > 0) ++touching, sum += force;
     }
     nlohmann::ordered_json removed;
     const MaterialRegistry& materials = piece.tooth().materials();

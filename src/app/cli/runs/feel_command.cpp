@@ -84,8 +84,8 @@ int runFeel(const FeelOptions& options) {
     double maxForce = 0;
     const auto visit = [&](double time, const Tick& tick) {
         file->write(time, tick);
-        micros.add(tick.micros);
-        maxForce = std::max(maxForce, tick.wrench.force.norm());
+        micros.add(tick.diagnostics.micros);
+        maxForce = std::max(maxForce, tick.force.wrench.force.norm());
     };
     const auto finished = runTouchPath(*trajectory, session, visit, recording.stop());
     const auto recorded = recording.close(model->hash());

@@ -195,11 +195,11 @@ void DeviceController::step(double dt) {
 /// A choice of the bar itself needs some ticks to arrive.
 void DeviceController::followButtons() {
     const Tick& newest = model_.log().newest();
-    const bool agrees = newest.cutting == panels_.drill->isCutting();
+    const bool agrees = newest.input.cutting == panels_.drill->isCutting();
     if (agrees || model_.devices().first() == nullptr || model_.log().ticks().empty()) {
         disagreesSince_ = newest.time;
     } else if (newest.time > disagreesSince_ + kButtonTime) {
-        panels_.drill->showCutting(newest.cutting);
+        panels_.drill->showCutting(newest.input.cutting);
     }
 }
 

@@ -25,7 +25,8 @@ void PanelUpdater::showStep(bool busy) {
     panels_.busy->setVisible(busy);
     if (replaying_) return;
     if (model_.tooth()) {
-        panels_.inspection->followBur(model_.log().newest().proxy.position, model_.tooth()->box(), model_.mesialX());
+        panels_.inspection->followBur(model_.log().newest().contact.proxy.position, model_.tooth()->box(),
+                                      model_.mesialX());
     }
     panels_.view->refresh();
 }

@@ -54,7 +54,8 @@ void SoundController::collect() {
 
 void SoundController::place() {
     if (model_.runner() == nullptr) return;
-    sound_.setPlacement(soundPlacementAt(model_.tooth()->box(), model_.mesialX(), model_.log().newest().proxy.position,
+    sound_.setPlacement(soundPlacementAt(model_.tooth()->box(), model_.mesialX(),
+                                         model_.log().newest().contact.proxy.position,
                                          panels_.view->camera().cameraInWorld));
 }
 

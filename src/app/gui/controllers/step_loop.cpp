@@ -54,8 +54,8 @@ bool StepLoop::isResting() const { return idleSteps_ > kRestAfter; }
 
 void StepLoop::adaptInterval() {
     const Tick& newest = model_.log().newest();
-    const Vec3& place = newest.proxy.position;
-    const bool isStill = (place - lastPlace_).norm() < kMinMove && newest.speedRpm < kMinSpeed && !busy_;
+    const Vec3& place = newest.contact.proxy.position;
+    const bool isStill = (place - lastPlace_).norm() < kMinMove && newest.spindle.speedRpm < kMinSpeed && !busy_;
     lastPlace_ = place;
     idleSteps_ = isStill ? idleSteps_ + 1 : 0;
     setInterval(stepTimer_, isResting() ? kRestMs : kStepMs);

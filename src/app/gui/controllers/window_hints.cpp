@@ -102,13 +102,14 @@ WindowHints::Reason WindowHints::reason() const {
     const Tick& tick = model_.log().newest();
     if (device != nullptr) {
         if (device->faultMessage() != nullptr) return Reason::None;  // showUsual says it
-        if (runner->feed().forceState() == ForceState::AwaitsFreeSpace && tick.contacts > 0) return Reason::ForceWaits;
+        if (runner->feed().forceState() == ForceState::AwaitsFreeSpace && tick.contact.triangles > 0)
+            return Reason::ForceWaits;
         if (runner->feed().isDeviceAtWorkspaceLimit()) return Reason::WorkspaceEnd;
     }
     const bool presses = device != nullptr || model_.manipulator().isPressing();  // a bur may rest in its cavity
-    if (tick.contacts == 0 || !presses) return Reason::None;
-    if (tick.cutting) return tick.pedal == 0 ? Reason::BurStopped : Reason::None;
-    return tick.pedal > 0 ? Reason::OnlyTouches : Reason::None;
+    if (tick.contact.triangles == 0 || !presses) return Reason::None;
+    if (tick.input.cutting) return tick.input.pedal == 0 ? Reason::BurStopped : Reason::None;
+    return tick.input.pedal > 0 ? Reason::OnlyTouches : Reason::None;
 }
 
 QString WindowHints::text(Reason reason) const {

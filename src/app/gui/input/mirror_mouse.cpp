@@ -26,7 +26,7 @@ void MirrorMouse::turnWheel(const Viewport& picture, double notches) {
 
 bool MirrorMouse::placeBehindBur(const Viewport& picture) {
     if (model_.runner() == nullptr || !model_.instruments().meshes()) return false;
-    const Pose& bur = model_.log().newest().proxy;
+    const Pose& bur = model_.log().newest().contact.proxy;
     if (!bur.position.allFinite()) return false;
     const MirrorAim aim{.tip = bur.position,
                         .shaft = bur.rotation * Vec3::UnitZ(),

@@ -55,8 +55,8 @@ void DrivePanel::setSpindle(const SpindlePreset& spindle) { speed_->setLargest(s
 void DrivePanel::setShowsForce(bool shows) { force_->setVisible(shows); }
 
 void DrivePanel::show(const Tick& tick) {
-    speed_->setValue(tick.speedRpm / kThousand);
-    force_->setValue(tick.wrench.force.norm());
+    speed_->setValue(tick.spindle.speedRpm / kThousand);
+    force_->setValue(tick.force.wrench.force.norm());
 }
 
 }  // namespace tactooth

@@ -28,10 +28,10 @@ void TickTrace::endInterval(double next) {
 void TickTrace::add(std::span<const Tick> ticks) {
     for (const Tick& tick : ticks) {
         if (tick.time >= current_.time) endInterval(tick.time);
-        tool_ = tick.proxy;
-        current_.depth = std::max(current_.depth, tick.depth);
-        current_.speed = std::max(current_.speed, tick.speed);
-        current_.force = std::max(current_.force, tick.wrench.force.norm());
+        tool_ = tick.contact.proxy;
+        current_.depth = std::max(current_.depth, tick.contact.depth);
+        current_.speed = std::max(current_.speed, tick.input.speed);
+        current_.force = std::max(current_.force, tick.force.wrench.force.norm());
     }
     while (!points_.empty() && points_.front().time < points_.back().time - kShown - kRounding) points_.pop_front();
 }

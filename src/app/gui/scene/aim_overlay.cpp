@@ -87,14 +87,14 @@ AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewpor
     const MouseManipulator& hand = model.manipulator();
     const Pose& eye = picture.camera().cameraInWorld;
     return {.surface = hand.surroundings().touchable.get(),
-            .tip = rounded(newest.proxy.position),
-            .shaft = rounded(newest.proxy.rotation * Vec3::UnitZ()),
+            .tip = rounded(newest.contact.proxy.position),
+            .shaft = rounded(newest.contact.proxy.rotation * Vec3::UnitZ()),
             .inward = hand.pressDirection(),
             .eye = eye.position,
             .eyeTurn = eye.rotation.coeffs(),
             .depth = hand.depthControl().depth(),
-            .force = std::round(10 * newest.wrench.force.norm()),
-            .hold = std::round(100 * newest.tipHold),
+            .force = std::round(10 * newest.force.wrench.force.norm()),
+            .hold = std::round(100 * newest.force.tipHold),
             .mode = hand.pressMode(),
             .width = picture.size().width,
             .height = picture.size().height,
@@ -124,11 +124,11 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
         return Place{{pixel->x() / ratio, pixel->y() / ratio}, isHidden, false};
     };
     const Tick& newest = model.log().newest();
-    const auto tip = placeOf(newest.proxy.position);
+    const auto tip = placeOf(newest.contact.proxy.position);
     if (!tip) return mark;
     mark.tip = tip->at;
     if (model.devices().first() == nullptr) {
-        const AimMark aim = aimMark(model.manipulator(), model.bur()->head.radius, newest.proxy);
+        const AimMark aim = aimMark(model.manipulator(), model.bur()->head.radius, newest.contact.proxy);
         for (const AimPlace& one : aim.ring) {
             auto place = placeOf(one.at);
             if (!place) continue;

@@ -42,9 +42,9 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
                                              ? meshes->handpieces.of(model.haptics().spindle)
                                              : nullptr,
                               .material = bur.material,
-                              .toolInTooth = newest.proxy,
+                              .toolInTooth = newest.contact.proxy,
                               .spin = model.animation().spin(),
-                              .speedRpm = newest.speedRpm,
+                              .speedRpm = newest.spindle.speedRpm,
                               .edge = bur.instrument.edge,
                               .blurred = bur.blurred,
                               .head = bur.head,

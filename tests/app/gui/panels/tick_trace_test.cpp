@@ -29,9 +29,9 @@ TEST(TickTrace, GivesTwentyPointsASecond) {
 
 TEST(TickTrace, KeepsAPeakOfOneTick) {
     std::vector<Tick> some = ticks(0, 0.5);
-    some[123].depth = 0.4;
-    some[124].speed = 70;
-    some[125].wrench.force = Vec3(0, 3, 4);
+    some[123].contact.depth = 0.4;
+    some[124].input.speed = 70;
+    some[125].force.wrench.force = Vec3(0, 3, 4);
     TickTrace trace;
     trace.add(some);
     EXPECT_FALSE(trace.isFlat());
@@ -51,7 +51,7 @@ TEST(TickTrace, CavityDepthIsMeasuredAlongTheShaftFromTheUncutSurface) {
     const auto box = std::make_shared<const SurfacePart>(test::box(Vec3(-9, -9, -9), Vec3(9, 9, 2)));
     std::vector<Tick> some = ticks(0, 3);
     const Quat tilt(Eigen::AngleAxisd(std::numbers::pi / 3, Vec3::UnitX()));
-    for (Tick& tick : some) tick.proxy = {Vec3(0.3, 0.2, 2.1 - 0.1 * tick.time), tilt};
+    for (Tick& tick : some) tick.contact.proxy = {Vec3(0.3, 0.2, 2.1 - 0.1 * tick.time), tilt};
     TickTrace trace;
     trace.setUncut(box);
     trace.add(some);
@@ -69,7 +69,7 @@ TEST(TickTrace, CavityDepthIsMeasuredAlongTheShaftFromTheUncutSurface) {
 
 TEST(TickTrace, ForgetsWhatIsOlderThanThePlot) {
     std::vector<Tick> some = ticks(0, 12);
-    some[100].depth = 1;
+    some[100].contact.depth = 1;
     TickTrace trace;
     trace.add(some);
     EXPECT_GE(trace.points().front().time, trace.points().back().time - TickTrace::kShown - 1e-6);
