@@ -27,6 +27,7 @@ constexpr std::array<SoundCharacter, kSoundMaterials> kCharacters{{{7700.0, 0.75
 constexpr double kTopSpeedRpm = 1.0e6;    // twice the fastest turbine on sale
 constexpr double kTopRemovalWatt = 1000;  // a turbine gives 30 W at most
 constexpr double kTopContactSpeed = 1e4;  // mm/s: faster than any hand
+constexpr double kTopContactForce = 100;  // N: more than any hand presses
 constexpr int kMaxBlades = 60;            // finishing burs have 30
 
 double within(double value, double low, double high, double otherwise) {
@@ -74,6 +75,8 @@ DrillSoundState sanitised(const DrillSoundState& state) {
     safe.removalPower = within(state.removalPower, 0.0, kTopRemovalWatt, 0.0);
     safe.blades = std::clamp(state.blades, 0, kMaxBlades);
     safe.contactSpeed = within(state.contactSpeed, 0.0, kTopContactSpeed, 0.0);
+    safe.contactForce = within(state.contactForce, 0.0, kTopContactForce, 0.0);
+    safe.slideSpeed = within(state.slideSpeed, 0.0, kTopContactSpeed, 0.0);
     safe.water = within(state.water, 0.0, 1.0, 0.0);
     safe.suction = within(state.suction, 0.0, 1.0, 0.0);
     safe.material = sanitisedCharacter(state.material);

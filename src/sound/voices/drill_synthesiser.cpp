@@ -17,7 +17,7 @@ double volume(double value) { return std::isfinite(value) ? std::clamp(value, 0.
 }  // namespace
 
 DrillSynthesiser::DrillSynthesiser(std::uint64_t seed)
-    : rotation_(seed * 16 + 1), motor_(seed * 16 + 2), cutting_(seed * 16 + 8) {}
+    : rotation_(seed * 16 + 1), motor_(seed * 16 + 2), cutting_(seed * 16 + 8), glide_(seed * 16 + 12) {}
 
 void DrillSynthesiser::setMixer(const SoundMixer& mixer) {
     mixer_ = {.motor = volume(mixer.motor),
@@ -55,6 +55,7 @@ void DrillSynthesiser::renderRun(const DrillSoundState& state, std::span<float> 
     motor_.addTo(run, state, mixer_.motor, turnsPerFrame);
     cutting_.addTo(run, state, mixer_.cutting, turnsPerFrame);
     tap_.addTo(run, state, mixer_.cutting);
+    glide_.addTo(run, state, mixer_.cutting);
 
     const int frames = static_cast<int>(run.size());
     master_.aim(mixer_.muted ? 0.0f : static_cast<float>(mixer_.master),

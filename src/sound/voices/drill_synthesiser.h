@@ -7,6 +7,7 @@
 
 #include "sound/voices/cutting_voice.h"
 #include "sound/voices/drill_sound_state.h"
+#include "sound/voices/glide_voice.h"
 #include "sound/voices/impact_voice.h"
 #include "sound/voices/motor_voice.h"
 #include "sound/voices/peak_limiter.h"
@@ -44,6 +45,7 @@ private:
     MotorVoice motor_;
     CuttingVoice cutting_;
     ImpactVoice tap_;
+    GlideVoice glide_;
     GainSmoother master_;
     PeakLimiter limiter_;
 };
