@@ -88,8 +88,10 @@ public:
 
     [[nodiscard]] double cervical(const Vec3& p) const {
         const double part = p.x() / (p.x() > 0 ? mesialLine_ : distalLine_);
-        constexpr double kArch = 0.6;  // above the line the crown is wider: there it must not rise on
-        return p.z() - (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * smoothUnion(part * part, 1, kArch);
+        constexpr double kArch = 0.6;           // above the line the crown is wider: there it must hardly rise on
+        constexpr double kTop = 1 - kArch / 4;  // of smoothUnion where both are 1
+        const double risen = smoothUnion(part * part, 1, kArch) / kTop;
+        return p.z() - (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * risen;
     }
 
     [[nodiscard]] double pulp(const Vec3& p) const {
