@@ -25,17 +25,17 @@ struct Limit {
     double mirrorCorrelation, section, outline, tips, table, edge, thickness;
 };
 
-constexpr std::array<Limit, 16> kLimits = {{{11, 0.88, 0.25, 0.14, 0, 0, 0.20, 0.10},
-                                            {12, 0.86, 0.35, 0.19, 0, 0, 0.40, 0.10},
-                                            {13, 0.75, 0.30, 0.25, 0, 0, 0.32, 0.20},
+constexpr std::array<Limit, 16> kLimits = {{{11, 0.86, 0.20, 0.08, 0, 0, 0.15, 0.08},
+                                            {12, 0.76, 0.35, 0.08, 0, 0, 0.22, 0.08},
+                                            {13, 0.75, 0.20, 0.08, 0, 0, 0.30, 0.15},
                                             {14, 0.85, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {15, 0.84, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {16, 0.70, 0.40, 0.08, 0.30, 0.30, 0, 0},
-                                            {17, 0.25, 0.40, 0.08, 0.30, 0, 0, 0},
-                                            {18, 0.62, 0, 0, 0, 0, 0, 0},
-                                            {41, 0.87, 0.35, 0.22, 0, 0, 0.20, 0.15},
-                                            {42, 0.78, 0.25, 0.33, 0, 0, 0.25, 0.15},
-                                            {43, 0.80, 0.35, 0.19, 0, 0, 0.32, 0.16},
+                                            {17, 0.29, 0.40, 0.08, 0.30, 0, 0, 0},
+                                            {18, 0.68, 0, 0, 0, 0, 0, 0},
+                                            {41, 0.85, 0.35, 0.08, 0, 0, 0.15, 0.08},
+                                            {42, 0.82, 0.25, 0.08, 0, 0, 0.22, 0.08},
+                                            {43, 0.78, 0.20, 0.08, 0, 0, 0.20, 0.10},
                                             {44, 0.90, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {45, 0.76, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {46, 0.84, 0.40, 0.08, 0.30, 0.30, 0, 0},
@@ -80,8 +80,8 @@ struct RealTooth {
 };
 
 constexpr RealTooth kRealTeeth[] = {{16, "microct-meshes/tooth_2_outer.stl", false, true, 0.19},
-                                    {32, "openmandible/whole/L1_whole.stl", true, false, 0.14},
-                                    {33, "openmandible/whole/L3_whole.stl", false, false, 0.21},
+                                    {32, "openmandible/whole/L1_whole.stl", true, false, 0.15},
+                                    {33, "openmandible/whole/L3_whole.stl", false, false, 0.18},
                                     {36, "openmandible/whole/L6_whole.stl", false, false, 0.21}};
 
 TEST(CrownAnatomy, IsAsNearToARealToothAsItsLimit) {

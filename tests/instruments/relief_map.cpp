@@ -15,6 +15,16 @@ struct Place {
     double u, v, height;
 };
 
+/// The height there, linear in `u` between the middles of cells: a place and its mirror image lie differently in their
+/// cells.
+std::optional<double> between(const ReliefMap& map, double u, double v) {
+    const double from = map.box().min().x() + ReliefMap::kCell / 2;
+    const double cell = std::floor((u - from) / ReliefMap::kCell), low = from + cell * ReliefMap::kCell;
+    const auto a = map.at(low, v), b = map.at(low + ReliefMap::kCell, v);
+    if (!a || !b) return std::nullopt;
+    return std::lerp(*a, *b, (u - low) / ReliefMap::kCell);
+}
+
 /// What the best paraboloid of revolution leaves of the heights.
 std::vector<Place> withoutParaboloid(std::vector<Place> places) {
     const auto termsOf = [](const Place& p) { return Eigen::Vector4d(1, p.u, p.v, p.u * p.u + p.v * p.v); };
@@ -80,7 +90,7 @@ double mirrorCorrelation(const ReliefMap& map, double from, double to) {
     std::vector<Place> places;  // a place and its mirror image follow each other
     for (double v = from; v <= to; v += ReliefMap::kCell) {
         for (double u = ReliefMap::kCell / 2; u < half; u += ReliefMap::kCell) {
-            const auto plus = map.at(middle + u, v), minus = map.at(middle - u, v);
+            const auto plus = between(map, middle + u, v), minus = between(map, middle - u, v);
             if (!plus || !minus) continue;
             places.push_back({u, v, *plus});
             places.push_back({-u, v, *minus});

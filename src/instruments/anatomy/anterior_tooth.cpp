@@ -3,6 +3,7 @@
 #include "instruments/anatomy/anterior_tooth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -59,13 +60,17 @@ double heightOf(const FaceRidge& ridge, double x, double z) {
     return height;
 }
 
+constexpr std::size_t kMaxOutlines = 6;
+
 class AnteriorTooth {
 public:
     explicit AnteriorTooth(AnteriorToothPlan plan)
         : plan_(std::move(plan)),
           body_(leaning(centred(plan_.body), plan_)),
           pulp_(leaning(plan_.pulp, plan_)),
-          fall_(plan_.fall) {}
+          fall_(plan_.fall),
+          mesialLine_(halfWidth(plan_.mesialRise, 1)),
+          distalLine_(halfWidth(plan_.distalRise, -1)) {}
 
     [[nodiscard]] double outer(const Vec3& p) const {
         constexpr double kApexBlend = 0.8, kEdgeBlend = 0.5;
@@ -82,9 +87,11 @@ public:
     }
 
     [[nodiscard]] double cervical(const Vec3& p) const {
-        // Above the neck the crown is wider: there the line must not rise on.
-        const double part = std::clamp(p.x() / plan_.cervicalHalfWidth, -1.0, 1.0);
-        return p.z() - (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * part * part;
+        const double part = p.x() / (p.x() > 0 ? mesialLine_ : distalLine_);
+        constexpr double kArch = 0.6;           // above the line the crown is wider: there it must hardly rise on
+        constexpr double kTop = 1 - kArch / 4;  // of smoothUnion where both are 1
+        const double risen = smoothUnion(part * part, 1, kArch) / kTop;
+        return p.z() - (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * risen;
     }
 
     [[nodiscard]] double pulp(const Vec3& p) const {
@@ -120,13 +127,36 @@ private:
         return plan_.enamelThickness * grown * std::lerp(kLingual, 1.0, labial);
     }
 
+    /// mm that the outline stands outside of the section's oval: de Casteljau's algorithm.
+    [[nodiscard]] double outline(const Vec3& q, const Section& section) const {
+        const std::size_t order = plan_.outlines.size();
+        const double dx = q.x() - section.x, dy = q.y() - section.y;
+        const double x = dx / (dx > 0 ? section.plusX : section.minusX), y = dy / section.plusY;
+        std::array<double, kMaxOutlines + 1> offsets{};
+        for (std::size_t i = 0; i < order; ++i) offsets[i + 1] = outlineOffset(plan_.outlines[i], x, y);
+        const double part = std::clamp(q.z() / plan_.edgeZ, 0.0, 1.0);
+        for (std::size_t left = order; left > 0; --left) {
+            for (std::size_t i = 0; i < left; ++i) offsets[i] = std::lerp(offsets[i], offsets[i + 1], part);
+        }
+        constexpr double kInner = 0.2, kOuter = 0.8;  // shares of the way from the axis: there it has no direction
+        return smoothStep(kInner, kOuter, std::hypot(x, y)) * offsets[0];
+    }
+
+    /// That of the crown at a height, to mesial (1) or to distal (-1).
+    [[nodiscard]] double halfWidth(double z, double side) const {
+        const Section s = body_.at(z);
+        const double half = side > 0 ? s.plusX : s.minusX;
+        return half + outline({s.x + side * half, s.y, z}, s);
+    }
+
     /// The distance to the sides: `q` is the point `p` unbent.
     [[nodiscard]] double sides(const Vec3& q, const Vec3& p) const {
         constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
-        const double distance = body_(q) + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
+        const double oval = body_(q) + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
         constexpr double kFar = 2;  // mm: the surface is not there
-        if (q.z() <= 0 || std::abs(distance) > kFar) return distance;
+        if (q.z() <= 0 || std::abs(oval) > kFar) return oval;
         const Section section = body_.at(q.z());
+        const double distance = oval - outline(q, section);
         const double fromMiddle = (q.y() - section.y) / section.plusY;
         double relief = 0;
         for (const FaceRidge& r : fromMiddle > 0 ? plan_.labial : plan_.lingual) relief += heightOf(r, q.x(), q.z());
@@ -146,6 +176,7 @@ private:
     AnteriorToothPlan plan_;
     SectionLoft body_, pulp_;
     SmoothCurve fall_;
+    double mesialLine_, distalLine_;  ///< half widths of the crown at the top of the cervical line
 };
 
 /// The point where the line from an inner point leaves the body.
@@ -162,7 +193,7 @@ Vec3 surfacePoint(const ScalarField& body, Vec3 inside, Vec3 outside) {
 
 ToothShape anteriorTooth(const AnteriorToothPlan& plan) {
     TACTOOTH_ASSERT(plan.enamelThickness > 0 && plan.incisalEnamel > 0);
-    TACTOOTH_ASSERT(plan.apex < 0 && plan.edgeZ > 0);
+    TACTOOTH_ASSERT(plan.apex < 0 && plan.edgeZ > 0 && plan.outlines.size() <= kMaxOutlines);
     const auto tooth = std::make_shared<const AnteriorTooth>(plan);
     constexpr double kMargin = 0.8;
     ToothShape shape;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "instruments/anatomy/outline_wave.h"
 #include "instruments/anatomy/tooth_shape.h"
 #include "instruments/modelling/section_loft.h"
 #include "instruments/modelling/smooth_curve.h"
@@ -33,6 +34,10 @@ struct AnteriorToothPlan {
     std::string name;
     int fdi = 0;
     std::vector<Section> body;  ///< from the apex to above the edge; a lingual face in front of the axis is negative
+    /// How the outline of the crown departs from the ovals: a Bezier curve over the height, of which these are the
+    /// control points at equal distances up to the edge. It begins with an oval at the neck. The direction of the waves
+    /// is that from the section's centre, in shares of its half axes.
+    std::vector<OutlineWaves> outlines;
     CrownBend bend;
     double apex = 0;                           ///< height of the root's end
     double lean = 0;                           ///< mm that the apex stands behind the neck
@@ -44,8 +49,7 @@ struct AnteriorToothPlan {
     double edgeRoundness = 0.6;                ///< length over which the two slopes meet
     std::vector<FaceRidge> labial = {}, lingual = {};
     double mesialRise = 0, distalRise = 0;  ///< of the cervical line at the proximal sides
-    double cervicalHalfWidth = 3;
-    double enamelThickness = 1;  ///< at the labial face near the edge, where it is thickest
+    double enamelThickness = 1;             ///< at the labial face near the edge, where it is thickest
     /// Thickness perpendicular to the edge's slope; the core ends before it becomes too thin.
     double incisalEnamel = 2;
     std::vector<Section> pulp;      ///< from the end of the canal to the horns
