@@ -49,6 +49,12 @@ constexpr std::array kHabits = {
               &HandHabits::undone,
               {0, 0.08, 0.25},
               {HabitEffect{"under_volume"}, {"cleared_share", false}}},
+    HandHabit{"uneven",
+              &msg::kHabitUneven,
+              "mm",
+              &HandHabits::uneven,
+              {0.01, 0.06, 0.15},
+              {HabitEffect{"finish_line_roughness"}, {"over_max"}, {"floor_flatness"}}},
 };
 
 }  // namespace

@@ -85,9 +85,38 @@ void cutShort(std::vector<HandStation>& route, double share) {
     }
 }
 
+/// Leads the route in slow waves beside itself. The eye does not see them: a hand believes that it is on its way.
+void stray(std::vector<HandStation>& route, double uneven, std::uint64_t seed) {
+    if (uneven <= 0) return;
+    struct Wave {
+        double number, phase;  // rad/mm, rad
+    };
+    constexpr double kShortest = 1.5, kLongest = 5;  // mm: lengths of the waves
+    std::array<std::array<Wave, 3>, 3> waves{};      // of each direction
+    SeededRandom random(seed);
+    for (auto& direction : waves) {
+        for (Wave& wave : direction) {
+            wave.number = 2 * std::numbers::pi / (kShortest + (kLongest - kShortest) * random.share());
+            wave.phase = 2 * std::numbers::pi * random.share();
+        }
+    }
+    const double height = uneven * std::sqrt(2.0 / 3);  // each sine has the mean square 1/2
+    double along = 0;
+    Vec3 before = route.front().tip;
+    for (HandStation& station : route) {
+        along += (station.tip - before).norm();
+        before = station.tip;
+        if (!station.isInTooth) continue;
+        for (std::size_t i = 0; i < waves.size(); ++i) {
+            for (const Wave& wave : waves[i])
+                station.tip[static_cast<Eigen::Index>(i)] += height * std::sin(wave.number * along + wave.phase);
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits) {
+std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits, std::uint64_t seed) {
     TACTOOTH_ASSERT(!task.paths.empty() && task.paths.size() == task.depths.size());
     TACTOOTH_ASSERT(habits.layer > 0);
     double deepest = 0, highest = -std::numeric_limits<double>::infinity();
@@ -125,6 +154,7 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits)
     }
     std::vector<HandStation> route = std::move(builder.route());
     cutShort(route, habits.undone);
+    stray(route, habits.uneven, seed);
     RouteBuilder end(task.outward, highest + kLift);
     end.route() = std::move(route);
     end.lift();
