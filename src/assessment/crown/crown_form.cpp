@@ -3,9 +3,9 @@
 #include "assessment/crown/crown_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "collision/bvh/closest_point.h"
@@ -39,19 +39,30 @@ Expected<CrownForm> CrownForm::make(const PreparationPlan& plan, const LayeredTo
     return CrownForm(plan, std::move(*line), std::move(outer));
 }
 
+/// Where one side is widest, mm above the finish line. Below it the surface leans outwards: a wall that followed it would
+/// be an undercut. `side`: 1: buccal, -1: lingual.
+double CrownForm::girthAbove(double side) const {
+    double widest = -std::numeric_limits<double>::infinity(), above = 0;
+    for (const Vec3f& vertex : outer_->mesh().vertices) {
+        const Vec3 place = vertex.cast<double>();
+        const double out = side * line_.aside().dot(place);
+        if (out <= widest || line_.axis().dot(place) < line_.lowest()) continue;
+        widest = out;
+        above = line_.placeOf(place).above;
+    }
+    return above;
+}
+
 void CrownForm::findAxialFaces(const CrownOutline& crown) {
     const TriangleMesh& mesh = outer_->mesh();
+    const std::array girths = {girthAbove(-1), girthAbove(1)};
     TriangleMesh buccal{mesh.vertices, {}}, lingual{mesh.vertices, {}};
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Vec3 centre = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
         if (line_.axis().dot(centre) < line_.lowest() - kAround) continue;
         for (int corner = 0; corner < 3; ++corner) box_.extend(mesh.corner(i, corner));
-        if (line_.placeOf(centre).above <= kOverLine) continue;
-        const Vec3 normal = mesh.areaVector(i).stableNormalized();
-        const bool isBuccal = line_.aside().dot(normal) > 0;
-        // Below the largest girth the surface leans outwards. A wall that followed it would be an undercut.
-        const double taper = isBuccal ? crown.buccalTaper : crown.taper;
-        if (line_.axis().dot(normal) < std::sin(taper * std::numbers::pi / 180)) continue;
+        const bool isBuccal = line_.aside().dot(mesh.areaVector(i)) > 0;
+        if (line_.placeOf(centre).above <= std::max(kOverLine, girths.at(isBuccal ? 1 : 0))) continue;
         (isBuccal ? buccal : lingual).triangles.push_back(mesh.triangles[i]);
     }
     box_ = Box3(box_.min() - Vec3::Constant(kAround), box_.max() + Vec3::Constant(kAround));

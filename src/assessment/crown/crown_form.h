@@ -34,6 +34,7 @@ private:
         double depth;  // mm below them that is removed
     };
     CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer);
+    [[nodiscard]] double girthAbove(double side) const;
     void findAxialFaces(const CrownOutline& crown);
     void findEdge(const CrownOutline& crown);
     [[nodiscard]] Depth belowEdge(const Vec3& place) const;

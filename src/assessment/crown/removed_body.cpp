@@ -91,10 +91,11 @@ private:
 
 }  // namespace
 
-RemovedBody::Depth unitedRound(const RemovedBody::Depth& a, const RemovedBody::Depth& b, double radius) {
+RemovedBody::Depth unitedRound(const RemovedBody::Depth& a, const RemovedBody::Depth& b, double wanted) {
     // What stands is widened by a ball that has first been taken off: beside the edge of the narrower rest, the
     // boundary is a cylinder round that edge.
     const double cosine = a.gradient.stableNormalized().dot(b.gradient.stableNormalized());
+    const double radius = wanted * std::min(1.0, 1 + cosine);
     const double u = a.value + radius, v = b.value + radius;
     constexpr double kOnePlane = 1e-6;  // of the squared sine
     const double squaredSine = 1 - cosine * cosine;

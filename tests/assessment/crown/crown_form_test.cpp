@@ -49,7 +49,8 @@ TEST_P(CrownOfAnyPatient, HasTheFinishLineWallsAndRoomOfItsPlan) {
     const double arc = plan.crown->tipRadius * (1 - std::cos(0.5236));
     EXPECT_NEAR(valueOf(results, "finish_line_width"), plan.crown->width - arc, 0.1);
     EXPECT_LT(valueOf(results, "finish_line_roughness"), 0.03);
-    EXPECT_LT(valueOf(results, "undercut_area"), 0.2);
+    // The lingual face of an incisor bends outwards a little below its edge.
+    EXPECT_LT(valueOf(results, "undercut_area"), plan.crown->isIncisal ? 1 : 0.2);
     EXPECT_NEAR(valueOf(results, "occlusal_reduction_median"), (plan.crown->occlusal + plan.crown->functional) / 2,
                 0.5);
 }
