@@ -35,9 +35,10 @@ Vec3 middleOf(const HandTask& task) {
     return sum / count;
 }
 
-double lengthOf(std::span<const HandStation> route) {
+/// Of the way through the tooth from the station `begin` on.
+double lengthOf(const std::vector<HandStation>& route, std::size_t begin) {
     double length = 0;
-    for (std::size_t i = 1; i < route.size(); ++i) {
+    for (std::size_t i = std::max<std::size_t>(begin, 1); i < route.size(); ++i) {
         if (route[i].isInTooth) length += (route[i].tip - route[i - 1].tip).norm();
     }
     return length;
@@ -70,10 +71,10 @@ private:
     std::vector<HandStation> route_;
 };
 
-/// Ends the route before the last `share` of its way through the tooth.
-void cutShort(std::vector<HandStation>& route, double share) {
-    double left = lengthOf(route) * (1 - share);
-    for (std::size_t i = 1; i < route.size(); ++i) {
+/// Ends the route before the last `share` of its way through the tooth from the station `begin` on.
+void cutShort(std::vector<HandStation>& route, std::size_t begin, double share) {
+    double left = lengthOf(route, begin) * (1 - share);
+    for (std::size_t i = std::max<std::size_t>(begin, 1); i < route.size(); ++i) {
         if (!route[i].isInTooth) continue;
         const Vec3 way = route[i].tip - route[i - 1].tip;
         const double length = way.norm();
@@ -138,6 +139,7 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits,
     const int layers = std::max(1, static_cast<int>(std::ceil(deepest / habits.layer)));
     for (int layer = layers - 1; layer >= 0; --layer) {
         const double raised = habits.layer * layer;
+        const std::size_t begin = builder.route().size();
         for (std::size_t i = 0; i < task.paths.size(); ++i) {
             std::vector<Vec3> run;
             for (std::size_t k = 0; k < task.paths[i].size(); ++k) {
@@ -151,9 +153,10 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits,
             }
             builder.add(run);
         }
+        // In each layer: else a shallow cavity would lose as much of its only layer as a deep one of all of them.
+        cutShort(builder.route(), begin, habits.undone);
     }
     std::vector<HandStation> route = std::move(builder.route());
-    cutShort(route, habits.undone);
     stray(route, habits.uneven, seed);
     RouteBuilder end(task.outward, highest + kLift);
     end.route() = std::move(route);
