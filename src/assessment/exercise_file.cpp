@@ -38,9 +38,9 @@ public:
 private:
     void readAll(const toml::table& root) {
         toml_.allow(root, msg::kAnExercise,
-                    {"name",      "task",   "brief",      "japanese", "group",   "level", "minutes",
-                     "tolerance", "rubric", "tooth",      "mouth",    "patient", "decay", "filling", "materials",
-                     "layers",    "bur",    "other_burs", "ideal",    "cavity",  "view",  "forbidden"});
+                    {"name",   "task",       "brief", "japanese", "group", "level",    "minutes",   "tolerance",
+                     "rubric", "tooth",      "mouth", "patient",  "decay", "filling",  "materials", "layers",
+                     "bur",    "other_burs", "ideal", "cavity",   "view",  "forbidden"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
         exercise_.brief = toml_.text(root, "brief", false);
@@ -134,7 +134,8 @@ private:
         } else if (!name.empty()) {
             std::string names;
             for (const MaterialId id : materials.inMenuOrder()) {
-                if (materials.hasRole(id, MaterialRole::None)) names += (names.empty() ? "" : ", ") + materials.nameOf(id);
+                if (materials.hasRole(id, MaterialRole::None))
+                    names += (names.empty() ? "" : ", ") + materials.nameOf(id);
             }
             toml_.fail(*table.get("material"), {msg::kFillingMaterial, quotedWord(name), names});
         }

@@ -95,7 +95,8 @@ inline constexpr MessageText kChamferNeedsRoundEnd{
     "the end of this bur has a radius of %1 mm; a chamfer needs one that is at least as large as its width",
     "このバーの先端の半径は %1 mm です。シャンファーには、その幅以上の半径の先端が必要です"};
 inline constexpr MessageText kNoFunctionalCusps{
-    "no_functional_cusps", "a tooth with an edge has no functional cusps: remove '%1', or give 'occlusal' in place of 'incisal'",
+    "no_functional_cusps",
+    "a tooth with an edge has no functional cusps: remove '%1', or give 'occlusal' in place of 'incisal'",
     "切縁のある歯に機能咬頭はありません：'%1' を消すか、'incisal' の代わりに 'occlusal' を書いてください"};
 inline constexpr MessageText kOcclusalOrIncisal{
     "occlusal_or_incisal", "give either 'occlusal', for a tooth with cusps, or 'incisal', for one with an edge",

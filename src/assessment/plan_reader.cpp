@@ -183,9 +183,10 @@ void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
 
 /// A crown preparation.
 std::optional<CrownOutline> PlanReader::readCrown(const toml::table& table) {
-    toml_.allow(table, msg::kACrown,
-                {"finish", "width", "height", "proximal_height", "mesial_height", "distal_height", "taper", "buccal_taper", "axial", "buccal", "lingual",
-                 "occlusal", "incisal", "functional", "functional_side", "rounding", "cervical"});
+    toml_.allow(
+        table, msg::kACrown,
+        {"finish", "width", "height", "proximal_height", "mesial_height", "distal_height", "taper", "buccal_taper",
+         "axial", "buccal", "lingual", "occlusal", "incisal", "functional", "functional_side", "rounding", "cervical"});
     if (!bur_) {
         toml_.fail(table, msg::kOutlineNeedsBur);
         return std::nullopt;

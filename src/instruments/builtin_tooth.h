@@ -71,9 +71,9 @@ struct Lesion {
 /// A filling in a tooth: twice as long as wide along the fissure or the gum, with a flat floor.
 struct Filling {
     LesionSite site = LesionSite::Usual;
-    double width = 1.6;        ///< mm
-    double depth = 1.8;        ///< mm below the surface
-    MaterialId material = {};  ///< of `materials`
+    double width = 1.6;                                       ///< mm
+    double depth = 1.8;                                       ///< mm below the surface
+    MaterialId material = {};                                 ///< of `materials`
     const MaterialRegistry* materials = &builtinMaterials();  ///< these, and perhaps others after them
 
     bool operator==(const Filling&) const = default;

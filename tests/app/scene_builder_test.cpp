@@ -144,7 +144,8 @@ TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
 }
 
 TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
-    const auto registry = parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\nmetalness = 0.75\n", "mine.toml");
+    const auto registry =
+        parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\nmetalness = 0.75\n", "mine.toml");
     ASSERT_TRUE(registry) << registry.error().message();
     const auto amalgam = static_cast<std::size_t>((*registry)->find("amalgam").value());
     TriangleMesh outer = test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7));

@@ -64,7 +64,8 @@ std::vector<double> marksOf(const StudyScene& scene, const Rubric& rubric, HandL
         std::cout << "  " << marks.back() << " (";
         for (const CriterionScore& each : mark.criteria) {
             if (each.lost >= 1)
-                std::cout << each.criterion->metric->id << " " << each.measured.value.value_or(-1) << ": -" << each.lost << "; ";
+                std::cout << each.criterion->metric->id << " " << each.measured.value.value_or(-1) << ": -" << each.lost
+                          << "; ";
         }
         std::cout << ")";
     }

@@ -208,14 +208,16 @@ TEST_P(EachRubric, PassesACarefulBeginnersCrownButDoesNotPraiseIt) {
     crown.width *= crown.tipRadius >= crown.width ? 1.4 : 0.86;
     crown.occlusal += 0.5;
     crown.functional += 0.5;
-    for (double CrownOutline::*height : {&CrownOutline::height, &CrownOutline::plusXHeight, &CrownOutline::minusXHeight})
+    for (double CrownOutline::*height :
+         {&CrownOutline::height, &CrownOutline::plusXHeight, &CrownOutline::minusXHeight})
         crown.*height += 0.4;
     auto meant = CrownForm::make(std::get<PreparationPlan>(beginners.ideal), *scene_.tooth, scene_.tooth->ownOuter());
     ASSERT_TRUE(meant) << meant.error().message();
     const std::vector<MetricResult> work = measure(cut(UnsteadyWork(std::move(*meant), 0.06)));
     const Mark mark = markOf(rubric_, work);
     for (const CriterionScore& each : mark.criteria)
-        std::printf("  %s: %.2f costs %.1f\n", each.criterion->title.c_str(), each.measured.value.value_or(-1), each.lost);
+        std::printf("  %s: %.2f costs %.1f\n", each.criterion->title.c_str(), each.measured.value.value_or(-1),
+                    each.lost);
     std::printf("  %s, careful beginner: %.1f\n", exercise_.id.c_str(), mark.value.value_or(-1));
     EXPECT_GE(mark.value.value_or(-1), 60);
     EXPECT_LE(mark.value.value_or(-1), 85);

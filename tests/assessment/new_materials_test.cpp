@@ -180,7 +180,8 @@ std::vector<std::byte> asBeforeDescriptions(std::span<const std::byte> bytes) {
 
 TEST_F(NewMaterials, AreTakenAsBoneInAnOldFileThatDoesNotDescribeThem) {
     cutBoth();
-    const auto opened = parseTooth(asBeforeDescriptions(toothFileBytes(*piece_, {})), "old.tactooth", builtinMaterials());
+    const auto opened =
+        parseTooth(asBeforeDescriptions(toothFileBytes(*piece_, {})), "old.tactooth", builtinMaterials());
     ASSERT_TRUE(opened) << opened.error().message();
     ASSERT_EQ(opened->importNotes.size(), 2U);
     EXPECT_THAT(inWords(opened->importNotes.front()), HasSubstr("'composite' of this tooth is not known here"));

@@ -21,10 +21,7 @@ constexpr double kAround = 0.3;     // mm around the tooth
 }  // namespace
 
 CrownForm::CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer)
-    : line_(std::move(line)),
-      walls_(*plan.crown, line_),
-      outer_(std::move(outer)),
-      rounding_(plan.crown->rounding) {
+    : line_(std::move(line)), walls_(*plan.crown, line_), outer_(std::move(outer)), rounding_(plan.crown->rounding) {
     findAxialFaces(*plan.crown);
     if (plan.crown->isIncisal)
         findEdge(*plan.crown);
@@ -39,8 +36,8 @@ Expected<CrownForm> CrownForm::make(const PreparationPlan& plan, const LayeredTo
     return CrownForm(plan, std::move(*line), std::move(outer));
 }
 
-/// Where one side is widest, mm above the finish line. Below it the surface leans outwards: a wall that followed it would
-/// be an undercut. `side`: 1: buccal, -1: lingual.
+/// Where one side is widest, mm above the finish line. Below it the surface leans outwards: a wall that followed it
+/// would be an undercut. `side`: 1: buccal, -1: lingual.
 double CrownForm::girthAbove(double side) const {
     double widest = -std::numeric_limits<double>::infinity(), above = 0;
     for (const Vec3f& vertex : outer_->mesh().vertices) {

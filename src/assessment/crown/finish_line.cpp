@@ -137,8 +137,8 @@ Expected<FinishLine> FinishLine::on(const PreparationPlan& plan, const LayeredTo
     for (int i = 0; i < kPoints; ++i) {
         const double towardX = std::cos(RoundTooth::angleOf(i));
         const double proximal = towardX > 0 ? crown.plusXHeight : crown.minusXHeight;
-        const double height = cervical[static_cast<std::size_t>(i)] + crown.height +
-                              towardX * towardX * (proximal - crown.height);
+        const double height =
+            cervical[static_cast<std::size_t>(i)] + crown.height + towardX * towardX * (proximal - crown.height);
         const auto place = round.outside(i, height);
         if (!place) return unexpected(msg::kFinishLineOffTooth);
         line.points_.push_back(*place);

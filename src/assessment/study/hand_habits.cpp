@@ -10,7 +10,8 @@ namespace {
 
 // Expert: 0.3 to 1 N, a physiological tremor of some hundredths of a millimetre, layers of half a bur's head. The other
 // values are chosen so that a student's work is between good and bad, and a beginner's is bad (docs/assessment.md): the
-// surface of students' cavities was 0.27 mm (RMS) off the ideal one, which `deeper`, `wider` and `uneven` make together.
+// surface of students' cavities was 0.27 mm (RMS) off the ideal one, which `deeper`, `wider` and `uneven` make
+// together.
 constexpr std::array kHabits = {
     HandHabit{"tremor",
               &msg::kHabitTremor,

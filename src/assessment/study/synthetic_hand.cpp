@@ -24,15 +24,23 @@ constexpr double kMostLead = 1;               // mm beyond a station
 constexpr double kAbove = 0.2;                // mm above the surface, where a layer has nothing to cut
 constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
 
-/// Mean of all places without their height.
-Vec3 middleOf(const HandTask& task) {
-    Vec3 sum = Vec3::Zero();
-    double count = 0;
-    for (const auto& path : task.paths) {
-        for (const Vec3& place : path) sum += place;
-        count += static_cast<double>(path.size());
+/// There along one side of a run and back along the other, and beyond both ends. A run of one place stays.
+std::vector<Vec3> widened(const std::vector<Vec3>& run, const Vec3& outward, double wider) {
+    if (wider <= 0 || run.size() < 2) return run;
+    std::vector<Vec3> there, back;
+    for (std::size_t k = 0; k < run.size(); ++k) {
+        Vec3 along = run[std::min(k + 1, run.size() - 1)] - run[k > 0 ? k - 1 : 0];
+        along -= along.dot(outward) * outward;
+        if (along.norm() < 1e-9) continue;  // a step of height alone
+        along.normalize();
+        const double beyond = k == 0 ? -wider : k + 1 == run.size() ? wider : 0;
+        const Vec3 place = run[k] + beyond * along, aside = wider * outward.cross(along);
+        there.push_back(place + aside);
+        back.push_back(place - aside);
     }
-    return sum / count;
+    if (there.empty()) return run;
+    there.insert(there.end(), back.rbegin(), back.rend());
+    return there;
 }
 
 /// Of the way through the tooth from the station `begin` on.
@@ -127,14 +135,6 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits,
             highest = std::max(highest, task.outward.dot(task.paths[i][k]) + std::max(task.depths[i][k], 0.0));
         }
     }
-    const Vec3 middle = middleOf(task);
-    const auto shifted = [&](const Vec3& place) {
-        Vec3 aside = place - middle;
-        aside -= aside.dot(task.outward) * task.outward;
-        const double distance = aside.norm();
-        if (distance > 0) aside *= habits.wider / distance;
-        return Vec3(place + aside - habits.deeper * task.outward);
-    };
     RouteBuilder builder(task.outward, highest + kLift);
     const int layers = std::max(1, static_cast<int>(std::ceil(deepest / habits.layer)));
     for (int layer = layers - 1; layer >= 0; --layer) {
@@ -145,13 +145,13 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits,
             for (std::size_t k = 0; k < task.paths[i].size(); ++k) {
                 const double depth = task.depths[i][k] + habits.deeper - raised;
                 if (depth > -kAbove) {
-                    run.push_back(shifted(task.paths[i][k]) + raised * task.outward);
+                    run.push_back(task.paths[i][k] + (raised - habits.deeper) * task.outward);
                 } else {
-                    builder.add(run);
+                    builder.add(widened(run, task.outward, habits.wider));
                     run.clear();
                 }
             }
-            builder.add(run);
+            builder.add(widened(run, task.outward, habits.wider));
         }
         // In each layer: else a shallow cavity would lose as much of its only layer as a deep one of all of them.
         cutShort(builder.route(), begin, habits.undone);

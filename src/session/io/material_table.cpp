@@ -17,7 +17,8 @@ std::string materialBlock(const MaterialDefinition& material, const std::string&
     for (const MaterialNumberKey& key : materialNumberKeys())
         text += fmt::format("{} = {}\n", key.name, numberText(key.of(material.numbers)));
     const auto& [red, green, blue] = material.numbers.colour;
-    text += fmt::format("{} = [{}, {}, {}]\n", kMaterialColourKey, numberText(red), numberText(green), numberText(blue));
+    text +=
+        fmt::format("{} = [{}, {}, {}]\n", kMaterialColourKey, numberText(red), numberText(green), numberText(blue));
     return text;
 }
 

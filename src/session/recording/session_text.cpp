@@ -22,12 +22,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxSurroundings = 1000;
 constexpr const char* kSealed = "sealed";
 Json jsonOf(const MaterialDefinition& material) {
-    Json json = {{"name", material.name},
-                 {"title_en", material.titleEn},
-                 {"title_ja", material.titleJa},
-                 {"role", materialRoleName(material.role)},
-                 {"nesting", material.nesting},
-                 {"code", material.code}};
+    Json json = {{"name", material.name},        {"title_en", material.titleEn},
+                 {"title_ja", material.titleJa}, {"role", materialRoleName(material.role)},
+                 {"nesting", material.nesting},  {"code", material.code}};
     if (builtinMaterials().find(material.name)) return json;
     for (const MaterialNumberKey& key : materialNumberKeys()) json["numbers"][key.name] = key.of(material.numbers);
     json["numbers"][kMaterialColourKey] = material.numbers.colour;

@@ -21,13 +21,13 @@ constexpr std::string_view kMagic = "TACTOOTH";
 // lowest version that holds it, so that older programs read it as well.
 constexpr std::uint32_t kVersion = 5, kWithoutOwnMaterials = 4, kWithoutWork = 3;
 constexpr std::size_t kLongestTitle = 2000;  // bytes, of a material
-constexpr std::uint32_t kMaxNumbers = 200;  // of a material
-constexpr std::uint8_t kOldMaterials = 6;  // materials of versions 1 and 2: those with the codes 0 to 5
-constexpr double kWidestBand = 2;          // voxels; the first files kept the cut distance in a wider band
-constexpr double kFinestVoxel = 0.005;     // mm, the limit of the command line
-constexpr double kCoarsestVoxel = 0.5;     // mm
-constexpr int kFarthestBrick = 1 << 16;    // bricks from the origin: 13 m at the default voxel
-constexpr std::size_t kMaxLayers = 2000;   // of a case: 200 bodies of a few layers each
+constexpr std::uint32_t kMaxNumbers = 200;   // of a material
+constexpr std::uint8_t kOldMaterials = 6;    // materials of versions 1 and 2: those with the codes 0 to 5
+constexpr double kWidestBand = 2;            // voxels; the first files kept the cut distance in a wider band
+constexpr double kFinestVoxel = 0.005;       // mm, the limit of the command line
+constexpr double kCoarsestVoxel = 0.5;       // mm
+constexpr int kFarthestBrick = 1 << 16;      // bricks from the origin: 13 m at the default voxel
+constexpr std::size_t kMaxLayers = 2000;     // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMaxNotes = 10'000;
 constexpr std::size_t kMaxWork = std::size_t{4} << 20;  // bytes
 
@@ -383,8 +383,7 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     out.putAll(std::span(kMagic.data(), kMagic.size()));
     const LayeredTooth& tooth = *volume.tooth();
     const std::vector<MaterialId> materials = materialsIn(tooth, removed);
-    const bool hasOwn =
-        std::ranges::any_of(materials, [&](MaterialId id) { return isOwn(tooth.materials()[id]); });
+    const bool hasOwn = std::ranges::any_of(materials, [&](MaterialId id) { return isOwn(tooth.materials()[id]); });
     const std::uint32_t version = hasOwn ? kVersion : work.empty() ? kWithoutWork : kWithoutOwnMaterials;
     out.put(version);
     out.put(static_cast<std::uint32_t>(provenance.size()));

@@ -51,7 +51,7 @@ double MaterialNumberKey::of(const Material& material) const {
 
 void MaterialNumberKey::set(Material& material, double value) const {
     if (const auto* wide = std::get_if<double Material::*>(&member))
-        material.**wide = value;
+        material.** wide = value;
     else
         material.*std::get<float Material::*>(member) = static_cast<float>(value);
 }

@@ -93,9 +93,11 @@ TEST(SyntheticHand, GoesTooDeepTooWideOrNotToTheEndAsItsHabitsSay) {
     EXPECT_NEAR(lowest(walk(habits, 0)), -1.3, 1e-9);
     habits.deeper = 0;
     habits.wider = 0.25;
-    double widest = 0;
-    for (const Vec3& each : walk(habits, 0)) widest = std::max(widest, std::abs(each.x()));
-    EXPECT_NEAR(widest, 2.25, 1e-9);
+    Box3 around;
+    for (const Vec3& each : walk(habits, 0)) around.extend(each);
+    EXPECT_NEAR((around.min() - Vec3(-2.25, -0.25, -1)).norm(), 0, 1e-9) << "beyond the end, and beside the path";
+    EXPECT_NEAR(around.max().x(), 2.25, 1e-9);
+    EXPECT_NEAR(around.max().y(), 0.25, 1e-9);
     habits.wider = 0;
     const auto inTooth = [&](double undone) {
         habits.undone = undone;
