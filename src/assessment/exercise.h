@@ -68,13 +68,17 @@ struct DrawnOutline {
 struct CrownOutline {
     double width;           ///< of the finish line, mm
     double height;          ///< of the finish line above the cervical line, buccal and lingual, mm
-    double proximalHeight;  ///< the same, mesial and distal
+    double plusXHeight;     ///< the same on the side toward +x
+    double minusXHeight;    ///< the same on the side toward -x
     double taper;           ///< of each axial wall to the axis, degrees
-    double axial;           ///< least depth below the axial faces, mm
+    double buccalTaper;     ///< the same of the buccal wall
+    double buccal;          ///< least depth below the buccal (labial) face, mm
+    double lingual;         ///< the same of the lingual face
     double occlusal;        ///< depth below the occlusal faces, or the end of the stump below the incisal edge, mm
     double functional;      ///< depth below the functional cusps, mm
     double functionalSide;  ///< 1: these are buccal, -1: lingual
     bool isIncisal;         ///< the tooth has an edge instead of an occlusal surface
+    double rounding;        ///< radius of the edges of the stump, mm; 0: sharp
     double tipRadius;       ///< of the bur's end, mm; 0: flat
     /// Height of the cervical line along the axis, mm. Nothing: where the enamel ends.
     std::optional<double> cervical;
@@ -165,6 +169,8 @@ struct Exercise {
     std::string rubric = {};                    ///< a built-in one, or a file; empty: the usual one
     StartView view = StartView::Cavity;         ///< from where the window shows it first
     std::vector<ForbiddenZone> forbidden = {};  ///< a cut there is a critical error
+    /// Those that the exercise may speak of: the built-in ones, and perhaps others that it brings.
+    const MaterialRegistry* materials = &builtinMaterials();
 
     bool operator==(const Exercise&) const = default;
 

@@ -17,6 +17,7 @@
 #include "session/cases/case_store.h"
 #include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
+#include "session/io/material_table.h"
 #include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 
@@ -37,9 +38,9 @@ public:
 private:
     void readAll(const toml::table& root) {
         toml_.allow(root, msg::kAnExercise,
-                    {"name",      "task",   "brief",      "japanese", "group",   "level", "minutes",
-                     "tolerance", "rubric", "tooth",      "mouth",    "patient", "decay", "filling",
-                     "layers",    "bur",    "other_burs", "ideal",    "cavity",  "view",  "forbidden"});
+                    {"name",   "task",       "brief", "japanese", "group", "level",    "minutes",   "tolerance",
+                     "rubric", "tooth",      "mouth", "patient",  "decay", "filling",  "materials", "layers",
+                     "bur",    "other_burs", "ideal", "cavity",   "view",  "forbidden"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
         exercise_.brief = toml_.text(root, "brief", false);
@@ -49,6 +50,8 @@ private:
                                   toml_.text(*japanese, "brief", false)};
         }
         readFrame(root);
+        if (const toml::table* materials = toml_.table(root, "materials"))
+            exercise_.materials = &materialsIn(toml_, *materials);
         readTooth(root);
         readBur(root);
         readIdeal(root);
@@ -123,11 +126,18 @@ private:
         filling.width = toml_.number(table, "width", filling.width, kMinLesionWidth, kMaxLesionWidth);
         filling.depth = toml_.number(table, "depth", filling.depth, kMinLesionDepth, kDeepestLesion);
         const std::string name = toml_.text(table, "material", true);
-        const auto material = builtinMaterials().find(name);
-        if (material && builtinMaterials().hasRole(*material, MaterialRole::None)) {
+        const MaterialRegistry& materials = *exercise_.materials;
+        const auto material = materials.find(name);
+        if (material && materials.hasRole(*material, MaterialRole::None)) {
             filling.material = *material;
+            filling.materials = &materials;
         } else if (!name.empty()) {
-            toml_.fail(*table.get("material"), {msg::kFillingMaterial, quotedWord(name)});
+            std::string names;
+            for (const MaterialId id : materials.inMenuOrder()) {
+                if (materials.hasRole(id, MaterialRole::None))
+                    names += (names.empty() ? "" : ", ") + materials.nameOf(id);
+            }
+            toml_.fail(*table.get("material"), {msg::kFillingMaterial, quotedWord(name), names});
         }
         return filling;
     }
@@ -149,14 +159,15 @@ private:
     void readCustomTooth(const toml::table& root, const toml::node& node) {
         ToothSource source;
         source.outer = beside(node, toml_.text(root, "tooth", true));
+        if (exercise_.materials != &builtinMaterials()) source.materials = exercise_.materials;
         for (const std::string_view key : {"patient", "decay", "mouth"}) {
             if (root.get(key) == nullptr) continue;
             toml_.fail(*root.get(key), {msg::kKeyOfBuiltinTooth, quotedWord(key)});
         }
         if (const toml::table* layers = toml_.table(root, "layers")) {
             for (auto&& [name, entry] : *layers) {
-                if (!builtinMaterials().find(name.str())) {
-                    toml_.fail(entry, {msg::kMaterialUnknown, quotedWord(name.str()), builtinMaterials().names()});
+                if (!exercise_.materials->find(name.str())) {
+                    toml_.fail(entry, {msg::kMaterialUnknown, quotedWord(name.str()), exercise_.materials->names()});
                 }
                 source.layers.push_back(
                     {std::string(name.str()), beside(entry, toml_.text(*layers, name.str(), true))});

@@ -10,8 +10,9 @@
 #include "assessment/messages.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/util/number_text.h"
-#include "session/cases/case_description.h"
 #include "session/cases/case_store.h"
+#include "session/io/material_table.h"
+#include "session/io/toml_text.h"
 
 namespace tactooth {
 namespace {
@@ -46,6 +47,7 @@ public:
         for (const ForbiddenZone& zone : exercise_.forbidden) {
             text_ += "\n[[forbidden]]\n" + sideText(zone.outward) + cornersText(zone.corners);
         }
+        addMaterials();
         if (fault_) return Unexpected{*fault_};
         return std::move(text_);
     }
@@ -95,13 +97,22 @@ private:
         text_ += "}\n";
     }
 
+    /// Those that the exercise brings or changes.
+    void addMaterials() {
+        for (const MaterialDefinition& material : exercise_.materials->definitions()) {
+            const auto known = builtinMaterials().find(material.name);
+            if (!known || builtinMaterials()[*known] != material)
+                text_ += materialBlock(material, "materials." + material.name);
+        }
+    }
+
     void addFilling(const Filling& filling) {
         text_ += "filling = {";
         for (const auto& [key, site] : kSiteKeys) {
             if (site == filling.site) add("site = \"{}\", ", key);
         }
         add("width = {}, depth = {}, material = \"{}\"}}\n", numberText(filling.width), numberText(filling.depth),
-            builtinMaterials().nameOf(filling.material));
+            filling.materials->nameOf(filling.material));
     }
 
     void addTooth(const ToothSource& source) {
@@ -170,12 +181,20 @@ private:
 
     void addCrown(const CrownOutline& crown) {
         add("\n[cavity.crown]\nfinish = \"{}\"\n", crown.tipRadius >= crown.width ? "chamfer" : "shoulder");
-        add("width = {}\nheight = {}\nproximal_height = {}\n", numberText(crown.width), numberText(crown.height),
-            numberText(crown.proximalHeight));
-        add("taper = {}\naxial = {}\n", numberText(crown.taper), numberText(crown.axial));
-        add("{} = {}\nfunctional = {}\n", crown.isIncisal ? "incisal" : "occlusal", numberText(crown.occlusal),
-            numberText(crown.functional));
-        add("functional_side = \"{}\"\n", crown.functionalSide > 0 ? "buccal" : "lingual");
+        add("width = {}\nheight = {}\n", numberText(crown.width), numberText(crown.height));
+        add("mesial_height = {}\ndistal_height = {}\n",
+            numberText(mesialX_ > 0 ? crown.plusXHeight : crown.minusXHeight),
+            numberText(mesialX_ > 0 ? crown.minusXHeight : crown.plusXHeight));
+        add("taper = {}\n", numberText(crown.taper));
+        if (crown.buccalTaper != crown.taper) add("buccal_taper = {}\n", numberText(crown.buccalTaper));
+        add("buccal = {}\nlingual = {}\n", numberText(crown.buccal), numberText(crown.lingual));
+        if (crown.rounding > 0) add("rounding = {}\n", numberText(crown.rounding));
+        if (crown.isIncisal) {
+            add("incisal = {}\n", numberText(crown.occlusal));
+        } else {
+            add("occlusal = {}\nfunctional = {}\n", numberText(crown.occlusal), numberText(crown.functional));
+            add("functional_side = \"{}\"\n", crown.functionalSide > 0 ? "buccal" : "lingual");
+        }
         if (crown.cervical) add("cervical = {}\n", numberText(*crown.cervical));
     }
 

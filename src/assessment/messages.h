@@ -21,8 +21,8 @@ inline constexpr MessageText kAnExercise{"an_exercise", "an exercise", "課題"}
 inline constexpr MessageText kDecay{"decay", "decay", "う蝕"};
 inline constexpr MessageText kAFilling{"a_filling", "a filling", "充填物"};
 inline constexpr MessageText kFillingMaterial{
-    "filling_material", "%1 is no material of a filling; 'material' must be restoration",
-    "%1 は充填物の材料ではありません。'material' は restoration でなければなりません"};
+    "filling_material", "%1 is no material of a filling; give one of these: %2, or describe it under 'materials'",
+    "%1 は充填物の材料ではありません。%2 のどれかを書くか、'materials' の下で定義してください"};
 inline constexpr MessageText kStartViewUnknown{
     "start_view_unknown", "'view' must be cavity, dentist, mirror, occlusal, buccal, lingual, mesial or distal",
     "'view' は cavity、dentist、mirror、occlusal、buccal、lingual、mesial、distal のいずれかでなければなりません"};
@@ -94,6 +94,10 @@ inline constexpr MessageText kChamferNeedsRoundEnd{
     "chamfer_needs_round_end",
     "the end of this bur has a radius of %1 mm; a chamfer needs one that is at least as large as its width",
     "このバーの先端の半径は %1 mm です。シャンファーには、その幅以上の半径の先端が必要です"};
+inline constexpr MessageText kNoFunctionalCusps{
+    "no_functional_cusps",
+    "a tooth with an edge has no functional cusps: remove '%1', or give 'occlusal' in place of 'incisal'",
+    "切縁のある歯に機能咬頭はありません：'%1' を消すか、'incisal' の代わりに 'occlusal' を書いてください"};
 inline constexpr MessageText kOcclusalOrIncisal{
     "occlusal_or_incisal", "give either 'occlusal', for a tooth with cusps, or 'incisal', for one with an edge",
     "咬頭のある歯では 'occlusal'、切縁のある歯では 'incisal' の、どちらか一方を書いてください"};

@@ -23,6 +23,7 @@ constexpr double kMostLeft = 10;                         // mm of tooth beside a
 constexpr double kWidestOutline = 8;                     // mm
 constexpr double kLeastFinish = 0.1, kWidestFinish = 3;  // mm: width of a finish line
 constexpr double kHighestFinish = 8;                     // mm: a whole crown
+constexpr double kRoundest = 0.5;                        // mm: half of the end of an incisor's stump
 constexpr double kLeastTaper = 1;                        // degrees
 
 }  // namespace
@@ -182,9 +183,10 @@ void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
 
 /// A crown preparation.
 std::optional<CrownOutline> PlanReader::readCrown(const toml::table& table) {
-    toml_.allow(table, msg::kACrown,
-                {"finish", "width", "height", "proximal_height", "taper", "axial", "occlusal", "incisal", "functional",
-                 "functional_side", "cervical"});
+    toml_.allow(
+        table, msg::kACrown,
+        {"finish", "width", "height", "proximal_height", "mesial_height", "distal_height", "taper", "buccal_taper",
+         "axial", "buccal", "lingual", "occlusal", "incisal", "functional", "functional_side", "rounding", "cervical"});
     if (!bur_) {
         toml_.fail(table, msg::kOutlineNeedsBur);
         return std::nullopt;
@@ -197,10 +199,21 @@ std::optional<CrownOutline> PlanReader::readCrown(const toml::table& table) {
     if (crown.isIncisal == (table.get("occlusal") != nullptr)) toml_.fail(table, msg::kOcclusalOrIncisal);
     crown.width = toml_.number(table, "width", kLeastFinish, kLeastFinish, kWidestFinish);
     crown.height = toml_.number(table, "height", 1, -1, kHighestFinish);
-    crown.proximalHeight = toml_.number(table, "proximal_height", crown.height, -1, kHighestFinish);
+    const double proximal = toml_.number(table, "proximal_height", crown.height, -1, kHighestFinish);
+    const double mesial = toml_.number(table, "mesial_height", proximal, -1, kHighestFinish);
+    const double distal = toml_.number(table, "distal_height", proximal, -1, kHighestFinish);
+    crown.plusXHeight = mesialX_ > 0 ? mesial : distal;
+    crown.minusXHeight = mesialX_ > 0 ? distal : mesial;
     crown.taper = toml_.number(table, "taper", kLeastTaper, kLeastTaper, kMostTaper);
-    crown.axial = toml_.number(table, "axial", crown.width, kMinDepth, kWidestFinish);
+    crown.buccalTaper = toml_.number(table, "buccal_taper", crown.taper, kLeastTaper, kMostTaper);
+    const double axial = toml_.number(table, "axial", crown.width, kMinDepth, kWidestFinish);
+    crown.buccal = toml_.number(table, "buccal", axial, kMinDepth, kWidestFinish);
+    crown.lingual = toml_.number(table, "lingual", axial, kMinDepth, kWidestFinish);
+    crown.rounding = toml_.number(table, "rounding", 0, 0, kRoundest);
     crown.occlusal = toml_.number(table, crown.isIncisal ? "incisal" : "occlusal", 1, kMinDepth, kHighestFinish);
+    for (const std::string_view key : {"functional", "functional_side"}) {
+        if (crown.isIncisal && table.get(key) != nullptr) toml_.fail(*table.get(key), {msg::kNoFunctionalCusps, key});
+    }
     crown.functional = toml_.number(table, "functional", crown.occlusal, kMinDepth, kHighestFinish);
     constexpr std::array<std::string_view, 2> kFunctionalSides = {"buccal", "lingual"};
     const auto* request = std::get_if<ToothRequest>(&tooth_);

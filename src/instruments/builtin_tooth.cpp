@@ -107,6 +107,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
     if (request.filling) {
         tooth.filling = insideTooth(shape, fillingBody(shape, *request.filling), request.triangles);
         tooth.fillingMaterial = request.filling->material;
+        tooth.materials = request.filling->materials;
     }
     if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
     return tooth;
@@ -133,10 +134,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
     if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
-    if (request.filling) {
-        fields.push_back(fillingBody(shape, *request.filling));
-        facts.put(request.filling->material);
-    }
+    if (request.filling) fields.push_back(fillingBody(shape, *request.filling));
     constexpr int kProbes = 7;  // points along each side of the tooth's box: a change of the anatomy changes some value
     for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
         const Vec3 part = Vec3(i % kProbes + 0.5, i / kProbes % kProbes + 0.5, i / (kProbes * kProbes) + 0.5) / kProbes;
@@ -159,7 +157,7 @@ std::string toothName(int fdi) { return toothShape(fdi).name; }
 
 std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     std::vector<LayerMesh> layers;
-    const MaterialRegistry& materials = builtinMaterials();
+    const MaterialRegistry& materials = *tooth.materials;
     const auto add = [&](MaterialRole role, const TriangleMesh& mesh) {
         const MaterialId id = materials.withRole(role);
         if (!mesh.empty()) layers.push_back({materials.nameOf(id), id, mesh});
@@ -185,8 +183,8 @@ Expected<LayeredTooth> layeredTooth(const BuiltinTooth& tooth, std::span<const B
             layers.push_back(std::move(layer));
         }
     }
-    return LayeredTooth::make(std::move(outer), std::move(layers), builtinMaterials().withRole(MaterialRole::Enamel),
-                              toothContext);
+    return LayeredTooth::make(std::move(outer), std::move(layers), tooth.materials->withRole(MaterialRole::Enamel),
+                              toothContext, *tooth.materials);
 }
 
 }  // namespace tactooth

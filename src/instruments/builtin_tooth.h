@@ -30,7 +30,9 @@ struct BuiltinTooth {
     TriangleMesh pulp;                ///< chamber, horns and canals, closed, inside the dentin
     TriangleMesh caries;              ///< the lesion, closed; empty if there is none
     TriangleMesh filling = {};        ///< closed; empty if there is none
-    MaterialId fillingMaterial = {};  ///< of the built-in ones
+    MaterialId fillingMaterial = {};  ///< of `materials`
+    /// Those of the tooth: the built-in ones, and perhaps others after them.
+    const MaterialRegistry* materials = &builtinMaterials();
 };
 
 /// The mesial direction on the x axis of a tooth's frame, for a two-digit tooth number (FDI): +1 in the patient's upper
@@ -69,9 +71,10 @@ struct Lesion {
 /// A filling in a tooth: twice as long as wide along the fissure or the gum, with a flat floor.
 struct Filling {
     LesionSite site = LesionSite::Usual;
-    double width = 1.6;        ///< mm
-    double depth = 1.8;        ///< mm below the surface
-    MaterialId material = {};  ///< of the built-in ones
+    double width = 1.6;                                       ///< mm
+    double depth = 1.8;                                       ///< mm below the surface
+    MaterialId material = {};                                 ///< of `materials`
+    const MaterialRegistry* materials = &builtinMaterials();  ///< these, and perhaps others after them
 
     bool operator==(const Filling&) const = default;
 };

@@ -144,7 +144,8 @@ TEST(SceneBuilder, EachMaterialIsDrawnInTheColourOfItsTable) {
 }
 
 TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
-    const auto registry = parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\n", "mine.toml");
+    const auto registry =
+        parseMaterials("[amalgam]\ncolour = [0.5, 0.5, 0.75]\nroughness = 0.125\nmetalness = 0.75\n", "mine.toml");
     ASSERT_TRUE(registry) << registry.error().message();
     const auto amalgam = static_cast<std::size_t>((*registry)->find("amalgam").value());
     TriangleMesh outer = test::box(Vec3(-5, -5, -10), Vec3(5, 5, 7));
@@ -160,6 +161,7 @@ TEST(SceneBuilder, AMaterialOfTheUsersIsDrawnOpaqueInItsOwnColour) {
     const Appearance& drawn = scene.objects[0].appearances[amalgam];
     EXPECT_EQ(drawn.colour, Vec3f(0.5F, 0.5F, 0.75F));
     EXPECT_EQ(drawn.roughness, 0.125F);
+    EXPECT_EQ(drawn.metalness, 0.75F);
     EXPECT_EQ(drawn.opacity, 1);
     EXPECT_EQ(scene.objects[1].appearances[0].colour, drawn.colour) << "its layer, seen through the enamel";
     EXPECT_EQ(scene.objects[1].appearances[0].opacity, 1);

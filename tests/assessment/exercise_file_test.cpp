@@ -116,6 +116,7 @@ TEST(ExerciseFile, EndsAFissureWithARidgeOrABox) {
     EXPECT_EQ(plan.boxes[0].axialHeight, 1.1);
 }
 
+const std::string kCrown = "[cavity.crown]\nfinish = \"shoulder\"\nwidth = 1\nheight = 1\ntaper = 6\n";
 const std::string kOutline = "[cavity.outline]\ntaper = 4\ncorners = [[-2, -1, 6], [3, -1, 6], [3, 1, 6]]\n";
 
 TEST(ExerciseFile, HasAnOutlineThatSomebodyHasDrawn) {
@@ -175,6 +176,20 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
          "a crown preparation takes the place"},
         {kStroke, "[cavity.removes]\ntissue = \"caries\"\n[cavity.crown]\n", "a crown preparation takes the place"},
         {kStroke, kFissure + "mesial = 2\ndistal = 2\n[cavity.crown]\n", "a crown preparation takes the place"},
+        {kStroke, kCrown + "incisal = 2\nfunctional = 1\n",
+         "a tooth with an edge has no functional cusps: remove 'functional'"},
+        {kStroke, kCrown + "incisal = 2\nocclusal = 1\n", "give either 'occlusal'"},
+        {kStroke, kCrown + "incisal = 2\nrounding = 0.6\n", "'rounding' must be a number from 0 to 0.5"},
+        {kStroke, kCrown + "incisal = 2\nbuccal = 0\n", "'buccal' must be a number from 0.05 to 3"},
+        {kStroke, kCrown + "incisal = 2\nlingual = 4\n", "'lingual' must be a number from 0.05 to 3"},
+        {kStroke, kCrown + "incisal = 2\nbuccal_taper = 0\n", "'buccal_taper' must be a number from 1 to 30"},
+        {kStroke, kCrown + "incisal = 2\nmesial_height = 9\n", "'mesial_height' must be a number from -1 to 8"},
+        {"tooth = 36", "tooth = 36\nfilling = {width = 1.6, depth = 1.8, material = \"gold\"}",
+         "'gold' is no material of a filling; give one of these: restoration"},
+        {"[cavity]", "[materials.Gold]\n[cavity]", "'Gold'"},
+        {"[cavity]", "[materials.gold]\nstiffness = 9\n[cavity]", "'stiffness' must be a number from 0 to 5"},
+        {"[cavity]", "[materials.gold]\nweight = 9\n[cavity]", "'weight'"},
+        {"[cavity]", "[materials]\ngold = 3\n[cavity]", "gold"},
         {kStroke, kStroke + kOutline, "an outline takes the place of strokes"},
         {"[cavity]\ndepth = 1.5\n" + kStroke, "[cavity]\ndepth = 1.5\nside = \"buccal\"\n" + kOutline + kBox,
          "a box needs a cavity from the occlusal side"},

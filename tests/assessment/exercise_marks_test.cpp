@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "assessment/cavity_walls.h"
+#include "assessment/crown/crown_form.h"
 #include "assessment/crown/removed_body.h"
 #include "assessment/exercise_scene.h"
 #include "assessment/ideal_shape.h"
@@ -29,6 +31,37 @@ RemovedBody::Depth outsideOf(const SurfacePart& part, const Vec3& place) {
     return {distance, from.norm() > 1e-9 ? Vec3((distance < 0 ? -1 : 1) * from.normalized()) : Vec3(Vec3::UnitZ())};
 }
 
+/// Around all that an ideal shape lacks of the uncut tooth.
+Box3 boxOfWork(const TriangleMesh& ideal, const SurfacePart& outer) {
+    Box3 box;
+    const SurfacePart shape(ideal);
+    for (const Vec3f& vertex : cavityWalls(ideal, outer).mesh.vertices) box.extend(vertex.cast<double>());
+    for (const Vec3f& vertex : outer.mesh().vertices) {
+        if (signedDistance(shape, vertex.cast<double>()) > 0.05) box.extend(vertex.cast<double>());
+    }
+    return {box.min() - Vec3::Constant(0.5), box.max() + Vec3::Constant(0.5)};
+}
+
+/// A crown preparation by an unsteady hand: it strays in waves of a bur's width.
+class UnsteadyWork : public RemovedBody {
+public:
+    /// `height`: of each wave, mm
+    UnsteadyWork(CrownForm meant, double height) : meant_(std::move(meant)), height_(height) {}
+
+    [[nodiscard]] Depth depthAt(const Vec3& place) const override {
+        const Vec3 number(2 * std::numbers::pi / 1.3, 2 * std::numbers::pi / 1.7, 2 * std::numbers::pi / 1.5);  // 1/mm
+        const Vec3 phase = number.cwiseProduct(place);
+        const Vec3 aside(std::sin(phase.y() + 1) + std::sin(phase.z() + 2), std::sin(phase.x()) + std::sin(phase.z()),
+                         std::sin(phase.x() + 3) + std::sin(phase.y() + 4));
+        return meant_.depthAt(place + height_ * aside);
+    }
+    [[nodiscard]] Box3 box() const override { return meant_.box(); }
+
+private:
+    CrownForm meant_;
+    double height_;
+};
+
 /// Nearly the ideal preparation, and what a real bur does at the pulp: a hole of 1 mm down into it, or a roof of
 /// dentin that stays over it.
 class WorkAtThePulp : public RemovedBody {
@@ -47,12 +80,9 @@ public:
         }
         const Vec3 over = closestPoint(cut, horn_)->point;
         if (least > 0.1) outward_ = (over - horn_).normalized();
-        for (const Vec3f& vertex : walls.mesh.vertices) box_.extend(vertex.cast<double>());
-        for (const Vec3f& vertex : scene.tooth->ownOuter()->mesh().vertices) {
-            if (signedDistance(ideal_, vertex.cast<double>()) > 0.05) box_.extend(vertex.cast<double>());
-        }
-        box_.extend(horn_);
-        box_ = Box3(box_.min() - Vec3::Constant(0.5), box_.max() + Vec3::Constant(0.5));
+        box_ = boxOfWork(*scene.ideal, *scene.tooth->ownOuter());
+        box_.extend(Vec3(horn_ - Vec3::Constant(0.5)));
+        box_.extend(Vec3(horn_ + Vec3::Constant(0.5)));
     }
 
     enum class At { NotYet, Hole, Roof };
@@ -165,6 +195,32 @@ TEST_P(EachRubric, FailsWhoRemovesEverything) {
     const Vec3 middle(0, 0, root.z());
     const Mark mark = markOf(rubric_, measure(test::box(middle - Vec3::Constant(0.2), middle + Vec3::Constant(0.2))));
     EXPECT_FALSE(mark.passes);
+}
+
+/// As students have been measured: walls of 22 to 25 degrees, a shoulder of 0.86 mm and a chamfer of 0.7 mm, 0.5 mm too
+/// much off the end (Quintessence Int. 35, 2004); a line 0.4 mm higher than asked for, and not an even hand.
+TEST_P(EachRubric, PassesACarefulBeginnersCrownButDoesNotPraiseIt) {
+    const auto* plan = std::get_if<PreparationPlan>(&exercise_.ideal);
+    if (plan == nullptr || !plan->crown) return;
+    Exercise beginners = exercise_;
+    CrownOutline& crown = *std::get<PreparationPlan>(beginners.ideal).crown;
+    crown.taper = crown.buccalTaper = 12;
+    crown.width *= crown.tipRadius >= crown.width ? 1.4 : 0.86;
+    crown.occlusal += 0.5;
+    crown.functional += 0.5;
+    for (double CrownOutline::*height :
+         {&CrownOutline::height, &CrownOutline::plusXHeight, &CrownOutline::minusXHeight})
+        crown.*height += 0.4;
+    auto meant = CrownForm::make(std::get<PreparationPlan>(beginners.ideal), *scene_.tooth, scene_.tooth->ownOuter());
+    ASSERT_TRUE(meant) << meant.error().message();
+    const std::vector<MetricResult> work = measure(cut(UnsteadyWork(std::move(*meant), 0.06)));
+    const Mark mark = markOf(rubric_, work);
+    for (const CriterionScore& each : mark.criteria)
+        std::printf("  %s: %.2f costs %.1f\n", each.criterion->title.c_str(), each.measured.value.value_or(-1),
+                    each.lost);
+    std::printf("  %s, careful beginner: %.1f\n", exercise_.id.c_str(), mark.value.value_or(-1));
+    EXPECT_GE(mark.value.value_or(-1), 60);
+    EXPECT_LE(mark.value.value_or(-1), 85);
 }
 
 std::string idOfRubric(const ::testing::TestParamInfo<std::shared_ptr<const Exercise>>& one) {

@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "assessment/practice_report.h"
+#include "geometry/util/byte_stream.h"
 #include "session/audio/tick_sound.h"
 #include "session/bench_scene.h"
 #include "session/io/material_file.h"
@@ -132,11 +135,53 @@ TEST_F(NewMaterials, AreFoundByNameWhereTheirCodesHaveChanged) {
     EXPECT_EQ(after[static_cast<std::size_t>(now.find("composite").value())], removed(before, "composite"));
 }
 
-TEST_F(NewMaterials, KeepTheirNamesWhereNobodyKnowsThem) {
+TEST_F(NewMaterials, KeepTheirNamesAndNumbersWhereNobodyKnowsThem) {
     cutBoth();
     const test::TemporaryFolder folder;
     ASSERT_TRUE(saveTooth(*piece_, {}, folder / "filled.tactooth"));
     const auto opened = openTooth(folder / "filled.tactooth");
+    ASSERT_TRUE(opened) << opened.error().message();
+    EXPECT_TRUE(opened->importNotes.empty());
+    const MaterialRegistry& now = opened->piece->tooth().materials();
+    const MaterialId composite = now.find("composite").value();
+    EXPECT_EQ(now[composite], materials_[idOf("composite")]);
+    EXPECT_EQ(now[now.find("amalgam").value()].numbers, materials_[idOf("amalgam")].numbers);
+    EXPECT_GT(opened->piece->removed()[static_cast<std::size_t>(composite)], 0.1);
+    EXPECT_EQ(toothFileBytes(*opened->piece, {}).size(), toothFileBytes(*piece_, {}).size());
+}
+
+/// The bytes of a file of version 5 as version 3 had them, without descriptions of materials.
+std::vector<std::byte> asBeforeDescriptions(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    ByteWriter out;
+    out.putAll(in.getBytes(8));
+    EXPECT_EQ(in.get<std::uint32_t>(), 5U);
+    out.put(std::uint32_t{3});
+    const auto copyCount = [&] {
+        const auto count = in.get<std::uint32_t>();
+        out.put(count);
+        return count;
+    };
+    for (std::uint32_t left = 2 * copyCount(); left > 0; --left) out.putText(in.getText());
+    EXPECT_EQ(in.getText(), "");
+    for (std::uint32_t left = copyCount(); left > 0; --left) {
+        out.put(in.get<std::uint8_t>());
+        out.putText(in.getText());
+        if (in.get<std::uint8_t>() == 0) continue;
+        for (int text = 0; text < 3; ++text) in.getText();  // titles and role
+        in.getBytes(sizeof(std::int32_t) + 3 * sizeof(float));
+        for (auto numbers = in.get<std::uint32_t>(); numbers > 0; --numbers) in.getText(), in.get<double>();
+    }
+    out.putAll(in.getBytes(in.left() - sizeof(std::uint64_t)));
+    EXPECT_TRUE(in.ok());
+    out.put(checksum(out.bytes()));
+    return out.take();
+}
+
+TEST_F(NewMaterials, AreTakenAsBoneInAnOldFileThatDoesNotDescribeThem) {
+    cutBoth();
+    const auto opened =
+        parseTooth(asBeforeDescriptions(toothFileBytes(*piece_, {})), "old.tactooth", builtinMaterials());
     ASSERT_TRUE(opened) << opened.error().message();
     ASSERT_EQ(opened->importNotes.size(), 2U);
     EXPECT_THAT(inWords(opened->importNotes.front()), HasSubstr("'composite' of this tooth is not known here"));
@@ -144,7 +189,20 @@ TEST_F(NewMaterials, KeepTheirNamesWhereNobodyKnowsThem) {
     const MaterialId composite = now.find("composite").value();
     EXPECT_EQ(now[composite].numbers, builtinMaterials()[test::kOther].numbers);
     EXPECT_GT(opened->piece->removed()[static_cast<std::size_t>(composite)], 0.1);
-    EXPECT_EQ(toothFileBytes(*opened->piece, {}).size(), toothFileBytes(*piece_, {}).size());
+}
+
+TEST_F(NewMaterials, AreRefusedInADamagedDescription) {
+    std::vector<std::byte> bytes = toothFileBytes(*piece_, {});
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::size_t at = text.find("stiffness") + 9;
+    ASSERT_LT(at, bytes.size());
+    const double wild = 50;  // N/mm: more than any hand should feel
+    std::memcpy(bytes.data() + at, &wild, sizeof(wild));
+    const std::uint64_t sum = checksum(std::span(bytes).first(bytes.size() - sizeof(std::uint64_t)));
+    std::memcpy(bytes.data() + bytes.size() - sizeof(sum), &sum, sizeof(sum));
+    const auto opened = parseTooth(bytes, "wild.tactooth", builtinMaterials());
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().message(), HasSubstr("wild.tactooth"));
 }
 
 TEST_F(NewMaterials, AreExportedLayerByLayer) {

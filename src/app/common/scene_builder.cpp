@@ -151,6 +151,7 @@ std::vector<Appearance> appearancesOf(const MaterialTable& materials) {
         const Material& material = materials[id];
         result.push_back({.colour = Vec3f(material.colour[0], material.colour[1], material.colour[2]),
                           .roughness = material.roughness,
+                          .metalness = material.metalness,
                           .translucency = material.translucency,
                           .wetness = material.wetness,
                           .grain = material.grain});

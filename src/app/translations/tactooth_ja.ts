@@ -911,8 +911,8 @@ It can be overcome, and is off in an examination.</source>
         <translation>歯を準備しています…</translation>
     </message>
     <message>
-        <source>This case brings its own materials: it may feel harder, softer or rougher than others</source>
-        <translation>この症例には独自の材料が含まれています。ほかの症例より硬く、柔らかく、またはざらついて感じられることがあります</translation>
+        <source>This tooth brings its own materials: it may feel harder, softer or rougher than others</source>
+        <translation>この歯には独自の材料が含まれています。ほかの歯より硬く、柔らかく、またはざらついて感じられることがあります</translation>
     </message>
     <message>
         <source>%1[*] — Tactooth</source>

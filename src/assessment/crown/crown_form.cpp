@@ -3,9 +3,9 @@
 #include "assessment/crown/crown_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "collision/bvh/closest_point.h"
@@ -17,16 +17,12 @@ constexpr double kOverLine = 1.0;   // mm above the finish line, from which on t
 constexpr double kEdgeStep = 0.25;  // mm between two heights of an incisal edge
 constexpr double kEdgeReach = 0.8;  // mm to both sides, over which an edge is evened out
 constexpr double kAround = 0.3;     // mm around the tooth
-constexpr double kRadians = std::numbers::pi / 180;
 
 }  // namespace
 
 CrownForm::CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer)
-    : line_(std::move(line)),
-      profile_(plan.crown->width, plan.crown->taper * kRadians, plan.crown->tipRadius),
-      outer_(std::move(outer)),
-      axialDepth_(plan.crown->axial) {
-    findAxialFaces();
+    : line_(std::move(line)), walls_(*plan.crown, line_), outer_(std::move(outer)), rounding_(plan.crown->rounding) {
+    findAxialFaces(*plan.crown);
     if (plan.crown->isIncisal)
         findEdge(*plan.crown);
     else
@@ -40,17 +36,38 @@ Expected<CrownForm> CrownForm::make(const PreparationPlan& plan, const LayeredTo
     return CrownForm(plan, std::move(*line), std::move(outer));
 }
 
-void CrownForm::findAxialFaces() {
+/// Where one side is widest, mm above the finish line. Below it the surface leans outwards: a wall that followed it
+/// would be an undercut. `side`: 1: buccal, -1: lingual.
+double CrownForm::girthAbove(double side) const {
+    double widest = -std::numeric_limits<double>::infinity(), above = 0;
+    for (const Vec3f& vertex : outer_->mesh().vertices) {
+        const Vec3 place = vertex.cast<double>();
+        const double out = side * line_.aside().dot(place);
+        if (out <= widest || line_.axis().dot(place) < line_.lowest()) continue;
+        widest = out;
+        above = line_.placeOf(place).above;
+    }
+    return above;
+}
+
+void CrownForm::findAxialFaces(const CrownOutline& crown) {
     const TriangleMesh& mesh = outer_->mesh();
-    TriangleMesh faces{mesh.vertices, {}};
+    const std::array girths = {girthAbove(-1), girthAbove(1)};
+    TriangleMesh buccal{mesh.vertices, {}}, lingual{mesh.vertices, {}};
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Vec3 centre = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
         if (line_.axis().dot(centre) < line_.lowest() - kAround) continue;
         for (int corner = 0; corner < 3; ++corner) box_.extend(mesh.corner(i, corner));
-        if (line_.placeOf(centre).above > kOverLine) faces.triangles.push_back(mesh.triangles[i]);
+        const bool isBuccal = line_.aside().dot(mesh.areaVector(i)) > 0;
+        if (line_.placeOf(centre).above <= std::max(kOverLine, girths.at(isBuccal ? 1 : 0))) continue;
+        (isBuccal ? buccal : lingual).triangles.push_back(mesh.triangles[i]);
     }
     box_ = Box3(box_.min() - Vec3::Constant(kAround), box_.max() + Vec3::Constant(kAround));
-    if (!faces.triangles.empty()) faces_ = std::make_shared<const SurfacePart>(std::move(faces));
+    const auto add = [&](TriangleMesh faces, double depth) {
+        if (!faces.triangles.empty()) sides_.push_back({std::make_shared<const SurfacePart>(std::move(faces)), depth});
+    };
+    add(std::move(buccal), crown.buccal);
+    add(std::move(lingual), crown.lingual);
 }
 
 /// The incisal edge as seen from the cheek, evened out, lowered by the reduction.
@@ -96,25 +113,19 @@ RemovedBody::Depth CrownForm::depthAt(const Vec3& place) const {
     const FinishLine::Place at = line_.placeOf(place);
     const Depth aboveLine{at.above / at.upward.norm(), at.upward.normalized()};
     if (aboveLine.value <= -1) return aboveLine;
-    const auto [height, slope] = profile_.above({at.inside, at.above});
-    const Vec3 gradient = slope.x() * at.inward + slope.y() * at.upward;
-    Depth deepest{height / std::max(1.0, gradient.norm()), gradient};
+    Depth deepest = walls_.outside(place, at);
     constexpr double kEnough = 0.7;  // mm: all that anybody asks
-    const double wanted = axialDepth_ - std::max(deepest.value, -kEnough);
-    if (faces_ != nullptr && wanted > 0 && deepest.value < kEnough) {
-        if (const auto near = closestPoint(*faces_, place, wanted)) {
+    for (const Side& side : sides_) {
+        const double wanted = side.depth - std::max(deepest.value - rounding_, -kEnough);
+        if (wanted <= 0 || deepest.value >= kEnough) continue;
+        if (const auto near = closestPoint(*side.faces, place, wanted)) {
             const Vec3 to = near->point - place;
-            deepest = {axialDepth_ - near->distance, to.norm() > 1e-9 ? Vec3(to.normalized()) : line_.axis()};
+            const Vec3 gradient = to.norm() > 1e-9 ? Vec3(to.normalized()) : line_.axis();
+            deepest = unitedRound(deepest, {side.depth - near->distance, gradient}, rounding_);
         }
     }
-    if (occlusal_) {
-        const Depth over = occlusal_->over(place);
-        if (over.value > deepest.value) deepest = over;
-    }
-    if (!ends_.empty()) {
-        const Depth over = belowEdge(place);
-        if (over.value > deepest.value) deepest = over;
-    }
+    if (occlusal_) deepest = unitedRound(deepest, occlusal_->over(place), rounding_);
+    if (!ends_.empty()) deepest = unitedRound(deepest, belowEdge(place), rounding_);
     return deepest.value < aboveLine.value ? deepest : aboveLine;
 }
 

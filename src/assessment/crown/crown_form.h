@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "assessment/crown/axial_walls.h"
 #include "assessment/crown/finish_line.h"
-#include "assessment/crown/finish_profile.h"
 #include "assessment/crown/occlusal_map.h"
 #include "assessment/crown/removed_body.h"
 #include "assessment/exercise.h"
@@ -28,17 +28,23 @@ public:
     [[nodiscard]] const FinishLine& finishLine() const { return line_; }
 
 private:
+    /// The uncut surface of one side of the tooth, well above the finish line.
+    struct Side {
+        std::shared_ptr<const SurfacePart> faces;
+        double depth;  // mm below them that is removed
+    };
     CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer);
-    void findAxialFaces();
+    [[nodiscard]] double girthAbove(double side) const;
+    void findAxialFaces(const CrownOutline& crown);
     void findEdge(const CrownOutline& crown);
     [[nodiscard]] Depth belowEdge(const Vec3& place) const;
 
     FinishLine line_;
-    FinishProfile profile_;
+    AxialWalls walls_;
     std::shared_ptr<const SurfacePart> outer_;
-    std::shared_ptr<const SurfacePart> faces_;  // the uncut surface well above the finish line
-    double axialDepth_;                         // mm below it
-    std::optional<OcclusalMap> occlusal_;       // of a tooth with cusps
+    std::vector<Side> sides_;
+    double rounding_;                      // mm: radius of the edges of the stump
+    std::optional<OcclusalMap> occlusal_;  // of a tooth with cusps
     /// Height at which the stump of an anterior tooth ends, along the axis, at equal steps of the mesiodistal
     /// direction.
     std::vector<double> ends_;

@@ -135,9 +135,10 @@ Expected<FinishLine> FinishLine::on(const PreparationPlan& plan, const LayeredTo
     }
     line.middle_ = round.middle();
     for (int i = 0; i < kPoints; ++i) {
-        const double proximal = std::pow(std::cos(RoundTooth::angleOf(i)), 2);
+        const double towardX = std::cos(RoundTooth::angleOf(i));
+        const double proximal = towardX > 0 ? crown.plusXHeight : crown.minusXHeight;
         const double height =
-            cervical[static_cast<std::size_t>(i)] + crown.height + proximal * (crown.proximalHeight - crown.height);
+            cervical[static_cast<std::size_t>(i)] + crown.height + towardX * towardX * (proximal - crown.height);
         const auto place = round.outside(i, height);
         if (!place) return unexpected(msg::kFinishLineOffTooth);
         line.points_.push_back(*place);

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const Vec3& aside() const { return v_; }
     /// Points in order, counterclockwise around the axis, mm.
     [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+    /// A point of the axis of the tooth, mm.
+    [[nodiscard]] Vec3 middle() const { return middle_.x() * u_ + middle_.y() * v_; }
     [[nodiscard]] double lowest() const;  ///< height along the axis, mm
 
 private:

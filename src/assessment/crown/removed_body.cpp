@@ -3,6 +3,7 @@
 #include "assessment/crown/removed_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -89,6 +90,22 @@ private:
 };
 
 }  // namespace
+
+RemovedBody::Depth unitedRound(const RemovedBody::Depth& a, const RemovedBody::Depth& b, double wanted) {
+    // What stands is widened by a ball that has first been taken off: beside the edge of the narrower rest, the
+    // boundary is a cylinder round that edge.
+    const double cosine = a.gradient.stableNormalized().dot(b.gradient.stableNormalized());
+    const double radius = wanted * std::min(1.0, 1 + cosine);
+    const double u = a.value + radius, v = b.value + radius;
+    constexpr double kOnePlane = 1e-6;  // of the squared sine
+    const double squaredSine = 1 - cosine * cosine;
+    if (radius > 0 && u > cosine * v && v > cosine * u && squaredSine > kOnePlane) {
+        const double distance = std::sqrt((u * u + v * v - 2 * cosine * u * v) / squaredSine);
+        const Vec3 gradient = (u - cosine * v) * a.gradient.normalized() + (v - cosine * u) * b.gradient.normalized();
+        if (distance > 0) return {distance - radius, gradient / (distance * squaredSine)};
+    }
+    return b.value > a.value ? b : a;
+}
 
 std::map<BrickKey, CutField> cutFieldsOf(const RemovedBody& body, const SurfacePart& outer, const Lattice& lattice) {
     const FieldMaker maker(body, outer, lattice);

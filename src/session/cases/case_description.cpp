@@ -14,6 +14,7 @@
 #include "session/cases/messages.h"
 #include "session/io/messages.h"
 #include "session/io/toml_reader.h"
+#include "session/io/toml_text.h"
 #include "session/io/unicode_text.h"
 
 namespace tactooth {
@@ -197,15 +198,6 @@ std::string toothText(const CaseTooth& tooth, const MaterialRegistry& materials)
 }
 
 }  // namespace
-
-std::string tomlText(const std::string& text) {
-    std::string result = "\"";
-    for (const char letter : displayText(validUtf8(text))) {
-        if (letter == '"' || letter == '\\') result += '\\';
-        result += letter;
-    }
-    return result + '"';
-}
 
 Expected<CaseDescription> parseCase(std::string_view text, std::string_view name,
                                     const ReadCaseMaterials& readMaterials) {

@@ -58,7 +58,4 @@ using ReadCaseMaterials = std::function<Expected<const MaterialRegistry*>(const 
 /// The text of case.toml; parseCase reads the same description from it.
 [[nodiscard]] std::string caseText(const CaseDescription& description);
 
-/// `text` as a TOML string in quotes: valid UTF-8 (see validUtf8), with '?' for control characters.
-[[nodiscard]] std::string tomlText(const std::string& text);
-
 }  // namespace tactooth

@@ -12,6 +12,7 @@
 #include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
 #include "session/io/toml_reader.h"
+#include "session/io/toml_text.h"
 
 namespace tactooth {
 namespace {

@@ -8,6 +8,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
 #include "session/io/limited_toml.h"
+#include "session/io/material_table.h"
 #include "session/io/messages.h"
 #include "session/io/toml_reader.h"
 
@@ -26,19 +27,17 @@ std::string keyNames() {
 /// Reads a file into the definitions of materials, up to the first mistake.
 class MaterialReader {
 public:
-    MaterialReader(std::string_view name, const MaterialRegistry& start)
-        : toml_(name), start_(start), all_(start.definitions()) {}
+    MaterialReader(TomlReader& toml, const MaterialRegistry& start)
+        : toml_(toml), start_(start), all_(start.definitions()) {}
 
-    Expected<const MaterialRegistry*> read(std::string_view text) {
-        const toml::table root = toml_.parse(text);
+    const MaterialRegistry& read(const toml::table& root) {
         for (auto&& [key, node] : root) blocks_.push_back({&key, &node});
         // Menus list new materials in the order of the file; toml::table is sorted by name.
         std::ranges::stable_sort(blocks_, {}, [](const Block& block) { return block.key->source().begin.line; });
         for (const Block& block : blocks_) {
             if (!toml_.error()) readBlock(*block.key, *block.node);
         }
-        if (toml_.error()) return Unexpected{*toml_.error()};
-        return &MaterialRegistry::make(std::move(all_));
+        return toml_.error() ? start_ : MaterialRegistry::make(std::move(all_));
     }
 
 private:
@@ -143,7 +142,7 @@ private:
         const toml::node* node;
     };
 
-    TomlReader toml_;
+    TomlReader& toml_;
     const MaterialRegistry& start_;
     std::vector<MaterialDefinition> all_;
     std::vector<Block> blocks_;
@@ -151,9 +150,17 @@ private:
 
 }  // namespace
 
+const MaterialRegistry& materialsIn(TomlReader& toml, const toml::table& blocks, const MaterialRegistry& start) {
+    return MaterialReader(toml, start).read(blocks);
+}
+
 Expected<const MaterialRegistry*> parseMaterials(std::string_view text, std::string_view name,
                                                  const MaterialRegistry& start) {
-    return MaterialReader(name, start).read(text);
+    TomlReader toml(name);
+    const toml::table root = toml.parse(text);
+    const MaterialRegistry& materials = materialsIn(toml, root, start);
+    if (toml.error()) return Unexpected{*toml.error()};
+    return &materials;
 }
 
 Expected<const MaterialRegistry*> readMaterials(const std::filesystem::path& path) {

@@ -21,18 +21,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxSurroundings = 1000;
 constexpr const char* kSealed = "sealed";
-constexpr std::array kRoles = {
-    std::pair(MaterialRole::None, "none"),     std::pair(MaterialRole::Enamel, "enamel"),
-    std::pair(MaterialRole::Dentin, "dentin"), std::pair(MaterialRole::Pulp, "pulp"),
-    std::pair(MaterialRole::Decay, "decay"),   std::pair(MaterialRole::Surroundings, "surroundings")};
-
-std::string roleWord(MaterialRole role) {
-    return std::ranges::find(kRoles, role, [](const auto& word) { return word.first; })->second;
-}
-
 Json jsonOf(const MaterialDefinition& material) {
-    return {{"name", material.name},           {"title_en", material.titleEn}, {"title_ja", material.titleJa},
-            {"role", roleWord(material.role)}, {"nesting", material.nesting},  {"code", material.code}};
+    Json json = {{"name", material.name},        {"title_en", material.titleEn},
+                 {"title_ja", material.titleJa}, {"role", materialRoleName(material.role)},
+                 {"nesting", material.nesting},  {"code", material.code}};
+    if (builtinMaterials().find(material.name)) return json;
+    for (const MaterialNumberKey& key : materialNumberKeys()) json["numbers"][key.name] = key.of(material.numbers);
+    json["numbers"][kMaterialColourKey] = material.numbers.colour;
+    return json;
 }
 
 std::string textOf(const Json& json, const char* key) {
@@ -46,6 +42,22 @@ std::optional<std::uint64_t> numberOf(const Json& json, const char* key, std::ui
     if (found == json.end() || !found->is_number_unsigned()) return std::nullopt;
     const auto value = found->get<std::uint64_t>();
     return value <= highest ? std::optional(value) : std::nullopt;
+}
+
+/// Of a material that came with the tooth. What is missing or out of range stays as it is.
+void takeNumbers(Material& material, const Json& json) {
+    const auto inRange = [](const Json& value, double highest) {
+        return value.is_number() && value.get<double>() >= 0 && value.get<double>() <= highest;
+    };
+    for (const MaterialNumberKey& key : materialNumberKeys()) {
+        const auto found = json.find(key.name);
+        if (found != json.end() && inRange(*found, key.highest)) key.set(material, found->get<double>());
+    }
+    const auto colour = json.find(kMaterialColourKey);
+    if (colour == json.end() || !colour->is_array() || colour->size() != material.colour.size()) return;
+    for (std::size_t i = 0; i < material.colour.size(); ++i) {
+        if (inRange((*colour)[i], 1)) material.colour[i] = (*colour)[i].get<float>();
+    }
 }
 
 std::optional<MaterialDefinition> materialOf(const Json& json) {
@@ -64,6 +76,8 @@ std::optional<MaterialDefinition> materialOf(const Json& json) {
     const MaterialRegistry& builtin = builtinMaterials();
     const auto same = builtin.find(material.name);
     material.numbers = builtin[same.value_or(builtin.withRole(MaterialRole::Surroundings))].numbers;
+    const auto numbers = json.find("numbers");
+    if (!same && numbers != json.end() && numbers->is_object()) takeNumbers(material.numbers, *numbers);
     return material;
 }
 
@@ -80,9 +94,9 @@ const MaterialRegistry* registryOf(const Json& json) {
         if (std::ranges::any_of(all, isSame)) return nullptr;
         all.push_back(std::move(*material));
     }
-    for (const auto& [role, word] : kRoles) {
-        const bool isThere = std::ranges::any_of(all, [&](const auto& one) { return one.role == role; });
-        if (role != MaterialRole::None && !isThere) return nullptr;
+    for (std::size_t role = 1; role < kMaterialRoleCount; ++role) {
+        if (std::ranges::find(all, static_cast<MaterialRole>(role), &MaterialDefinition::role) == all.end())
+            return nullptr;
     }
     return &MaterialRegistry::make(std::move(all));
 }

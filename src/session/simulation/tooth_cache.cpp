@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kToothMagic = 0x3248544F4F544354;  // "TCTOOTH2"
+constexpr std::uint64_t kToothMagic = 0x3348544F4F544354;  // "TCTOOTH3"
 constexpr std::uint64_t kMouthMagic = 0x314854554F4D4354;  // "TCMOUTH1"
 constexpr std::array kExtensions = {".tooth", ".mouth"};
 
@@ -64,11 +64,10 @@ bool isUnbroken(std::uint64_t magic, std::span<const std::byte> bytes, ByteReade
     return file.ok() && sum == checksum(bytes.subspan(file.at()));
 }
 
-/// FDI number, material of the filling, layers.
+/// FDI number, layers. What a filling is made of is no part of it.
 std::vector<std::byte> bytesOf(const BuiltinTooth& tooth) {
     ByteWriter content;
     content.put(tooth.fdi);
-    content.put(tooth.fillingMaterial);
     for (const TriangleMesh* mesh : layersIn(tooth)) put(*mesh, content);
     return sealed(kToothMagic, content);
 }
@@ -79,8 +78,6 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     if (!isUnbroken(kToothMagic, bytes, file)) return std::nullopt;
     BuiltinTooth tooth;
     tooth.fdi = file.get<int>();
-    tooth.fillingMaterial = file.get<MaterialId>();
-    if (static_cast<std::size_t>(tooth.fillingMaterial) >= builtinMaterials().size()) return std::nullopt;
     for (TriangleMesh* layer : layersIn(tooth)) {
         auto mesh = meshFrom(file);
         if (!mesh) return std::nullopt;
@@ -163,7 +160,13 @@ fs::path ToothCache::fileOf(const MouthRequest& request) const {
 BuiltinTooth ToothCache::make(const ToothRequest& request) const {
     if (folder_.empty()) return makeTooth(request);
     const fs::path file = fileOf(request);
-    if (auto tooth = kept(file, toothFrom); tooth && tooth->fdi == request.fdi) return std::move(*tooth);
+    if (auto tooth = kept(file, toothFrom); tooth && tooth->fdi == request.fdi) {
+        if (request.filling) {
+            tooth->fillingMaterial = request.filling->material;
+            tooth->materials = request.filling->materials;
+        }
+        return std::move(*tooth);
+    }
     BuiltinTooth tooth = makeTooth(request);
     store(bytesOf(tooth), file);
     return tooth;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "geometry/util/assert.h"
@@ -16,14 +17,17 @@ namespace tactooth {
 namespace {
 
 constexpr std::string_view kMagic = "TACTOOTH";
-constexpr std::uint32_t kVersion = 4;      // version 1 had no ToothContext, 2 no table of materials, 3 no work
-constexpr std::uint32_t kWithoutWork = 3;  // so programs before version 4 read a tooth without work as well
-constexpr std::uint8_t kOldMaterials = 6;  // materials of versions 1 and 2: those with the codes 0 to 5
-constexpr double kWidestBand = 2;          // voxels; the first files kept the cut distance in a wider band
-constexpr double kFinestVoxel = 0.005;     // mm, the limit of the command line
-constexpr double kCoarsestVoxel = 0.5;     // mm
-constexpr int kFarthestBrick = 1 << 16;    // bricks from the origin: 13 m at the default voxel
-constexpr std::size_t kMaxLayers = 2000;   // of a case: 200 bodies of a few layers each
+// Version 1 had no ToothContext, 2 no table of materials, 3 no work, 4 no materials of the tooth's own. A file has the
+// lowest version that holds it, so that older programs read it as well.
+constexpr std::uint32_t kVersion = 5, kWithoutOwnMaterials = 4, kWithoutWork = 3;
+constexpr std::size_t kLongestTitle = 2000;  // bytes, of a material
+constexpr std::uint32_t kMaxNumbers = 200;   // of a material
+constexpr std::uint8_t kOldMaterials = 6;    // materials of versions 1 and 2: those with the codes 0 to 5
+constexpr double kWidestBand = 2;            // voxels; the first files kept the cut distance in a wider band
+constexpr double kFinestVoxel = 0.005;       // mm, the limit of the command line
+constexpr double kCoarsestVoxel = 0.5;       // mm
+constexpr int kFarthestBrick = 1 << 16;      // bricks from the origin: 13 m at the default voxel
+constexpr std::size_t kMaxLayers = 2000;     // of a case: 200 bodies of a few layers each
 constexpr std::size_t kMaxNotes = 10'000;
 constexpr std::size_t kMaxWork = std::size_t{4} << 20;  // bytes
 
@@ -88,6 +92,12 @@ public:
     }
 
 private:
+    struct Named {
+        std::uint8_t code;
+        std::string name;
+        std::optional<MaterialDefinition> own;  // what the file says of it
+    };
+
     void require(bool holds, const MessageText& otherwise) {
         if (!failure_.empty()) return;
         if (!in_.ok()) {
@@ -148,22 +158,23 @@ private:
 
     /// The codes of the file, and the names that they stand for.
     void readMaterialTable() {
-        std::vector<std::pair<std::uint8_t, std::string>> table;
+        std::vector<Named> table;
         if (version_ < 3) {
             for (std::uint8_t code = 0; code < kOldMaterials; ++code) {
-                table.emplace_back(code, builtinMaterials().nameOf(builtinMaterials().findCode(code).value()));
+                table.push_back({code, builtinMaterials().nameOf(builtinMaterials().findCode(code).value()), {}});
             }
         } else {
             const auto count = in_.get<std::uint32_t>();
             require(count <= kMaxMaterials, kDamaged);
             for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
                 const auto code = in_.get<std::uint8_t>();
-                table.emplace_back(code, in_.getText());
-                require(isMaterialName(table.back().second), kDamaged);
+                table.push_back({code, in_.getText(), {}});
+                require(isMaterialName(table.back().name), kDamaged);
+                if (version_ > kWithoutOwnMaterials) table.back().own = readOwnMaterial();
             }
         }
         if (failure_.empty()) addUnknown(table);
-        for (const auto& [code, name] : table) {
+        for (const auto& [code, name, own] : table) {
             if (!failure_.empty()) return;
             const MaterialId id = tooth_.materials->find(name).value();
             for (const FileMaterial& other : table_) require(other.code != code && other.id != id, kDamaged);
@@ -171,22 +182,61 @@ private:
         }
     }
 
-    /// Materials that the registry does not have are taken as the surroundings, under their own names.
-    void addUnknown(const std::vector<std::pair<std::uint8_t, std::string>>& table) {
+    /// What the file itself says of a material.
+    std::optional<MaterialDefinition> readOwnMaterial() {
+        const auto isOwn = in_.get<std::uint8_t>();
+        require(isOwn <= 1, kDamaged);
+        if (isOwn == 0 || !failure_.empty()) return std::nullopt;
+        MaterialDefinition own = asSurroundings();
+        own.titleEn = in_.getText();
+        own.titleJa = in_.getText();
+        require(std::max(own.titleEn.size(), own.titleJa.size()) <= kLongestTitle, kDamaged);
+        const auto role = materialRoleNamed(in_.getText());
+        require(role.has_value(), kDamaged);
+        own.role = role.value_or(MaterialRole::None);
+        own.nesting = in_.get<std::int32_t>();
+        require(own.nesting >= 0 && own.nesting <= kMaxMaterialNesting, kDamaged);
+        for (float& part : own.numbers.colour) {
+            part = in_.get<float>();
+            require(part >= 0 && part <= 1, kDamaged);
+        }
+        const auto count = in_.get<std::uint32_t>();
+        require(count <= kMaxNumbers, kDamaged);
+        for (std::uint32_t i = 0; i < count && failure_.empty(); ++i) {
+            const std::string name = in_.getText();
+            const auto value = in_.get<double>();
+            const auto keys = materialNumberKeys();
+            const auto key = std::ranges::find(keys, name, &MaterialNumberKey::name);
+            if (key == keys.end()) continue;  // of a later program
+            require(value >= 0 && value <= key->highest, kDamaged);
+            key->set(own.numbers, value);
+        }
+        return own;
+    }
+
+    [[nodiscard]] MaterialDefinition asSurroundings() const {
+        MaterialDefinition material = (*tooth_.materials)[tooth_.materials->withRole(MaterialRole::Surroundings)];
+        material.role = MaterialRole::None;
+        return material;
+    }
+
+    /// Materials that the registry does not have are what the file says of them; else they are taken as the
+    /// surroundings, under their own names.
+    void addUnknown(const std::vector<Named>& table) {
         std::vector<MaterialDefinition> all = tooth_.materials->definitions();
-        for (const auto& [code, name] : table) {
+        for (const auto& [code, name, own] : table) {
             if (tooth_.materials->find(name)) continue;
             if (std::ranges::find(all, name, &MaterialDefinition::name) != all.end()) return require(false, kDamaged);
-            MaterialDefinition added = (*tooth_.materials)[tooth_.materials->withRole(MaterialRole::Surroundings)];
-            added.name = added.titleEn = added.titleJa = name;
-            added.role = MaterialRole::None;
+            MaterialDefinition added = own.value_or(asSurroundings());
+            added.name = name;
+            if (!own) added.titleEn = added.titleJa = name;
             added.code = MaterialRegistry::freeCode(all).value_or(kMaxMaterialCode);
             all.push_back(std::move(added));
-            tooth_.unknownMaterials.push_back(name);
+            if (!own) tooth_.unknownMaterials.push_back(name);
         }
         if (all.size() > kMaxMaterials) {
             failure_ = {msg::kSavedToothMaterials, kMaxMaterials};
-        } else if (!tooth_.unknownMaterials.empty()) {
+        } else if (all.size() > tooth_.materials->size()) {
             tooth_.materials = &MaterialRegistry::make(std::move(all));
         }
     }
@@ -302,6 +352,28 @@ std::vector<MaterialId> materialsIn(const LayeredTooth& tooth, const MaterialVol
     return found;
 }
 
+/// A material that not every program knows.
+bool isOwn(const MaterialDefinition& material) { return !builtinMaterials().find(material.name); }
+
+void putMaterial(ByteWriter& out, const MaterialDefinition& material, bool withNumbers) {
+    out.put(material.code);
+    out.putText(material.name);
+    if (!withNumbers) return;
+    out.put(std::uint8_t{isOwn(material)});
+    if (!isOwn(material)) return;
+    out.putText(material.titleEn);
+    out.putText(material.titleJa);
+    out.putText(std::string(materialRoleName(material.role)));
+    out.put(std::int32_t{material.nesting});
+    for (const float part : material.numbers.colour) out.put(part);
+    const auto keys = materialNumberKeys();
+    out.put(static_cast<std::uint32_t>(keys.size()));
+    for (const MaterialNumberKey& key : keys) {
+        out.putText(std::string(key.name));
+        out.put(key.of(material.numbers));
+    }
+}
+
 }  // namespace
 
 std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
@@ -309,15 +381,16 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     TACTOOTH_ASSERT(work.size() <= kMaxWork);
     ByteWriter out;
     out.putAll(std::span(kMagic.data(), kMagic.size()));
-    out.put(work.empty() ? kWithoutWork : kVersion);
-    out.put(static_cast<std::uint32_t>(provenance.size()));
-    for (const auto& [key, value] : provenance) out.putText(key), out.putText(value);
-    if (!work.empty()) out.putText(work);
     const LayeredTooth& tooth = *volume.tooth();
     const std::vector<MaterialId> materials = materialsIn(tooth, removed);
+    const bool hasOwn = std::ranges::any_of(materials, [&](MaterialId id) { return isOwn(tooth.materials()[id]); });
+    const std::uint32_t version = hasOwn ? kVersion : work.empty() ? kWithoutWork : kWithoutOwnMaterials;
+    out.put(version);
+    out.put(static_cast<std::uint32_t>(provenance.size()));
+    for (const auto& [key, value] : provenance) out.putText(key), out.putText(value);
+    if (version > kWithoutWork) out.putText(work);
     out.put(static_cast<std::uint32_t>(materials.size()));
-    for (const MaterialId id : materials)
-        out.put(tooth.materials()[id].code), out.putText(tooth.materials().nameOf(id));
+    for (const MaterialId id : materials) putMaterial(out, tooth.materials()[id], hasOwn);
     putMesh(out, tooth.outer()->mesh());
     out.put(static_cast<std::uint32_t>(tooth.layers().size()));
     for (const LayeredTooth::Layer& layer : tooth.layers()) {

@@ -24,7 +24,8 @@ struct SavedTooth {
     /// What the MaterialIds of the layers, the body and the removed volumes mean: the registry that the reader was
     /// given, and behind its materials those of the file that it does not know.
     const MaterialRegistry* materials = nullptr;
-    std::vector<std::string> unknownMaterials;  ///< names of the latter; they take the numbers of the surroundings
+    /// Names of those of the latter of which the file says no more; they take the numbers of the surroundings.
+    std::vector<std::string> unknownMaterials;
     MaterialId body{};
     ToothContext toothContext;
     double voxel = 0;           ///< mm

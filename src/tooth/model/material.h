@@ -41,6 +41,7 @@ struct Material {
     float translucency = 0;       ///< of the picture, 0..1: how far light creeps around edges inside the material
     float wetness = 0;            ///< of the picture, 0..1: cover of saliva or water
     float grain = 0;              ///< of the picture, 0..1: fine unevenness of surface and colour
+    float metalness = 0;          ///< of the picture, 0..1: reflects in its own colour, as metal
     double soundOctaves = 1;      ///< width of the cutting noise's band between its half-power points
     double soundGraininess = 0;   ///< 0 even hiss .. 1 separate crackling grains
     double tapFrequency = 0;      ///< lowest tone of the ring when an instrument knocks on the material, Hz

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace tactooth {
 namespace {
@@ -13,22 +14,23 @@ constexpr double kHighestFrequency = 2e4;  // Hz: what an ear hears
 constexpr double kMaxOctaves = 4;
 constexpr double kMaxTapDecay = 0.1;  // s: a bell
 
-constexpr std::array<MaterialNumberKey, 15> kNumberKeys = {{
-    {"stiffness", kMaxMaterialStiffness, [](Material& m, double value) { m.stiffness = value; }},
-    {"damping", kMaxMaterialDamping, [](Material& m, double value) { m.damping = value; }},
-    {"friction", kMaxMaterialFriction, [](Material& m, double value) { m.friction = value; }},
-    {"removal", kMaxRemoval, [](Material& m, double value) { m.removal = value; }},
-    {"roughness", 1, [](Material& m, double value) { m.roughness = static_cast<float>(value); }},
-    {"translucency", 1, [](Material& m, double value) { m.translucency = static_cast<float>(value); }},
-    {"wetness", 1, [](Material& m, double value) { m.wetness = static_cast<float>(value); }},
-    {"grain", 1, [](Material& m, double value) { m.grain = static_cast<float>(value); }},
-    {"sound_centre", kHighestFrequency, [](Material& m, double value) { m.soundCentre = value; }},
-    {"sound_level", 1, [](Material& m, double value) { m.soundBrightness = value; }},
-    {"sound_octaves", kMaxOctaves, [](Material& m, double value) { m.soundOctaves = value; }},
-    {"sound_graininess", 1, [](Material& m, double value) { m.soundGraininess = value; }},
-    {"tap_frequency", kHighestFrequency, [](Material& m, double value) { m.tapFrequency = value; }},
-    {"tap_decay", kMaxTapDecay, [](Material& m, double value) { m.tapDecay = value; }},
-    {"tap_brightness", 1, [](Material& m, double value) { m.tapBrightness = value; }},
+constexpr std::array<MaterialNumberKey, 16> kNumberKeys = {{
+    {"stiffness", kMaxMaterialStiffness, &Material::stiffness},
+    {"damping", kMaxMaterialDamping, &Material::damping},
+    {"friction", kMaxMaterialFriction, &Material::friction},
+    {"removal", kMaxRemoval, &Material::removal},
+    {"roughness", 1, &Material::roughness},
+    {"translucency", 1, &Material::translucency},
+    {"wetness", 1, &Material::wetness},
+    {"grain", 1, &Material::grain},
+    {"metalness", 1, &Material::metalness},
+    {"sound_centre", kHighestFrequency, &Material::soundCentre},
+    {"sound_level", 1, &Material::soundBrightness},
+    {"sound_octaves", kMaxOctaves, &Material::soundOctaves},
+    {"sound_graininess", 1, &Material::soundGraininess},
+    {"tap_frequency", kHighestFrequency, &Material::tapFrequency},
+    {"tap_decay", kMaxTapDecay, &Material::tapDecay},
+    {"tap_brightness", 1, &Material::tapBrightness},
 }};
 
 constexpr std::array<std::pair<std::string_view, MaterialRole>, kMaterialRoleCount> kRoles = {{
@@ -42,6 +44,18 @@ constexpr std::array<std::pair<std::string_view, MaterialRole>, kMaterialRoleCou
 
 }  // namespace
 
+double MaterialNumberKey::of(const Material& material) const {
+    if (const auto* wide = std::get_if<double Material::*>(&member)) return material.**wide;
+    return static_cast<double>(material.*std::get<float Material::*>(member));
+}
+
+void MaterialNumberKey::set(Material& material, double value) const {
+    if (const auto* wide = std::get_if<double Material::*>(&member))
+        material.** wide = value;
+    else
+        material.*std::get<float Material::*>(member) = static_cast<float>(value);
+}
+
 std::span<const MaterialNumberKey> materialNumberKeys() { return kNumberKeys; }
 
 std::optional<MaterialRole> materialRoleNamed(std::string_view name) {
@@ -49,6 +63,10 @@ std::optional<MaterialRole> materialRoleNamed(std::string_view name) {
         if (known == name) return role;
     }
     return std::nullopt;
+}
+
+std::string_view materialRoleName(MaterialRole role) {
+    return std::ranges::find(kRoles, role, &std::pair<std::string_view, MaterialRole>::second)->first;
 }
 
 std::string materialRoleNames() {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "tooth/model/material.h"
 
@@ -28,7 +29,10 @@ struct MaterialDefinition {
 struct MaterialNumberKey {
     std::string_view name;
     double highest;  ///< the lowest is 0
-    void (*set)(Material&, double);
+    std::variant<double Material::*, float Material::*> member;
+
+    [[nodiscard]] double of(const Material& material) const;
+    void set(Material& material, double value) const;
 };
 [[nodiscard]] std::span<const MaterialNumberKey> materialNumberKeys();
 
@@ -40,6 +44,7 @@ inline constexpr int kMaxMaterialCode = 255;
 
 /// "enamel", "dentin", "pulp", "decay", "surroundings" or "none".
 [[nodiscard]] std::optional<MaterialRole> materialRoleNamed(std::string_view name);
+[[nodiscard]] std::string_view materialRoleName(MaterialRole role);
 /// These names, with commas between them.
 [[nodiscard]] std::string materialRoleNames();
 

@@ -174,7 +174,7 @@ TEST(MaterialFile, RefusesADefinitionThatCannotBe) {
 TEST(MaterialFile, RefusesAnUnknownKey) {
     EXPECT_EQ(refusal("[enamel]\n# as steel\nstiffnes = 1\n"),
               "m.toml, line 3: a material has no key 'stiffnes'; the keys are colour, stiffness, damping, friction, "
-              "removal, roughness, translucency, wetness, grain, sound_centre, sound_level, sound_octaves, "
+              "removal, roughness, translucency, wetness, grain, metalness, sound_centre, sound_level, sound_octaves, "
               "sound_graininess, tap_frequency, tap_decay, tap_brightness, title_en, title_ja, role, nesting, code.");
     EXPECT_EQ(refusal("stiffness = 1\n"),
               "m.toml, line 1: expected the keys of stiffness below a line [stiffness], but found 1.");

@@ -196,8 +196,11 @@ void MainWindow::showNewTooth() {
 void MainWindow::showImportNotes() {
     QStringList hints;
     for (const ImportNote& importNote : model_.tooth()->importNotes) hints.push_back(translated(importNote.message));
-    if (&model_.haptics().materials.registry() != &builtinMaterials()) {
-        hints.push_back(tr("This case brings its own materials: it may feel harder, softer or rougher than others"));
+    const MaterialRegistry& materials = model_.haptics().materials.registry();
+    const auto exercise = exerciseOf(*model_.tooth());
+    const bool areOfProgram = exercise != nullptr && exercise->file.empty() && exercise->materials == &materials;
+    if (&materials != &builtinMaterials() && !areOfProgram) {
+        hints.push_back(tr("This tooth brings its own materials: it may feel harder, softer or rougher than others"));
     }
     if (!hints.isEmpty()) messages_.setHint(hints.join(' '));
 }
