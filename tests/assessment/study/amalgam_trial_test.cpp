@@ -83,9 +83,9 @@ TEST_F(AmalgamTrial, IsFeltCutCountedSavedAndReplayed) {
     const MaterialTable table(replay->model().tooth().materials());
     int felt = 0;
     const auto played = replay->playUntil({}, [&](double, const Tick& tick) {
-        if (tick.stiffness <= 0 || tick.material != *amalgam_) return;
+        if (tick.force.stiffness <= 0 || tick.contact.material != *amalgam_) return;
         if (++felt > 1) return;
-        EXPECT_EQ(tick.stiffness, table[*amalgam_].stiffness);
+        EXPECT_EQ(tick.force.stiffness, table[*amalgam_].stiffness);
         EXPECT_EQ(soundOf(tick, spindlePresets().front(), table).material.bandCentreHz, table[*amalgam_].soundCentre);
     });
     ASSERT_TRUE(played) << played.error().message();

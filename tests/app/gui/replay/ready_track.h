@@ -24,8 +24,8 @@ inline std::shared_ptr<SessionTrack> trackOf(std::uint64_t ready, double seconds
         for (std::uint64_t i = first; i < std::min(ready, first + TrackChunk::kTicks); ++i) {
             TrackTick tick;
             tick.time = kTick * static_cast<double>(i + 1);
-            tick.contact.depth = tick.time / 100;
-            tick.contact.triangles = touch > 0 && i + 1 >= touch ? 1 : 0;
+            tick.depth = tick.time / 100;
+            tick.contacts = touch > 0 && i + 1 >= touch ? 1 : 0;
             tick.force = {0, 0, tick.time};
             chunk.ticks.push_back(tick);
         }
