@@ -85,7 +85,6 @@ TEST_P(EachExercise, PutsAnExpertsHandFirst) {
     std::cout << std::endl;
     EXPECT_GE(expert.back(), 90);
     EXPECT_GE(student.back(), 60);
-    EXPECT_LE(student.front(), 85);
     // A student's hand goes a little deeper: where the floor is all, as in a pit, that is no worse.
     EXPECT_GT(expert.back(), student.front() - 5);
     if (handsOfEach() < 2) return;  // the bad ones take as long

@@ -9,9 +9,7 @@ namespace tactooth {
 namespace {
 
 // Expert: 0.3 to 1 N, a physiological tremor of some hundredths of a millimetre, layers of half a bur's head. The other
-// values are chosen so that a student's work is between good and bad, and a beginner's is bad (docs/assessment.md): the
-// surface of students' cavities was 0.27 mm (RMS) off the ideal one, which `deeper`, `wider` and `uneven` make
-// together.
+// values are chosen so that a student's work is between good and bad, and a beginner's is bad (docs/assessment.md).
 constexpr std::array kHabits = {
     HandHabit{"tremor",
               &msg::kHabitTremor,
@@ -37,13 +35,13 @@ constexpr std::array kHabits = {
               &msg::kHabitDeeper,
               "mm",
               &HandHabits::deeper,
-              {0, 0.22, 0.45},
+              {0, 0.18, 0.45},
               {HabitEffect{"floor_depth_median"}, {"over_max"}, {"over_volume"}}},
     HandHabit{"wider",
               &msg::kHabitWider,
               "mm",
               &HandHabits::wider,
-              {0, 0.18, 0.35},
+              {0, 0.1, 0.3},
               {HabitEffect{"over_volume"}, {"dice", false}, {"extent_bl"}}},
     HandHabit{"undone",
               &msg::kHabitUndone,
@@ -55,7 +53,7 @@ constexpr std::array kHabits = {
               &msg::kHabitUneven,
               "mm",
               &HandHabits::uneven,
-              {0.01, 0.1, 0.2},
+              {0.01, 0.07, 0.15},
               {HabitEffect{"finish_line_roughness"}, {"over_max"}, {"floor_flatness"}}},
 };
 
