@@ -48,7 +48,7 @@ double differingShare(const QImage& a, const QImage& b) {
 double firstContact(const SessionTrack& track) {
     double time = -1;
     track.forEachTick(0, track.ticks(), [&](const TrackTick& tick) {
-        if (time < 0 && tick.contact.triangles > 0) time = tick.time;
+        if (time < 0 && tick.contacts > 0) time = tick.time;
     });
     return time;
 }
