@@ -59,15 +59,8 @@ std::vector<double> marksOf(const StudyScene& scene, const Rubric& rubric, HandL
         const auto seed = static_cast<std::uint64_t>(hand);
         const HandTrial trial = playHand(scene, uncutModel(scene), habitsOfHand(level, seed), seed);
         EXPECT_TRUE(trial.isFinished);
-        const Mark mark = markOf(rubric, trial.metrics);
-        marks.push_back(mark.value.value_or(-1));
-        std::cout << "  " << marks.back() << " (";
-        for (const CriterionScore& each : mark.criteria) {
-            if (each.lost >= 1)
-                std::cout << each.criterion->metric->id << " " << each.measured.value.value_or(-1) << ": -" << each.lost
-                          << "; ";
-        }
-        std::cout << ")";
+        marks.push_back(markOf(rubric, trial.metrics).value.value_or(-1));
+        std::cout << "  " << marks.back();
     }
     std::ranges::sort(marks, std::greater());
     return marks;

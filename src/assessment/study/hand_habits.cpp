@@ -35,13 +35,13 @@ constexpr std::array kHabits = {
               &msg::kHabitDeeper,
               "mm",
               &HandHabits::deeper,
-              {0, 0.18, 0.45},
+              {0, 0.15, 0.45},
               {HabitEffect{"floor_depth_median"}, {"over_max"}, {"over_volume"}}},
     HandHabit{"wider",
               &msg::kHabitWider,
               "mm",
               &HandHabits::wider,
-              {0, 0.1, 0.3},
+              {0, 0.12, 0.3},
               {HabitEffect{"over_volume"}, {"dice", false}, {"extent_bl"}}},
     HandHabit{"undone",
               &msg::kHabitUndone,
@@ -49,12 +49,6 @@ constexpr std::array kHabits = {
               &HandHabits::undone,
               {0, 0.08, 0.25},
               {HabitEffect{"under_volume"}, {"cleared_share", false}}},
-    HandHabit{"uneven",
-              &msg::kHabitUneven,
-              "mm",
-              &HandHabits::uneven,
-              {0.01, 0.07, 0.15},
-              {HabitEffect{"finish_line_roughness"}, {"over_max"}, {"floor_flatness"}}},
 };
 
 }  // namespace

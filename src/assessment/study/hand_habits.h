@@ -18,9 +18,8 @@ struct HandHabits {
     double force = 0;   ///< N that the hand presses with before it holds back; positive
     double layer = 0;   ///< mm that it takes away in one pass; positive
     double deeper = 0;  ///< mm deeper than the ideal floor
-    double wider = 0;   ///< mm beyond the ideal outline, to both sides and ends of each path
-    double undone = 0;  ///< share of the path that it leaves out at the end of each layer, 0..1
-    double uneven = 0;  ///< mm, root mean square in each direction, that it strays from the path within some mm of it
+    double wider = 0;   ///< mm beyond the ideal outline, to all sides
+    double undone = 0;  ///< share of the path that it leaves out at the end, 0..1
 };
 
 /// How good a hand is.

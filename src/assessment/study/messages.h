@@ -25,7 +25,6 @@ inline constexpr MessageText kHabitForce{"habit_force", "Force", "力"};
 inline constexpr MessageText kHabitLayer{"habit_layer", "Layer in one pass", "一回に削る層"};
 inline constexpr MessageText kHabitDeeper{"habit_deeper", "Too deep", "深すぎる量"};
 inline constexpr MessageText kHabitWider{"habit_wider", "Too wide", "広すぎる量"};
-inline constexpr MessageText kHabitUneven{"habit_uneven", "Uneven", "むら"};
 inline constexpr MessageText kHabitUndone{"habit_undone", "Left undone", "削り残す割合"};
 
 inline constexpr MessageText kStudyTitle{"study_title", "Synthetic hands: a self-test of the metrics",

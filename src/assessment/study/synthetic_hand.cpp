@@ -24,29 +24,20 @@ constexpr double kMostLead = 1;               // mm beyond a station
 constexpr double kAbove = 0.2;                // mm above the surface, where a layer has nothing to cut
 constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
 
-/// There along one side of a run and back along the other, and beyond both ends. A run of one place stays.
-std::vector<Vec3> widened(const std::vector<Vec3>& run, const Vec3& outward, double wider) {
-    if (wider <= 0 || run.size() < 2) return run;
-    std::vector<Vec3> there, back;
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        Vec3 along = run[std::min(k + 1, run.size() - 1)] - run[k > 0 ? k - 1 : 0];
-        along -= along.dot(outward) * outward;
-        if (along.norm() < 1e-9) continue;  // a step of height alone
-        along.normalize();
-        const double beyond = k == 0 ? -wider : k + 1 == run.size() ? wider : 0;
-        const Vec3 place = run[k] + beyond * along, aside = wider * outward.cross(along);
-        there.push_back(place + aside);
-        back.push_back(place - aside);
+/// Mean of all places without their height.
+Vec3 middleOf(const HandTask& task) {
+    Vec3 sum = Vec3::Zero();
+    double count = 0;
+    for (const auto& path : task.paths) {
+        for (const Vec3& place : path) sum += place;
+        count += static_cast<double>(path.size());
     }
-    if (there.empty()) return run;
-    there.insert(there.end(), back.rbegin(), back.rend());
-    return there;
+    return sum / count;
 }
 
-/// Of the way through the tooth from the station `begin` on.
-double lengthOf(const std::vector<HandStation>& route, std::size_t begin) {
+double lengthOf(std::span<const HandStation> route) {
     double length = 0;
-    for (std::size_t i = std::max<std::size_t>(begin, 1); i < route.size(); ++i) {
+    for (std::size_t i = 1; i < route.size(); ++i) {
         if (route[i].isInTooth) length += (route[i].tip - route[i - 1].tip).norm();
     }
     return length;
@@ -79,10 +70,10 @@ private:
     std::vector<HandStation> route_;
 };
 
-/// Ends the route before the last `share` of its way through the tooth from the station `begin` on.
-void cutShort(std::vector<HandStation>& route, std::size_t begin, double share) {
-    double left = lengthOf(route, begin) * (1 - share);
-    for (std::size_t i = std::max<std::size_t>(begin, 1); i < route.size(); ++i) {
+/// Ends the route before the last `share` of its way through the tooth.
+void cutShort(std::vector<HandStation>& route, double share) {
+    double left = lengthOf(route) * (1 - share);
+    for (std::size_t i = 1; i < route.size(); ++i) {
         if (!route[i].isInTooth) continue;
         const Vec3 way = route[i].tip - route[i - 1].tip;
         const double length = way.norm();
@@ -94,38 +85,9 @@ void cutShort(std::vector<HandStation>& route, std::size_t begin, double share) 
     }
 }
 
-/// Leads the route in slow waves beside itself. The eye does not see them: a hand believes that it is on its way.
-void stray(std::vector<HandStation>& route, double uneven, std::uint64_t seed) {
-    if (uneven <= 0) return;
-    struct Wave {
-        double number, phase;  // rad/mm, rad
-    };
-    constexpr double kShortest = 1.5, kLongest = 5;  // mm: lengths of the waves
-    std::array<std::array<Wave, 3>, 3> waves{};      // of each direction
-    SeededRandom random(seed);
-    for (auto& direction : waves) {
-        for (Wave& wave : direction) {
-            wave.number = 2 * std::numbers::pi / (kShortest + (kLongest - kShortest) * random.share());
-            wave.phase = 2 * std::numbers::pi * random.share();
-        }
-    }
-    const double height = uneven * std::sqrt(2.0 / 3);  // each sine has the mean square 1/2
-    double along = 0;
-    Vec3 before = route.front().tip;
-    for (HandStation& station : route) {
-        along += (station.tip - before).norm();
-        before = station.tip;
-        if (!station.isInTooth) continue;
-        for (std::size_t i = 0; i < waves.size(); ++i) {
-            for (const Wave& wave : waves[i])
-                station.tip[static_cast<Eigen::Index>(i)] += height * std::sin(wave.number * along + wave.phase);
-        }
-    }
-}
-
 }  // namespace
 
-std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits, std::uint64_t seed) {
+std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits) {
     TACTOOTH_ASSERT(!task.paths.empty() && task.paths.size() == task.depths.size());
     TACTOOTH_ASSERT(habits.layer > 0);
     double deepest = 0, highest = -std::numeric_limits<double>::infinity();
@@ -135,29 +97,34 @@ std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits,
             highest = std::max(highest, task.outward.dot(task.paths[i][k]) + std::max(task.depths[i][k], 0.0));
         }
     }
+    const Vec3 middle = middleOf(task);
+    const auto shifted = [&](const Vec3& place) {
+        Vec3 aside = place - middle;
+        aside -= aside.dot(task.outward) * task.outward;
+        const double distance = aside.norm();
+        if (distance > 0) aside *= habits.wider / distance;
+        return Vec3(place + aside - habits.deeper * task.outward);
+    };
     RouteBuilder builder(task.outward, highest + kLift);
     const int layers = std::max(1, static_cast<int>(std::ceil(deepest / habits.layer)));
     for (int layer = layers - 1; layer >= 0; --layer) {
         const double raised = habits.layer * layer;
-        const std::size_t begin = builder.route().size();
         for (std::size_t i = 0; i < task.paths.size(); ++i) {
             std::vector<Vec3> run;
             for (std::size_t k = 0; k < task.paths[i].size(); ++k) {
                 const double depth = task.depths[i][k] + habits.deeper - raised;
                 if (depth > -kAbove) {
-                    run.push_back(task.paths[i][k] + (raised - habits.deeper) * task.outward);
+                    run.push_back(shifted(task.paths[i][k]) + raised * task.outward);
                 } else {
-                    builder.add(widened(run, task.outward, habits.wider));
+                    builder.add(run);
                     run.clear();
                 }
             }
-            builder.add(widened(run, task.outward, habits.wider));
+            builder.add(run);
         }
-        // In each layer: else a shallow cavity would lose as much of its only layer as a deep one of all of them.
-        cutShort(builder.route(), begin, habits.undone);
     }
     std::vector<HandStation> route = std::move(builder.route());
-    stray(route, habits.uneven, seed);
+    cutShort(route, habits.undone);
     RouteBuilder end(task.outward, highest + kLift);
     end.route() = std::move(route);
     end.lift();

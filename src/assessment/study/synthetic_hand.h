@@ -28,8 +28,8 @@ struct HandTask {
 };
 
 /// The way of a bur through a preparation in layers, from above; between two paths it is lifted. The habits `layer`,
-/// `deeper`, `wider`, `undone` and `uneven` shape it; `seed` says where it strays to.
-[[nodiscard]] std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits, std::uint64_t seed);
+/// `deeper`, `wider` and `undone` shape it.
+[[nodiscard]] std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits);
 
 /// What a hand feels and sees.
 struct HandSense {

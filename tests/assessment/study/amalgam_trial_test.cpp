@@ -47,7 +47,10 @@ TEST_F(AmalgamTrial, ItIsNoMaterialOfOtherTeeth) {
     EXPECT_FALSE(builtinMaterials().find("amalgam"));
     EXPECT_EQ(&builtinExercise("filling-46")->materials->operator[](MaterialId{}), &builtinMaterials()[MaterialId{}]);
     EXPECT_EQ(&scene_->preparation.tooth->materials(), exercise_.materials);
-    EXPECT_EQ(scene_->preparation.tooth->materialAt(scene_->task.paths.front().front()), *amalgam_);
+    // The tip of the bur is to go along the floor of the filling; at the ends of its path, it has tooth around it.
+    const auto& path = scene_->task.paths.front();
+    const Vec3 inFilling = path[path.size() / 2] + 0.5 * scene_->task.outward;
+    EXPECT_EQ(scene_->preparation.tooth->materialAt(inFilling), *amalgam_);
 }
 
 TEST_F(AmalgamTrial, IsFeltCutCountedSavedAndReplayed) {

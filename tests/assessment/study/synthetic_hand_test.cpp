@@ -27,7 +27,7 @@ HandHabits calm() { return {.tremor = 0, .delay = 0.1, .force = 1, .layer = 0.4}
 /// Places of the bur, which follows the hand, one each millisecond, with a constant force on the hand.
 std::vector<Vec3> walk(const HandHabits& habits, double force, double longest = 100, std::uint64_t seed = 1) {
     const HandTask task = groove();
-    SyntheticHand hand(routeOf(task, habits, seed), task.outward, habits, seed);
+    SyntheticHand hand(routeOf(task, habits), task.outward, habits, seed);
     std::vector<Vec3> places;
     while (!hand.isDone() && static_cast<double>(places.size()) * kTick < longest)
         places.push_back(hand.move(kTick, {force, hand.place()}).position);
@@ -45,7 +45,7 @@ TEST(SyntheticHand, GoesDownInLayersAndEndsAboveTheTooth) {
         HandHabits habits = calm();
         habits.layer = layer;
         const HandTask task = groove();
-        const std::vector<HandStation> route = routeOf(task, habits, 1);
+        const std::vector<HandStation> route = routeOf(task, habits);
         std::vector<double> heights;
         for (const HandStation& each : route) {
             if (each.isInTooth && (heights.empty() || heights.back() != each.tip.z())) heights.push_back(each.tip.z());
@@ -59,33 +59,6 @@ TEST(SyntheticHand, GoesDownInLayersAndEndsAboveTheTooth) {
     }
 }
 
-TEST(SyntheticHand, StraysFromItsPathAsFarAsItsHabitSays) {
-    HandHabits habits = calm();
-    const std::vector<HandStation> straight = routeOf(groove(), habits, 1);
-    habits.uneven = 0.1;
-    double squares = 0, count = 0;
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const std::vector<HandStation> route = routeOf(groove(), habits, seed);
-        ASSERT_EQ(route.size(), straight.size());
-        for (std::size_t i = 0; i < route.size(); ++i) {
-            const Vec3 off = route[i].tip - straight[i].tip;
-            if (!route[i].isInTooth) {
-                EXPECT_EQ(off.norm(), 0);
-                continue;
-            }
-            EXPECT_LT(off.cwiseAbs().maxCoeff(), 0.1 * std::sqrt(6.0) + 1e-9);
-            squares += off.squaredNorm();
-            count += 3;
-            // Slowly: a tenth of a millimetre further it is nearly as far off.
-            if (route[i - 1].isInTooth && (straight[i].tip - straight[i - 1].tip).norm() < 0.11) {
-                EXPECT_LT((off - (route[i - 1].tip - straight[i - 1].tip)).norm(), 0.1);
-            }
-        }
-    }
-    EXPECT_NEAR(std::sqrt(squares / count), 0.1, 0.015);
-    EXPECT_NE(routeOf(groove(), habits, 1)[5].tip, routeOf(groove(), habits, 2)[5].tip);
-}
-
 TEST(SyntheticHand, GoesTooDeepTooWideOrNotToTheEndAsItsHabitsSay) {
     HandHabits habits = calm();
     EXPECT_NEAR(lowest(walk(habits, 0)), -1, 1e-9);
@@ -93,15 +66,13 @@ TEST(SyntheticHand, GoesTooDeepTooWideOrNotToTheEndAsItsHabitsSay) {
     EXPECT_NEAR(lowest(walk(habits, 0)), -1.3, 1e-9);
     habits.deeper = 0;
     habits.wider = 0.25;
-    Box3 around;
-    for (const Vec3& each : walk(habits, 0)) around.extend(each);
-    EXPECT_NEAR((around.min() - Vec3(-2.25, -0.25, -1)).norm(), 0, 1e-9) << "beyond the end, and beside the path";
-    EXPECT_NEAR(around.max().x(), 2.25, 1e-9);
-    EXPECT_NEAR(around.max().y(), 0.25, 1e-9);
+    double widest = 0;
+    for (const Vec3& each : walk(habits, 0)) widest = std::max(widest, std::abs(each.x()));
+    EXPECT_NEAR(widest, 2.25, 1e-9);
     habits.wider = 0;
     const auto inTooth = [&](double undone) {
         habits.undone = undone;
-        const std::vector<HandStation> route = routeOf(groove(), habits, 1);
+        const std::vector<HandStation> route = routeOf(groove(), habits);
         double length = 0;
         for (std::size_t i = 1; i < route.size(); ++i) {
             if (route[i].isInTooth) length += (route[i].tip - route[i - 1].tip).norm();
@@ -150,7 +121,7 @@ TEST(SyntheticHand, AnswersAsLateAsItsDelay) {
         HandHabits habits = calm();
         habits.delay = delay;
         const HandTask task = groove();
-        SyntheticHand hand(routeOf(task, habits, 1), task.outward, habits, 1);
+        SyntheticHand hand(routeOf(task, habits), task.outward, habits, 1);
         Vec3 last = Vec3::Zero();
         double touched = -1, stopped = -1;
         for (int i = 0; i < 5000 && stopped < 0; ++i) {
@@ -168,7 +139,7 @@ TEST(SyntheticHand, AnswersAsLateAsItsDelay) {
 TEST(SyntheticHand, PressesOnUntilTheBurIsThere) {
     const HandHabits habits = calm();
     const HandTask task = groove();
-    SyntheticHand hand(routeOf(task, habits, 1), task.outward, habits, 1);
+    SyntheticHand hand(routeOf(task, habits), task.outward, habits, 1);
     double lowestBur = 0;
     for (int i = 0; i < 100000 && !hand.isDone(); ++i) {
         const Vec3 held = hand.place() + (hand.place().z() < -0.2 ? Vec3(0, 0, 0.5) : Vec3(0, 0, 0));
