@@ -47,10 +47,15 @@ TEST_F(AmalgamTrial, ItIsNoMaterialOfOtherTeeth) {
     EXPECT_FALSE(builtinMaterials().find("amalgam"));
     EXPECT_EQ(&builtinExercise("filling-46")->materials->operator[](MaterialId{}), &builtinMaterials()[MaterialId{}]);
     EXPECT_EQ(&scene_->preparation.tooth->materials(), exercise_.materials);
-    // The tip of the bur is to go along the floor of the filling; at the ends of its path, it has tooth around it.
-    const auto& path = scene_->task.paths.front();
-    const Vec3 inFilling = path[path.size() / 2] + 0.5 * scene_->task.outward;
-    EXPECT_EQ(scene_->preparation.tooth->materialAt(inFilling), *amalgam_);
+    // The tip of the bur goes along the floor of the filling, and past its border.
+    std::size_t inFilling = 0, places = 0;
+    for (const auto& path : scene_->task.paths) {
+        for (const Vec3& place : path) {
+            inFilling += scene_->preparation.tooth->materialAt(place + 0.2 * scene_->task.outward) == *amalgam_ ? 1 : 0;
+            ++places;
+        }
+    }
+    EXPECT_GT(2 * inFilling, places);
 }
 
 TEST_F(AmalgamTrial, IsFeltCutCountedSavedAndReplayed) {

@@ -74,9 +74,8 @@ TEST(GlideVoice, LeavesATurningBurToTheNoiseOfCutting) {
 TEST(GlideVoice, BeginsAndEndsWithoutAClick) {
     const std::vector<float> steady = steadySound(gliding("enamel"), 1);
     DrillSynthesiser synthesiser;
-    const std::vector<float> onAndOff = test::renderDrill(synthesiser, 2, [](double time) {
-        return gliding("enamel", 0.5, std::fmod(time, 0.2) < 0.1 ? 20 : 0);
-    });
+    const std::vector<float> onAndOff = test::renderDrill(
+        synthesiser, 2, [](double time) { return gliding("enamel", 0.5, std::fmod(time, 0.2) < 0.1 ? 20 : 0); });
     EXPECT_LT(test::largestJump(onAndOff), 1.3F * test::largestJump(steady));
 }
 
