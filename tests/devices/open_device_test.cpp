@@ -15,6 +15,7 @@
 #include "standin/pen_folder.h"
 #include "standin/standin_hd.h"
 #include "support/scoped_variable.h"
+#include "support/test_data.h"
 #include "virtual_pad.h"
 
 namespace tactooth {
@@ -104,8 +105,8 @@ TEST(OpenDevice, ALibraryThatCrashesDoesNotTakeTheProgramWithIt) {
 
 TEST(OpenDevice, ALibraryThatCrashesWhenItStartsADeviceDoesNotEither) {
     const test::ScopedVariable here("TACTOOTH_DEVICE_IN_PROCESS", "1");  // the test steers the library
-    const auto library = std::filesystem::temp_directory_path() / "tactooth_crashing_start_hd.so";
-    std::filesystem::remove(library);
+    const test::TemporaryFolder folder;
+    const auto library = folder / "crashing_start_hd.so";
     std::filesystem::create_symlink(TACTOOTH_STANDIN_HD, library);
     const auto& standin = *static_cast<const test::HdStandinControl*>(
         dlsym(dlopen(TACTOOTH_STANDIN_HD, RTLD_LAZY | RTLD_GLOBAL), "standinControl"));
@@ -115,7 +116,6 @@ TEST(OpenDevice, ALibraryThatCrashesWhenItStartsADeviceDoesNotEither) {
     EXPECT_EQ(standin.startedPens(), 0);
     standin.reset();
     EXPECT_EQ(penError(library), "") << "mended";
-    std::filesystem::remove(library);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "session/track/make_track.h"
 #include "support/materials.h"
 #include "support/shapes.h"
+#include "support/test_data.h"
 
 namespace tactooth {
 namespace {
@@ -31,8 +32,8 @@ protected:
     static void SetUpTestSuite() {
         auto tooth = LayeredTooth::make(test::box(Vec3(-3, -2, -3), Vec3(3, 2, 0)), {}, test::kDentin);
         const auto model = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);
-        const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "two_holes.ttsession";
-        std::filesystem::remove(file);
+        const test::TemporaryFolder folder;  // shards of this program run at the same time
+        const std::filesystem::path file = folder / "two_holes.ttsession";
         auto recorder = SessionRecorder::create(file, *model, "block");
         ASSERT_TRUE(recorder) << recorder.error().message();
         const BurSpec spec = findBur("4").value();
@@ -48,7 +49,8 @@ protected:
             session.list();
         }
         session.finish(false);
-        ASSERT_TRUE((*recorder)->close(model->hash()));
+        const auto closed = (*recorder)->close(model->hash());
+        ASSERT_TRUE(closed) << closed.error().message();
         const auto recording = SessionRecording::open(file);
         ASSERT_TRUE(recording) << recording.error().message();
         auto start = recording->makeModel();
