@@ -31,8 +31,8 @@ constexpr std::array<Limit, 16> kLimits = {{{11, 0.86, 0.20, 0.08, 0, 0, 0.15, 0
                                             {14, 0.85, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {15, 0.84, 0.40, 0.08, 0.30, 0, 0, 0},
                                             {16, 0.70, 0.40, 0.08, 0.30, 0.30, 0, 0},
-                                            {17, 0.29, 0.40, 0.08, 0.30, 0, 0, 0},
-                                            {18, 0.68, 0, 0, 0, 0, 0, 0},
+                                            {17, 0.27, 0.40, 0.08, 0.30, 0, 0, 0},
+                                            {18, 0.66, 0, 0, 0, 0, 0, 0},
                                             {41, 0.85, 0.35, 0.08, 0, 0, 0.15, 0.08},
                                             {42, 0.82, 0.25, 0.08, 0, 0, 0.22, 0.08},
                                             {43, 0.78, 0.20, 0.08, 0, 0, 0.20, 0.10},
@@ -80,7 +80,7 @@ struct RealTooth {
 };
 
 constexpr RealTooth kRealTeeth[] = {{16, "microct-meshes/tooth_2_outer.stl", false, true, 0.19},
-                                    {32, "openmandible/whole/L1_whole.stl", true, false, 0.15},
+                                    {32, "openmandible/whole/L1_whole.stl", true, false, 0.14},
                                     {33, "openmandible/whole/L3_whole.stl", false, false, 0.18},
                                     {36, "openmandible/whole/L6_whole.stl", false, false, 0.21}};
 
