@@ -57,18 +57,15 @@ TEST_P(EachExercise, HasAClosedIdealShapeThatLeavesThePulpCoveredAndRemovesTheDe
     EXPECT_LT(volume, most);
     EXPECT_NEAR(volume, *reportOn(whole.base->mesh()).volume() - *report.volume(), 0.03 * volume);
 
-    // The horns of an incisor's pulp stand wide, and a shoulder of 1 mm comes near them.
-    const auto* plan = std::get_if<PreparationPlan>(&exercise_.ideal);
-    const bool isFrontCrown = plan != nullptr && plan->crown && plan->crown->isIncisal;
-    const double minDentin = isFrontCrown ? 0.4 : 0.5;  // mm
+    constexpr double kMinDentin = 0.5;  // mm
     const SurfacePart* pulp = layerOf(*scene.tooth, test::kPulp);
     ASSERT_NE(pulp, nullptr);
     if (exercise_.opensPulp()) {
         EXPECT_GT(mostOutside(*pulp, *target), 0.5);
     } else {
-        EXPECT_GT(*leastToPulp(cavityWalls(*scene.ideal, *whole.base), *scene.tooth), minDentin);
+        EXPECT_GT(*leastToPulp(cavityWalls(*scene.ideal, *whole.base), *scene.tooth), kMinDentin);
         const double atTheRoots = mostOutside(*pulp, *whole.base);  // of 16: 0.46 mm inside the tooth
-        EXPECT_LT(mostOutside(*pulp, *target), std::max(-minDentin, atTheRoots + 1e-3));
+        EXPECT_LT(mostOutside(*pulp, *target), std::max(-kMinDentin, atTheRoots + 1e-3));
     }
     const SurfacePart* decay = layerOf(*scene.tooth, test::kCaries);
     EXPECT_EQ(decay != nullptr, exercise_.group == ExerciseGroup::Caries);
