@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sound/voices/grinding_share.h"
+
 namespace tactooth {
 
 namespace {
@@ -15,9 +17,6 @@ namespace {
 constexpr double kTopLevel = 0.16;
 constexpr double kTopWatt = 40.0, kFaintWatt = 0.2;
 constexpr double kLagSeconds = 0.006;
-
-// Below this speed the rotation is too slow to cut: a bur at rest is silent.
-constexpr double kGrindingRpm = 500.0;
 
 // Amplitude modulation at the rotation: a slow bur (10 000 rev/min = 167 Hz) rattles. At thousands of turns a second
 // the ear hears no modulation, only side tones, which would blur the band of the material.
@@ -35,14 +34,9 @@ constexpr double kChatterFromLoad = 0.5, kMaxChatter = 0.75;
 constexpr double kStickSlipsPerSecond = 80.0;   // new random grips: swings of up to 40 Hz
 constexpr double kStickSlipMeanSquare = 0.247;  // of RandomModulator: 1/3 at its places, eased between them
 
-constexpr float kGrainsPerFrame = 1800.0f / kSoundRate;  // some grains at each of a few hundred turns a second
-constexpr double kGrainSeconds = 0.00035;
-const auto kGrainKeep = static_cast<float>(std::exp(-1.0 / (kGrainSeconds * kSoundRate)));
-
 double amplitudeOf(const DrillSoundState& state) {
-    const double grinding = std::min(1.0, state.speedRpm / kGrindingRpm);
     const double power = std::log1p(state.removalPower / kFaintWatt) / std::log1p(kTopWatt / kFaintWatt);
-    return kTopLevel * state.material.level * grinding * std::sqrt(power);
+    return kTopLevel * state.material.level * grindingShare(state.speedRpm) * std::sqrt(power);
 }
 
 double modulationAt(double turnsPerSecond) {
@@ -63,23 +57,6 @@ double chatterAt(double load) {
 
 CuttingVoice::CuttingVoice(std::uint64_t seed)
     : noise_(seed + 1), grains_(seed + 2), stickSlip_(seed + 3, kStickSlipsPerSecond) {}
-
-void GrainEnvelope::setGraininess(double graininess) {
-    // Campbell's theorem for random pulses that fall by `keep` a sample: mean and variance of their sum.
-    const double keep = kGrainKeep, rate = kGrainsPerFrame;
-    const double mean = rate / (1.0 - keep);
-    const double variance = rate * (1.0 - rate) / (1.0 - keep * keep);
-    const double pulses = graininess / std::sqrt(mean * mean + variance);
-    const double steady = 1.0 - graininess;
-    const double power = steady * steady + 2.0 * steady * pulses * mean + graininess * graininess;
-    steadyPart_ = static_cast<float>(steady / std::sqrt(power));
-    pulsePart_ = static_cast<float>(pulses / std::sqrt(power));
-}
-
-float GrainEnvelope::next() {
-    pulses_ = pulses_ * kGrainKeep + (noise_.nextPositive() < kGrainsPerFrame ? 1.0f : 0.0f);
-    return steadyPart_ + pulsePart_ * pulses_;
-}
 
 void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, double volume,
                          std::span<const double> turnsPerFrame) {

@@ -9,26 +9,12 @@
 #include "sound/voices/band_noise.h"
 #include "sound/voices/drill_sound_state.h"
 #include "sound/voices/gain_smoother.h"
+#include "sound/voices/grain_envelope.h"
 #include "sound/voices/recorded_voice.h"
 #include "sound/voices/rotation.h"
 #include "sound/voices/sine.h"
 
 namespace tactooth {
-
-/// Grains: short pulses at random times, as particles break off. An envelope for noise; its mean square is 1 together
-/// with the steady part.
-class GrainEnvelope {
-public:
-    explicit GrainEnvelope(std::uint64_t seed) : noise_(seed) {}
-    /// Share of the pulses against the steady part, 0..1.
-    void setGraininess(double graininess);
-    float next();
-
-private:
-    WhiteNoise noise_;
-    float pulses_ = 0.0f;
-    float steadyPart_ = 1.0f, pulsePart_ = 0.0f;
-};
 
 /// The noise of cutting. Its level follows the removal power, and its band the material. It has amplitude modulation at
 /// the rotation, and a tone at the blade passing frequency. Near the stall it chatters: the bur grips, slips and grips

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sound/voices/grinding_share.h"
+
 namespace tactooth {
 
 namespace {
@@ -21,12 +23,9 @@ constexpr double kBelowCutting = 0.6, kWiderOctaves = 0.5;
 constexpr double kUsualSpeed = 20.0;  // mm/s
 constexpr double kRise = 0.2, kMinRise = 0.6, kMaxRise = 1.5;
 
-// A bur that turns grinds: then the noise of cutting is heard instead.
-constexpr double kGrindingRpm = 500.0;
-
 double amplitudeOf(const DrillSoundState& state) {
     const double watt = kFriction * state.contactForce * 1e-3 * state.slideSpeed;
-    const double resting = 1.0 - std::min(1.0, state.speedRpm / kGrindingRpm);
+    const double resting = 1.0 - grindingShare(state.speedRpm);  // else the noise of cutting is heard instead
     return kTopLevel * state.material.level * resting * std::sqrt(watt / (watt + kHalfWatt));
 }
 

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "sound/voices/band_noise.h"
-#include "sound/voices/cutting_voice.h"
 #include "sound/voices/drill_sound_state.h"
 #include "sound/voices/gain_smoother.h"
+#include "sound/voices/grain_envelope.h"
 
 namespace tactooth {
 
