@@ -45,15 +45,11 @@ constexpr std::array<std::pair<std::string_view, MaterialRole>, kMaterialRoleCou
 }  // namespace
 
 double MaterialNumberKey::of(const Material& material) const {
-    if (const auto* wide = std::get_if<double Material::*>(&member)) return material.**wide;
-    return static_cast<double>(material.*std::get<float Material::*>(member));
+    return std::visit([&](auto number) { return static_cast<double>(material.*number); }, member);
 }
 
 void MaterialNumberKey::set(Material& material, double value) const {
-    if (const auto* wide = std::get_if<double Material::*>(&member))
-        material.** wide = value;
-    else
-        material.*std::get<float Material::*>(member) = static_cast<float>(value);
+    std::visit([&]<class Number>(Number Material::*number) { material.*number = static_cast<Number>(value); }, member);
 }
 
 std::span<const MaterialNumberKey> materialNumberKeys() { return kNumberKeys; }
