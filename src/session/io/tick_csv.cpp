@@ -21,35 +21,18 @@ Expected<TickCsv> TickCsv::create(const std::filesystem::path& path) {
 }
 
 void TickCsv::write(double time, const Tick& tick) {
-    const Vec3& hand = tick.input.device.position;
-    const Vec3& proxy = tick.contact.proxy.position;
-    const Quat& turn = tick.contact.proxy.rotation;
-    const Vec3& force = tick.force.wrench.force;
-    const Vec3& torque = tick.force.wrench.torque;
-    const std::array<double, kColumns.size()> row = {time,
-                                                     hand.x(),
-                                                     hand.y(),
-                                                     hand.z(),
-                                                     tick.contact.depth,
-                                                     tick.contact.normal.x(),
-                                                     tick.contact.normal.y(),
-                                                     tick.contact.normal.z(),
-                                                     tick.input.speed,
-                                                     force.x(),
-                                                     force.y(),
-                                                     force.z(),
-                                                     torque.x(),
-                                                     torque.y(),
-                                                     torque.z(),
-                                                     double(tick.contact.triangles),
-                                                     tick.diagnostics.micros,
-                                                     proxy.x(),
-                                                     proxy.y(),
-                                                     proxy.z(),
-                                                     turn.w(),
-                                                     turn.x(),
-                                                     turn.y(),
-                                                     turn.z()};
+    const Tick::Contact& contact = tick.contact;
+    const Vec3 &hand = tick.input.device.position, &proxy = contact.proxy.position;
+    const Quat& turn = contact.proxy.rotation;
+    const auto& [force, torque] = tick.force.wrench;
+    const double speed = tick.input.speed, micros = tick.diagnostics.micros;
+    const std::array<double, kColumns.size()> row = {
+        time,          hand.x(),           hand.y(),           hand.z(),
+        contact.depth, contact.normal.x(), contact.normal.y(), contact.normal.z(),
+        speed,         force.x(),          force.y(),          force.z(),
+        torque.x(),    torque.y(),         torque.z(),         double(contact.triangles),
+        micros,        proxy.x(),          proxy.y(),          proxy.z(),
+        turn.w(),      turn.x(),           turn.y(),           turn.z()};
     file_.row(row);
 }
 
