@@ -46,7 +46,8 @@ bool equalBits(const Tick& a, const Tick& b) {
                                    t.spindle.load,
                                    t.spindle.removalPower,
                                    t.spindle.cutWork,
-                                   t.contact.impactSpeed};
+                                   t.contact.impactSpeed,
+                                   t.contact.slideSpeed};
         for (const Vec3& v : {t.input.device.position, t.contact.proxy.position, t.contact.normal, t.force.wrench.force,
                               t.force.wrench.torque}) {
             all.insert(all.end(), v.data(), v.data() + 3);
