@@ -17,7 +17,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x7b96ed1823160510ULL;
+constexpr std::uint64_t kGolden = 0xf96fcc1abf2c4b85ULL;
 
 constexpr double kTick = 0.001;
 constexpr double kVoxel = 0.05;

@@ -20,6 +20,18 @@ constexpr double kKeptWork = 0.3;
 // affordable path short where the device is far ahead of the bur.
 constexpr double kLongestFeed = 0.1;
 
+// The search for the affordable path looks as far ahead as the work pays for at the price of the last step, and this
+// much farther: a price seldom falls by more from one update to the next.
+constexpr double kLookAhead = 1.15;
+
+// Share of the least price that was found: so much work is saved, at which a slightly longer step is found, too.
+constexpr double kStepMargin = 1.05;
+
+// A step counts as the same if the bur begins this near, in voxels or rad, and goes the same way within some 10
+// degrees.
+constexpr double kSamePlace = 1e-3;
+constexpr double kSameDirection = 0.985;
+
 // s without contact: the bur was lifted, and did not just cross a gap.
 constexpr double kLifted = 0.1;
 
@@ -74,6 +86,7 @@ std::optional<double> CutModel::newWork(const Tick& tick) {
     if (tick.contact.triangles == 0 || !(work > 0)) {
         workSpent_ = tick.spindle.cutWork;
         reached_.reset();
+        unpaid_.reset();
         return std::nullopt;
     }
     return hasWorked ? std::optional(work) : std::nullopt;
@@ -93,7 +106,8 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
         const Pose goal{start.position + feed * way.normalized(), start.rotation};
         const FeedResult result = feedBur(volume_, blade.envelope, start, goal, *work, materials, blade.sharpness);
         if (!std::isfinite(result.wanted)) continue;
-        workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - std::max(kKept, result.wanted));
+        workSpent_ =
+            std::max(workSpent_ + result.work, tick.spindle.cutWork - std::max(kKept, kStepMargin * result.wanted));
         addRemoved(result.carve);
         const bool changed = !changed_.empty();
         refreshSurface();
@@ -111,18 +125,43 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     const double toDevice = (tick.input.device.position - start.position).norm();
     const double feed = std::min(toDevice, kLongestFeed);
     const Pose goal = between(start, tick.input.device, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
-    // Twice the last feed; a step of the sweep shorter than a voxel costs no less.
-    const double enough = std::max(2 * lastFeedLength_, volume_.lattice().spacing()) / feed;
+    if (isUnpaid(start, goal, work)) return false;
+    const double enough = enoughLength(work) / feed;
     const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
-    lastFeedLength_ = result.fraction * feed;
+    keepPriceOf(result, start, goal);
     reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save work for its smallest step, which depends on the clearance of the cut.
-    const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, result.wanted) : kKeptWork;
+    const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, kStepMargin * result.wanted) : kKeptWork;
     workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - kept);
     addRemoved(result.carve);
     const bool changed = !changed_.empty();
     refreshSurface();
     return changed;
+}
+
+/// Whether this step was too expensive before and still is. A search would be in vain.
+bool CutModel::isUnpaid(const Pose& start, const Pose& goal, double work) const {
+    if (!unpaid_ || unpaid_->edits != volume_.edits() || work >= unpaid_->price) return false;
+    const double near = kSamePlace * volume_.lattice().spacing();
+    const Vec3 path = goal.position - start.position;
+    return (start.position - unpaid_->start.position).norm() <= near &&
+           start.rotation.angularDistance(unpaid_->start.rotation) <= kSamePlace &&
+           path.dot(unpaid_->path) > kSameDirection * path.norm() * unpaid_->path.norm();
+}
+
+/// A length that is likely to need more than this work, mm. A step of the sweep shorter than a voxel costs no less.
+double CutModel::enoughLength(double work) const {
+    const double voxel = volume_.lattice().spacing();
+    return lastPrice_ ? std::max(kLookAhead * work / *lastPrice_, voxel) : voxel;
+}
+
+void CutModel::keepPriceOf(const FeedResult& result, const Pose& start, const Pose& goal) {
+    unpaid_.reset();
+    const Vec3 path = goal.position - start.position;
+    const double length = result.fraction * path.norm();
+    if (length > 0) lastPrice_ = result.work / length;
+    if (result.fraction == 0 && result.wanted > 0 && std::isfinite(result.wanted))
+        unpaid_ = UnpaidStep{start, path, result.wanted, volume_.edits()};
 }
 
 /// Time starts anew with each simulation of the model.
@@ -215,7 +254,7 @@ void CutModel::restore(const std::vector<ChangedBrick>& changed, const ToothLoss
 
 bool CutModel::reset(double time) {
     reached_.reset();
-    lastFeedLength_ = 0;
+    lastPrice_.reset();
     mayBeDetached_ = false;
     if (volume_.cutBricks().empty()) return false;
     markStep({CutStep::Kind::Reset, time});

@@ -107,11 +107,22 @@ public:
     [[nodiscard]] CutHistory history();
 
 private:
+    /// A step that the work did not pay for.
+    struct UnpaidStep {
+        Pose start;
+        Vec3 path;                // mm
+        double price = 0;         // N*m
+        std::uint64_t edits = 0;  // CutVolume::edits at that time
+    };
+
     [[nodiscard]] Pose startOf(const Tick& tick) const;
     [[nodiscard]] std::optional<double> newWork(const Tick& tick);
     void addRemoved(const CarveResult& carve);
     void updateContact(const Tick& tick);
     void addFallen(const CarveResult& carve);
+    [[nodiscard]] bool isUnpaid(const Pose& start, const Pose& goal, double work) const;
+    [[nodiscard]] double enoughLength(double work) const;
+    void keepPriceOf(const FeedResult& result, const Pose& start, const Pose& goal);
     void markStep(const CutStep& step);
     void followSteps();
     void restore(const std::vector<ChangedBrick>& changed, const ToothLoss& loss);
@@ -125,11 +136,12 @@ private:
     std::vector<ChangedBrick> changed_;  // since the last refresh
     StepLosses steps_;
     std::optional<Pose> reached_;
-    double lastFeedLength_ = 0;   // of the last feed, mm
-    bool mayBeDetached_ = false;  // something was cut since the last search for pieces
-    double touchedAt_ = 0;        // Tick::time of the last contact seen, s
-    double workSpent_ = 0;        // of Tick::cutWork, N*m
-    double workSeen_ = 0;         // Tick::cutWork at the last feed, N*m
+    std::optional<UnpaidStep> unpaid_;
+    std::optional<double> lastPrice_;  // of the last step that was cut, N*m for 1 mm
+    bool mayBeDetached_ = false;       // something was cut since the last search for pieces
+    double touchedAt_ = 0;             // Tick::time of the last contact seen, s
+    double workSpent_ = 0;             // of Tick::cutWork, N*m
+    double workSeen_ = 0;              // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

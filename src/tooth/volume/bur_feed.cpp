@@ -18,8 +18,32 @@ namespace {
 
 constexpr int kTrials = 6;             // two or three are usual, since the cost is smooth and grows with the path
 constexpr double kCloseEnough = 0.97;  // share of the work; the rest is cut at the next update
-constexpr double kStepAtLeast = 1.05;  // share of the least price that was tried; finds a slightly longer step too
 constexpr double kAim = 0.985;         // share of the work to aim at, so that a near miss stays affordable
+
+/// The affordable part of a path ends between two shares of it.
+struct Search {
+    double work = 0;
+    double low = 0;
+    double high = 1;
+    double below = 0;        // cost at `low`, from the work to aim at, N*m: below 0
+    double above = 0;        // the same at `high`: above 0
+    PlannedRemoval best;     // at `low`
+    double paidInPlace = 0;  // price of the clearance around the bur where it is, N*m
+
+    [[nodiscard]] double next() const {
+        TACTOOTH_ASSERT(low <= high && below < 0 && above > 0);
+        const double middle = low - (high - low) * below / (above - below);
+        TACTOOTH_ASSERT(middle >= low && middle <= high);
+        return middle;
+    }
+    /// A share that the work pays for. Returns true if it is close enough.
+    [[nodiscard]] bool accept(double share, PlannedRemoval part, double cost) {
+        TACTOOTH_ASSERT(cost <= work);
+        low = share, best = std::move(part), below = cost - kAim * work;
+        return cost >= kCloseEnough * work;
+    }
+    void refuse(double share, double cost) { high = share, above = cost - kAim * work; }
+};
 
 /// Cuts the affordable part of a path. A share of `high` (the removal `whole`) is too expensive. Source: the Illinois
 /// method (M. Dowell, P. Jarratt, "A Modified Regula Falsi Method", BIT 11, 1971): an end that stays for a second time
@@ -31,31 +55,41 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
     FeedResult result;
     result.wanted = costOf(whole);
     TACTOOTH_ASSERT(result.wanted > work);
-    PlannedRemoval best;
-    double low = 0;
-    double below = -kAim * work;
-    double above = result.wanted - kAim * work;
+    Search search{.work = work, .below = -kAim * work, .best = {}};
+    search.refuse(high, result.wanted);
     bool wasAbove = true;
-    for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(above); ++trial) {
-        TACTOOTH_ASSERT(low <= high && below < 0 && above > 0);
-        const double middle = low - (high - low) * below / (above - below);
-        TACTOOTH_ASSERT(middle >= low && middle <= high);
+    for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(search.above); ++trial) {
+        const double middle = search.next();
         PlannedRemoval part = volume.removablePartWay(whole, envelope, from, between(from, to, middle));
         const double cost = costOf(part);
         const bool isAbove = cost > work;
-        (isAbove ? above : below) = cost - kAim * work;
         if (isAbove) {
-            high = middle, result.wanted = cost;
-        } else {
-            low = middle, best = std::move(part);
-            if (cost >= kCloseEnough * work) break;
+            search.refuse(middle, result.wanted = cost);
+        } else if (search.accept(middle, std::move(part), cost)) {
+            break;
         }
-        if (trial > 0 && isAbove == wasAbove) (isAbove ? below : above) /= 2;
+        if (trial == 0 && isAbove) {
+            // A bur that was pushed to a new place must first cut the clearance around it. Work that does not pay for
+            // that pays for no step.
+            PlannedRemoval inPlace = volume.removablePartWay(whole, envelope, from, from);
+            const double price = costOf(inPlace);
+            if (price > work) {
+                result.wanted = price;
+                break;
+            }
+            search.paidInPlace = price;
+            if (search.accept(0, std::move(inPlace), price)) {
+                result.wanted = 0;
+                break;
+            }
+        } else if (trial > 0 && isAbove == wasAbove) {
+            (isAbove ? search.below : search.above) /= 2;
+        }
         wasAbove = isAbove;
     }
-    result.wanted *= kStepAtLeast;
-    result.fraction = low;
-    if (low > 0) result.carve = volume.carve(best);  // else nothing is affordable yet, and the work is kept
+    result.fraction = search.low;
+    if (search.low > 0 || search.paidInPlace > 0) result.carve = volume.carve(search.best);  // else the work is kept
+    if (search.low == 0) result.wanted = std::max(0.0, result.wanted - search.paidInPlace);
     return result;
 }
 

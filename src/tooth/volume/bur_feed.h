@@ -10,9 +10,9 @@ namespace tactooth {
 
 /// Result of a feed under the removal law.
 struct FeedResult {
-    double fraction = 0;  ///< of the path, 0..1
+    double fraction = 0;  ///< of the path, 0..1; 0: at most the clearance around the bur where it is was cut
     double work = 0;      ///< spent, N*m
-    double wanted = 0;    ///< if the work paid for no step: what the smallest step tried needs, N*m; may be infinite
+    double wanted = 0;  ///< if the work paid for no step: the least price that was found for one, N*m; may be infinite
     CarveResult carve;
 };
 

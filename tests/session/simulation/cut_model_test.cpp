@@ -300,6 +300,25 @@ TEST(CutModel, AfterAResetTheFirstCutIsThatOfAFreshPieceBitForBit) {
     EXPECT_EQ(used->reached()->position, fresh->reached()->position);
 }
 
+/// The bur was pushed into the block; no clearance is cut around it.
+Tick pushedIn(double cutWork) {
+    Tick tick = pressing(cutWork, 0.7);
+    tick.contact.proxy = at(0, 0, -0.2);
+    return tick;
+}
+
+TEST(CutModel, AStepIsCutAsSoonAsItsPriceIsPaid) {
+    const CuttingTool bur = test::flatBur().cutting;
+    const auto piece = blockOnTheBench();
+    CutVolume other(blockOnTheBench()->volume().tooth(), test::kVoxel);
+    const double price = workFor(other.removable(bur.envelope, at(0, 0, -0.2), at(0, 0, -0.2)).volumes, {}, 1);
+    piece->feed(bur, pressing(10, 0.5, 0), {});  // no work is left over
+    const double part = price / 200;
+    int parts = 1;
+    while (parts < 400 && !piece->feed(bur, pushedIn(10 + parts * part), {})) ++parts;
+    EXPECT_NEAR(parts, 200, 2);
+}
+
 TEST(CutModel, TheSurfaceKeepsUpWithEachCut) {
     const auto piece = blockOnTheBench();
     const auto before = piece->surface();

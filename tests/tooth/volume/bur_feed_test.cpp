@@ -92,9 +92,49 @@ TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
     EXPECT_EQ(result.fraction, 0);
     EXPECT_EQ(result.work, 0);
     EXPECT_GT(result.wanted, hair);
-    const FeedResult paid = push(volume, result.wanted);
+    const FeedResult paid = push(volume, 1.05 * result.wanted);
     EXPECT_GT(paid.fraction, 0);
-    EXPECT_LE(paid.work, result.wanted);
+    EXPECT_LE(paid.work, 1.05 * result.wanted);
+}
+
+/// What the hole of a bur at that depth costs, with its clearance, if the block was whole before.
+double priceInPlace(double depth) {
+    CutVolume volume = blockOf(test::kEnamel);
+    return workFor(volume.removable(flatBur(), atDepth(depth), atDepth(depth)).volumes, {}, 1);
+}
+
+FeedResult goDeeper(CutVolume& volume, double work) {
+    return feedBur(volume, flatBur(), atDepth(0.2), atDepth(0.5), work, {}, 1);
+}
+
+TEST(BurFeed, ABurAtANewPlaceMustFirstPayForTheClearanceAroundIt) {
+    const double price = priceInPlace(0.2);
+    for (const double share : {1e-6, 0.5, 0.999}) {
+        CutVolume volume = blockOf(test::kEnamel);
+        const std::uint64_t whole = volume.hash();
+        const FeedResult result = goDeeper(volume, share * price);
+        EXPECT_EQ(result.fraction, 0) << share;
+        EXPECT_NEAR(result.wanted, price, 1e-9 * price) << share;
+        EXPECT_EQ(volume.hash(), whole) << share;
+    }
+    for (const double share : {1.001, 1.02, 1.1, 1.5, 2.0}) {
+        CutVolume volume = blockOf(test::kEnamel);
+        const FeedResult result = goDeeper(volume, share * price);
+        EXPECT_LE(result.work, share * price) << share;
+        EXPECT_GE(result.work, 0.97 * share * price) << share;
+    }
+}
+
+TEST(BurFeed, WhoHasPaidForTheClearancePaysOnlyForTheStepNext) {
+    CutVolume volume = blockOf(test::kEnamel);
+    const double price = priceInPlace(0.2);
+    const FeedResult first = goDeeper(volume, 1.0001 * price);
+    EXPECT_EQ(first.fraction, 0);
+    EXPECT_NEAR(first.work, price, 1e-9 * price);
+    EXPECT_EQ(first.wanted, 0) << "no short step was tried";
+    const FeedResult second = goDeeper(volume, 0.1 * price);
+    EXPECT_GT(second.fraction, 0);
+    EXPECT_GE(second.work, 0.097 * price);
 }
 
 TEST(BurFeed, TheDepthIsTheWorkTimesRemovalOverTheArea) {
