@@ -55,6 +55,13 @@ struct TextureKind {
     }
     static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
+struct SamplerKind {
+    static GLuint create() {
+        GLuint name = 0;
+        return glGenSamplers(1, &name), name;
+    }
+    static void destroy(GLuint name) { glDeleteSamplers(1, &name); }
+};
 struct RenderbufferKind {
     static GLuint create() {
         GLuint name = 0;
@@ -77,6 +84,7 @@ struct ProgramKind {
 using Buffer = Object<BufferKind>;
 using VertexArray = Object<VertexArrayKind>;
 using Texture = Object<TextureKind>;
+using Sampler = Object<SamplerKind>;
 using Renderbuffer = Object<RenderbufferKind>;
 using Framebuffer = Object<FramebufferKind>;
 using Program = Object<ProgramKind>;

@@ -42,6 +42,16 @@ gl::Texture depthTexture() {
     return texture;
 }
 
+gl::Sampler plainSampler() {
+    gl::Sampler sampler = gl::Sampler::make();
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(sampler.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return sampler;
+}
+
 /// World to a frame with +z toward the light.
 Mat4 lightFrame(const Vec3& toLight) {
     Mat4 matrix = Mat4::Identity();
@@ -119,6 +129,7 @@ Expected<ShadowMap> ShadowMap::create() {
     map.program_ = std::move(*program);
     map.staticMap_ = depthTexture();
     map.combinedMap_ = depthTexture();
+    map.depthSampler_ = plainSampler();
     map.staticFramebuffer_ = framebufferFor(map.staticMap_);
     map.combinedFramebuffer_ = framebufferFor(map.combinedMap_);
     const auto problem = gl::checkErrors(msg::kMakingShadowMap);

@@ -26,7 +26,10 @@ public:
                 const Eigen::Vector4d& section, double lodTolerance, std::span<const Mat4> views = {});
     /// Call it for a frame without `update`: the next update draws everything again.
     void invalidate() { staticWorldToClip_.setZero(); }
+    /// A lookup in it compares depths.
     [[nodiscard]] GLuint texture() const { return combinedMap_.name(); }
+    /// For a unit with `texture`: a lookup there reads the depth itself, of the nearest texel.
+    [[nodiscard]] GLuint depthSampler() const { return depthSampler_.name(); }
     [[nodiscard]] const ShadowLookup& lookup() const { return lookup_; }
 
 private:
@@ -39,6 +42,7 @@ private:
     ShaderProgram program_;
     gl::Texture staticMap_;
     gl::Texture combinedMap_;
+    gl::Sampler depthSampler_;
     gl::Framebuffer staticFramebuffer_;
     gl::Framebuffer combinedFramebuffer_;
     Mat4 worldToClip_ = Mat4::Identity();

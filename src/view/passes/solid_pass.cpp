@@ -20,25 +20,33 @@ constexpr int kShadowUnit = 1;
 constexpr int kShellUnit = 2;
 constexpr int kFieldUnit = 3;
 constexpr int kFieldColoursUnit = 4;
+constexpr int kShadowDepthUnit = 8;  ///< GhostPass uses 5 to 7. No other pass uses 8, so that its sampler stays bound
 constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< the number of cells in background.vert.glsl
 
-// Samples of the shadow lookup, by Shadows. Twelve on a rotated spiral leave no visible noise at 1080p.
-constexpr std::array<int, 3> kShadowTaps = {0, 1, 12};
+/// Samples of the shadow lookup.
+struct ShadowTaps {
+    int blockers;  ///< that look for what throws the shadow
+    int light;     ///< that tell how much light arrives
+};
+// By Shadows. Twelve on a rotated spiral leave no visible noise at 1080p. A penumbra that widens is up to three and a
+// half times as wide and needs more. It is drawn only at rest, where thirty samples in all are cheap enough.
+constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 1}, {0, 12}, {12, 18}}};
 
-std::string definesFor(int shadowTaps, bool rich) {
-    return "#define SHADOW_TAPS " + std::to_string(shadowTaps) + "\n#define MAX_APPEARANCES " +
-           std::to_string(kMaxAppearances) + "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
+std::string definesFor(ShadowTaps taps, bool rich) {
+    return "#define SHADOW_TAPS " + std::to_string(taps.light) + "\n#define BLOCKER_TAPS " +
+           std::to_string(taps.blockers) + "\n#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) +
+           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
 }
 
-Expected<ShaderProgram> lit(std::string_view vertex, int shadowTaps, bool rich) {
-    auto program =
-        ShaderProgram::create("solid", definesFor(shadowTaps, rich), {shaders::kFrame, shaders::kNoise, vertex},
-                              {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
-                               shaders::kSight, shaders::kSolidFrag});
+Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, bool rich) {
+    auto program = ShaderProgram::create("solid", definesFor(taps, rich), {shaders::kFrame, shaders::kNoise, vertex},
+                                         {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
+                                          shaders::kSight, shaders::kSolidFrag});
     if (!program) return program;
     program->use();
     program->set("noiseTexture", kNoiseUnit);
     program->set("shadowMap", kShadowUnit);
+    program->set("shadowDepth", kShadowDepthUnit);
     program->set("shellDepth", kShellUnit);
     program->set("distanceField", kFieldUnit);
     program->set("distanceColours", kFieldColoursUnit);
@@ -137,6 +145,8 @@ void SolidPass::prepare(const SolidInputs& inputs) const {
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer_.name());
     gl::bindTexture(kNoiseUnit, GL_TEXTURE_3D, noiseTexture_.name());
     gl::bindTexture(kShadowUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
+    gl::bindTexture(kShadowDepthUnit, GL_TEXTURE_2D, inputs.shadowMap.texture());
+    glBindSampler(kShadowDepthUnit, inputs.shadowMap.depthSampler());
     gl::bindTexture(kShellUnit, GL_TEXTURE_2D, inputs.shell != nullptr ? inputs.shell->depthTexture() : 0);
     gl::bindTexture(kFieldColoursUnit, GL_TEXTURE_2D, inputs.fields.colours());
 }

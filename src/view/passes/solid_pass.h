@@ -83,7 +83,7 @@ private:
     void stencilInside(const SolidInputs& inputs, const Drawable& drawable, GLuint bit) const;
     void drawCap(const SolidInputs& inputs, const Box3& around, const Appearance& appearance) const;
 
-    std::array<Variant, 3> variants_;  ///< by Shadows
+    std::array<Variant, 4> variants_;  ///< by Shadows
     ShaderProgram background_;
     ShaderProgram depth_;
     gl::Texture noiseTexture_;

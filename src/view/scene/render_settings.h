@@ -7,8 +7,9 @@ namespace tactooth {
 /// How the shadow of the operating light is drawn.
 enum class Shadows {
     None,
-    Hard,  ///< one sample per pixel
-    Soft,  ///< the penumbra of a real operating light
+    Hard,      ///< one sample per pixel
+    Soft,      ///< a penumbra of the same width everywhere
+    Widening,  ///< a penumbra that widens with the distance of what throws the shadow, as of a real operating light
 };
 
 /// The permitted cost of a picture.
@@ -28,6 +29,6 @@ struct RenderSettings {
 inline constexpr RenderSettings kQuick{.lodTolerance = 0.5};
 inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .lodTolerance = 0.5};
 /// At rest.
-inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Soft, .ambientOcclusion = true};
+inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Widening, .ambientOcclusion = true};
 
 }  // namespace tactooth

@@ -24,6 +24,9 @@ uniform int glassPhase;            // 0: the body is no glass, 1: without its gl
 uniform float glassAbove;          // object frame, mm: the height where it begins
 #endif
 uniform sampler2DShadow shadowMap;
+#if BLOCKER_TAPS > 0
+uniform sampler2D shadowDepth;  // the shadow map again: the depth itself, of the nearest texel
+#endif
 
 layout(location = 0) out vec4 fragment;
 
@@ -32,6 +35,43 @@ const float kBounced = 0.6;  // share of the light from around that tissue of th
 
 // A row of the linear part of worldToShadow.
 vec3 shadowRow(int i) { return vec3(worldToShadow[0][i], worldToShadow[1][i], worldToShadow[2][i]); }
+
+#if SHADOW_TAPS > 1
+// Sample `i` of `taps` on a spiral over the disc of the radius `reach`: each stands for the same area. `turn`, rad,
+// rotates the spiral. The angle between two samples is the golden angle.
+vec2 onSpiral(int i, int taps, float reach, float turn) {
+    float radius = reach * sqrt((float(i) + 0.5) / float(taps));
+    float angle = turn + 2.3999632 * float(i);
+    return radius * vec2(cos(angle), sin(angle));
+}
+#endif
+
+#if BLOCKER_TAPS > 0
+const float kSpread = 0.07;     // mm of radius for each mm of distance: half the width of a lamp, 50 mm, 700 mm away
+const float kNarrowest = 0.04;  // mm: a texel and a half on a whole molar, so that an edge is as soft in close views
+const float kWidest = 0.7;      // mm, from 10 mm away: in a wider penumbra the few samples would show as noise
+
+// The radius of the penumbra at the place `spot`, mm; 0 where nothing throws a shadow. It grows with the mean distance
+// of the blockers: of what is nearer to the light than the plane of the surface. R. Fernando, Percentage-closer soft
+// shadows, SIGGRAPH 2005 sketches; here in a parallel projection, where one scale turns depth into mm.
+float penumbraRadius(vec3 spot, vec2 slope2, float turn) {
+    float reach = max(kWidest / shadowTexel.y, 1.5) * shadowTexel.x;
+    float sum = 0.0;
+    float blockers = 0.0;
+    for (int i = 0; i < BLOCKER_TAPS; ++i) {
+        // The first sample is the place itself, so that the search does not miss a thin bar right above it.
+        vec2 aside = i == 0 ? vec2(0.0) : onSpiral(i, BLOCKER_TAPS, reach, turn);
+        // `spot` is offset from the surface, or the surface would block itself.
+        float away = spot.z + dot(slope2, aside) - textureLod(shadowDepth, spot.xy + aside, 0.0).r;
+        if (away <= 0.0) continue;
+        sum += away;
+        blockers += 1.0;
+    }
+    if (blockers == 0.0) return 0.0;
+    float apart = sum / blockers / length(shadowRow(2));  // mm: the row is the depth for each mm
+    return clamp(kSpread * apart, kNarrowest, kWidest);
+}
+#endif
 
 // The share of the operating light that reaches the point.
 float keyVisibility(vec3 normal) {
@@ -54,18 +94,22 @@ float keyVisibility(vec3 normal) {
     vec2 across = mix(seen.wx, seen.zy, part.x);
     return mix(across.x, across.y, part.y);
 #else
-    // Samples on a spiral over the penumbra of the operating light (about 0.2 mm on a tooth), rotated from pixel to
-    // pixel. Each sample compares with the plane of the surface at its own place, or slopes would shade themselves.
+    // Samples on a spiral over the penumbra of the operating light, rotated from pixel to pixel. Each sample compares
+    // with the plane of the surface at its own place, or slopes would shade themselves.
     vec3 scale2 = vec3(dot(shadowRow(0), shadowRow(0)), dot(shadowRow(1), shadowRow(1)), dot(shadowRow(2), shadowRow(2)));
     vec3 plane = mat3(worldToShadow) * normal / scale2;
     vec2 slope2 = -plane.xy / min(plane.z, -0.15 * length(plane));
     float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-    float penumbra = max(0.2 / shadowTexel.y, 1.5) * shadowTexel.x;
+#if BLOCKER_TAPS > 0
+    float radius = penumbraRadius(spot, slope2, turn);
+    if (radius == 0.0) return 1.0;
+#else
+    const float radius = 0.2;  // mm: about that of an operating light on a tooth
+#endif
+    float penumbra = max(radius / shadowTexel.y, 1.5) * shadowTexel.x;
     float sum = 0.0;
     for (int i = 0; i < SHADOW_TAPS; ++i) {
-        float radius = penumbra * sqrt((float(i) + 0.5) / float(SHADOW_TAPS));
-        float angle = turn + 2.3999632 * float(i);
-        vec2 aside = radius * vec2(cos(angle), sin(angle));
+        vec2 aside = onSpiral(i, SHADOW_TAPS, penumbra, turn);
         sum += texture(shadowMap, vec3(spot.xy + aside, spot.z + dot(slope2, aside)));
     }
     return sum / float(SHADOW_TAPS);

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "support/shapes.h"
 #include "view/renderer_fixture.h"
 
@@ -111,6 +115,51 @@ TEST_F(ShadowMapTest, ToolsThatMoveNearerToTheLightAreAllInTheMap) {
         const Image with = draw(shaded, kEveryTriangle), without = draw(open, kEveryTriangle);
         EXPECT_NE(with, without) << height;
     }
+}
+
+class Penumbra : public test::RendererTest {
+protected:
+    /// Width of the soft edge of the shadow that a bar throws from `height` mm above a plate, mm on the plate: from
+    /// 90 % of the brightness to 10 %.
+    static double edgeWidth(double height, const RenderSettings& settings) {
+        SceneObject bar = objectOf(test::box(Vec3(-1, -20, height - 0.1), Vec3(1, 20, height)), Appearance{});
+        bar.moves = true;  // leaves the map to the plate
+        Scene scene = test::sceneOf({objectOf(test::box(Vec3(-20, -20, -1), Vec3(20, 20, 0)), Appearance{}), bar});
+        scene.camera.cameraInWorld = {Vec3(-4, 0, 60), Quat::Identity()};
+        scene.camera.fieldOfView = 2 * std::atan(5.0 / 60);  // 10 mm: 24 pixels a millimetre of the plate
+        scene.lighting.toKey = Vec3(0.6, 0, 0.8);            // the bar does not hide the edge
+        const Image image = draw(scene, settings);
+        const double edge = -1 - 0.75 * height;
+        constexpr double kAround = 0.75;  // mm: more than half of the widest edge, less than up to the bar
+        const auto column = [&](double x) {
+            return static_cast<int>(project(scene.camera, test::kTestSize, Vec3(x, 0, 0)).value().x());
+        };
+        // Over all rows, the noise of the samples cancels out.
+        std::vector<double> brightness;
+        for (int x = column(edge - kAround); x < column(edge + kAround); ++x) {
+            int sum = 0;
+            for (int y = 0; y < image.size.height; ++y) sum += image.at(x, y)[1];
+            brightness.push_back(sum);
+        }
+        const double lit = brightness.front(), dark = brightness.back();
+        EXPECT_GT(lit, 1.5 * dark);
+        const auto place = [&](double share) {
+            const double level = dark + share * (lit - dark);
+            const auto below =
+                std::find_if(brightness.begin() + 1, brightness.end(), [&](double value) { return value <= level; });
+            const double above = *(below - 1);
+            return static_cast<double>(below - brightness.begin()) - (level - *below) / (above - *below);
+        };
+        return (place(0.1) - place(0.9)) / 24;
+    }
+};
+
+/// The far bar is six times as far away, and so is the width. An edge of the near one covers hardly three pixels, which
+/// may make it wider by a pixel, and the samples are few: twice as wide is certain, and no fixed width reaches it.
+TEST_F(Penumbra, WidensAtRestWithTheDistanceOfWhatThrowsTheShadow) {
+    RenderSettings settings = kFine;
+    settings.ambientOcclusion = false;  // it darkens the plate near the bar
+    EXPECT_GT(edgeWidth(6, settings), 2 * edgeWidth(1, settings));
 }
 
 }  // namespace

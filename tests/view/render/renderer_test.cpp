@@ -75,7 +75,7 @@ TEST_F(RendererTest, AToolThrowsItsShadow) {
     const auto at = [](const Image& image, const Vec2& place) {
         return int{image.at(static_cast<int>(place.x()), static_cast<int>(place.y()))[1]};
     };
-    for (const Shadows shadows : {Shadows::Hard, Shadows::Soft}) {
+    for (const Shadows shadows : {Shadows::Hard, Shadows::Soft, Shadows::Widening}) {
         const Image image = draw(scene, {.shadows = shadows});
         EXPECT_LT(at(image, pixel), at(image, lit) - 40);
     }
