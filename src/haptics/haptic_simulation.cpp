@@ -63,7 +63,9 @@ void HapticSimulation::setSurface(HapticSurface& hapticSurface) {
     TACTOOTH_ASSERT(hapticSurface.surface != nullptr);
     TACTOOTH_ASSERT(hapticSurface.reach.allFinite());
     const Vec3 reach = hapticSurface.reach;
-    if (proxy_.setSurface(hapticSurface)) feedLimiter_.allow((reach - proxy_.pose().position).norm());
+    if (!proxy_.setSurface(hapticSurface)) return;
+    feedLimiter_.allow((reach - proxy_.pose().position).norm());
+    isHoldOutdated_ = tipHold_.force() > 0;
 }
 
 /// A cutting bur moves at the rate of its cut, so a tick that leaves some displacement to the next one is late by
@@ -126,6 +128,19 @@ void HapticSimulation::updateTipHold(const ProxyState& state, double dt, Tick& t
             dt);
     }
     tick.force.tipHold = tipHold_.force();
+}
+
+/// A pull-out is a hold that the hand has overcome, with nothing that holds the tip afterwards. A faulty pose ends a
+/// hold, too, and so may a tooth that is put back; neither is a pull-out. A tip that is dragged on within the decay is
+/// held again in the same tick, so it has not come free.
+void HapticSimulation::countPullOut(Tick& tick) {
+    const double holdBefore = last_.force.tipHold;
+    const bool isHeld = tick.force.tipHold > 0;
+    const bool cameFree = holdBefore > 0 && !isHeld && tick.contact.placed && !isHoldOutdated_;
+    if (!isHeld) isHoldOutdated_ = false;
+    tick.contact.pullOuts = last_.contact.pullOuts + (cameFree ? 1 : 0);
+    tick.contact.pullOutForce = cameFree ? holdBefore : last_.contact.pullOutForce;
+    TACTOOTH_ASSERT(std::isfinite(tick.contact.pullOutForce) && tick.contact.pullOutForce >= 0);
 }
 
 /// The work of a blade in this tick, N*m: of its force along the way of the hand, but for the way out of the tissue.
@@ -227,6 +242,7 @@ Tick HapticSimulation::step(const OperatorInput& input, double elapsed) {
         tipHold_.release();
     }
     stepBur(dt, tick);
+    countPullOut(tick);
 
     TACTOOTH_ASSERT(tick.contact.placed || tick.contact.triangles == 0);
     TACTOOTH_ASSERT(tick.contact.triangles > 0 || tick.force.wrench.force.isZero(0));

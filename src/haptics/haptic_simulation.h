@@ -54,6 +54,7 @@ public:
 
     /// Takes a surface, not null. Returns the old one, so that the caller decides where it is freed.
     std::shared_ptr<const Surface> setSurface(std::shared_ptr<const Surface> surface) {
+        isHoldOutdated_ = tipHold_.force() > 0;
         return proxy_.setSurface(std::move(surface));
     }
     /// Takes a surface with its neighbour list; the old ones stay in `hapticSurface`.
@@ -76,6 +77,7 @@ private:
     [[nodiscard]] double slideSpeed(const Tick::Contact& now, double dt) const;
     [[nodiscard]] double softnessAtTip(const ProxyState& state) const;
     void updateTipHold(const ProxyState& state, double dt, Tick& tick);
+    void countPullOut(Tick& tick);
     [[nodiscard]] double bladeWork(const Tick& tick, double dt) const;
     void stepBur(double dt, Tick& tick);
 
@@ -86,6 +88,7 @@ private:
     std::optional<HandInstrument> hand_;
     std::array<double, kMaxMaterials> softness_{};  // by MaterialId
     TipHold tipHold_;
+    bool isHoldOutdated_ = false;  // the tooth has changed since the tip went in
     SpindlePreset spindle_;
     SpindleState bur_;
     double burRadius_;

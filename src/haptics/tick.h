@@ -33,6 +33,8 @@ struct Tick {
         std::uint32_t onsets = 0;          ///< number of contact onsets so far
         double impactSpeed = 0;            ///< along the normal at the last onset, mm/s
         double slideSpeed = 0;             ///< of the proxy along the surface, mm/s; 0 without contact
+        std::uint32_t pullOuts = 0;        ///< number of times so far that an explorer's tip came free of soft decay
+        double pullOutForce = 0;           ///< of the hold that was overcome at the last one, N
     };
     struct Force {
         Wrench wrench;              ///< computed; the force pipeline comes after it

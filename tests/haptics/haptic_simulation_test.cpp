@@ -47,7 +47,8 @@ bool equalBits(const Tick& a, const Tick& b) {
                                    t.spindle.removalPower,
                                    t.spindle.cutWork,
                                    t.contact.impactSpeed,
-                                   t.contact.slideSpeed};
+                                   t.contact.slideSpeed,
+                                   t.contact.pullOutForce};
         for (const Vec3& v : {t.input.device.position, t.contact.proxy.position, t.contact.normal, t.force.wrench.force,
                               t.force.wrench.torque}) {
             all.insert(all.end(), v.data(), v.data() + 3);
@@ -61,7 +62,8 @@ bool equalBits(const Tick& a, const Tick& b) {
     const std::vector<double> second = numbers(b);
     return std::memcmp(first.data(), second.data(), first.size() * sizeof(double)) == 0 &&
            a.contact.placed == b.contact.placed && a.input.cutting == b.input.cutting &&
-           a.contact.material == b.contact.material && a.contact.onsets == b.contact.onsets;
+           a.contact.material == b.contact.material && a.contact.onsets == b.contact.onsets &&
+           a.contact.pullOuts == b.contact.pullOuts;
 }
 
 /// A device that moves about the top of the block, rotates, and cuts now and then.

@@ -47,6 +47,8 @@ TEST(Allocation, RenderingAndHandingOverUseNoHeap) {
         state.speedRpm = 1000.0 * (i % 400);
         state.contactCount = static_cast<std::uint32_t>(i / 7);
         state.contactSpeed = 300.0;
+        state.pullOutCount = static_cast<std::uint32_t>(i / 11);
+        state.pullOutForce = 0.5;
         mailbox.write(state);
         mailbox.refresh();
         synthesiser.setMixer({.master = 0.001 * (i % 1000)});

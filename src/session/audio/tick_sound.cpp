@@ -63,6 +63,8 @@ DrillSoundState TickSound::at(const Tick& tick) const {
     state.blades = blades_;
     state.contactCount = tick.contact.onsets;
     state.contactSpeed = tick.contact.impactSpeed;
+    state.pullOutCount = tick.contact.pullOuts;
+    state.pullOutForce = tick.contact.pullOutForce;
     state.contactForce = tick.force.wrench.force.norm();
     state.slideSpeed = tick.contact.slideSpeed;
     state.water = state.pedal;

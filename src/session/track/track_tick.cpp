@@ -25,7 +25,9 @@ TrackTick TrackTick::of(double time, const Tick& tick) {
     kept.removalPower = static_cast<float>(tick.spindle.removalPower);
     kept.impactSpeed = static_cast<float>(tick.contact.impactSpeed);
     kept.slideSpeed = static_cast<float>(tick.contact.slideSpeed);
+    kept.pullOutForce = static_cast<float>(tick.contact.pullOutForce);
     kept.contactOnsets = tick.contact.onsets;
+    kept.pullOuts = tick.contact.pullOuts;
     constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
     kept.contacts = static_cast<std::uint16_t>(std::clamp(tick.contact.triangles, 0, kMost));
     kept.material = static_cast<std::uint8_t>(tick.contact.material);
@@ -53,7 +55,9 @@ Tick TrackTick::tick() const {
     tick.spindle.removalPower = static_cast<double>(removalPower);
     tick.contact.impactSpeed = static_cast<double>(impactSpeed);
     tick.contact.slideSpeed = static_cast<double>(slideSpeed);
+    tick.contact.pullOutForce = static_cast<double>(pullOutForce);
     tick.contact.onsets = contactOnsets;
+    tick.contact.pullOuts = pullOuts;
     tick.contact.triangles = contacts;
     tick.contact.material = static_cast<MaterialId>(material);
     tick.input.cutting = cutting;

@@ -18,8 +18,8 @@ struct TrackTick {
     std::array<double, 3> force{};
     double depth = 0;
     double speedRpm = 0;
-    float speed = 0, pedal = 0, load = 0, removalPower = 0, impactSpeed = 0, slideSpeed = 0;
-    std::uint32_t contactOnsets = 0;
+    float speed = 0, pedal = 0, load = 0, removalPower = 0, impactSpeed = 0, slideSpeed = 0, pullOutForce = 0;
+    std::uint32_t contactOnsets = 0, pullOuts = 0;
     std::uint16_t contacts = 0;
     std::uint8_t material = 0;
     bool cutting : 1 = false;

@@ -113,15 +113,16 @@ private:
         ++output_.playedBlocks_;
     }
 
-    // The same contact count as before, so that there is no impact when the simulation goes on.
     static const SoundKit* newestKit(OpenAlOutput& output) {
         output.kit_.refresh();
         return output.kit_.value().kit;
     }
 
+    // The same counts as before, so that there is neither an impact nor a pull-out when the simulation goes on.
     DrillSoundState stillDrill() const {
         DrillSoundState still;
         still.contactCount = output_.state_.value().contactCount;
+        still.pullOutCount = output_.state_.value().pullOutCount;
         return still;
     }
 

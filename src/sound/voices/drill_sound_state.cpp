@@ -75,6 +75,7 @@ DrillSoundState sanitised(const DrillSoundState& state) {
     safe.removalPower = within(state.removalPower, 0.0, kTopRemovalWatt, 0.0);
     safe.blades = std::clamp(state.blades, 0, kMaxBlades);
     safe.contactSpeed = within(state.contactSpeed, 0.0, kTopContactSpeed, 0.0);
+    safe.pullOutForce = within(state.pullOutForce, 0.0, kTopContactForce, 0.0);
     safe.contactForce = within(state.contactForce, 0.0, kTopContactForce, 0.0);
     safe.slideSpeed = within(state.slideSpeed, 0.0, kTopContactSpeed, 0.0);
     safe.water = within(state.water, 0.0, 1.0, 0.0);

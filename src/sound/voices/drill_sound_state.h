@@ -50,6 +50,8 @@ struct DrillSoundState {
     SoundCharacter material;         ///< of what is being cut or was touched
     std::uint32_t contactCount = 0;  ///< number of contact onsets
     double contactSpeed = 0.0;       ///< at the last contact onset, along the normal of the surface, mm/s
+    std::uint32_t pullOutCount = 0;  ///< number of times that an explorer's tip came free of soft decay
+    double pullOutForce = 0.0;       ///< of the hold that was overcome at the last one, N
     double contactForce = 0.0;       ///< of the tooth on the tool, N
     double slideSpeed = 0.0;         ///< of the tool along the surface that it touches, mm/s
     double water = 0.0;              ///< flow of the cooling spray, 0 off .. 1 full

@@ -52,6 +52,16 @@ double pullOut(HapticSimulation& simulation, double depth, double seconds, const
     return pullOut(simulation, depth, seconds, way, pressed);
 }
 
+/// Brings the tip down at `x` and presses it 0.4 mm in for half a second. Returns the last tick.
+Tick press(HapticSimulation& simulation, double x = 0) {
+    Tick tick = simulation.step({at(x, 0, 0.2), 0, false}, kTick);
+    for (int i = 0; i < 500; ++i) tick = simulation.step({at(x, 0, -0.4), 0, false}, kTick);
+    return tick;
+}
+
+/// A tick with the hand 2 mm above the block, farther than any hold reaches.
+Tick lift(HapticSimulation& simulation, double x = 0) { return simulation.step({at(x, 0, 2), 0, false}, kTick); }
+
 TEST(TipHold, OnlyDecayIsSoftAndTheMoreTheLessStiffItIs) {
     MaterialTable materials;
     for (const MaterialId id : {test::kEnamel, test::kDentin, test::kPulp, test::kRestoration, test::kOther}) {
@@ -108,6 +118,79 @@ TEST(TipHold, TheTipStaysWhereItIsUntilItComesFree) {
     EXPECT_EQ(tick.force.tipHold, 0);
     EXPECT_EQ(tick.contact.triangles, 0);
     EXPECT_EQ(tick.contact.proxy.position, Vec3(0, 0, 2));
+}
+
+TEST(TipHold, CountsEachPullOutOnceWithTheHoldThatWasOvercome) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    for (std::uint32_t time = 1; time <= 3; ++time) {
+        const Tick held = press(simulation, 0.3 * time);
+        EXPECT_GT(held.force.tipHold, 0.1);
+        EXPECT_EQ(held.contact.pullOuts, time - 1);
+        for (int i = 0; i < 10; ++i) {
+            const Tick freed = lift(simulation, 0.3 * time);
+            ASSERT_EQ(freed.contact.pullOuts, time) << i;
+            ASSERT_EQ(freed.contact.pullOutForce, held.force.tipHold) << i;
+        }
+    }
+}
+
+TEST(TipHold, ASlowPullIsOnePullOut) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    (void)pullOut(simulation, 0.4, 1, Vec3::UnitZ());
+    EXPECT_EQ(lift(simulation).contact.pullOuts, 1U);
+}
+
+TEST(TipHold, ATouchOfSoundTissueLeavesTheCountOfPullOuts) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    (void)press(simulation);
+    const Tick freed = lift(simulation);
+    ASSERT_EQ(freed.contact.pullOuts, 1U);
+    (void)simulation.setSurface(test::block(test::kEnamel));
+    const Tick touched = press(simulation);
+    EXPECT_GT(touched.contact.triangles, 0);
+    const Tick lifted = lift(simulation);
+    EXPECT_EQ(lifted.contact.pullOuts, 1U);
+    EXPECT_EQ(lifted.contact.pullOutForce, freed.contact.pullOutForce);
+}
+
+TEST(TipHold, AFaultyPoseIsNoPullOutAndLeavesTheCount) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    (void)press(simulation);
+    const Tick freed = lift(simulation);
+    ASSERT_EQ(freed.contact.pullOuts, 1U);
+    ASSERT_GT(press(simulation).force.tipHold, 0.1);
+    const Tick faulty = simulation.step({at(0, 0, std::nan("")), 0, false}, kTick);
+    ASSERT_FALSE(faulty.contact.placed);
+    EXPECT_EQ(faulty.force.tipHold, 0);
+    for (const Tick& tick : {faulty, lift(simulation)}) {
+        EXPECT_EQ(tick.contact.pullOuts, 1U);
+        EXPECT_EQ(tick.contact.pullOutForce, freed.contact.pullOutForce);
+    }
+    (void)press(simulation);
+    EXPECT_EQ(lift(simulation).contact.pullOuts, 2U);
+}
+
+TEST(TipHold, AToothThatIsPutBackUnderTheTipIsNoPullOut) {
+    for (const MaterialId tissue : {test::kCaries, test::kEnamel}) {
+        HapticSimulation simulation = explorerOn(test::kCaries);
+        ASSERT_GT(press(simulation).force.tipHold, 0.1);
+        (void)simulation.setSurface(test::block(tissue));
+        for (int i = 0; i < 10; ++i) (void)simulation.step({at(0.2, 0, -0.4), 0, false}, kTick);
+        EXPECT_EQ(lift(simulation).contact.pullOuts, 0U);
+        (void)simulation.setSurface(test::block(test::kCaries));
+        (void)press(simulation);
+        EXPECT_EQ(lift(simulation).contact.pullOuts, 1U) << "the next one counts again";
+    }
+}
+
+TEST(TipHold, ATipThatIsDraggedOnWithinTheDecayHasNotComeFree) {
+    HapticSimulation simulation = explorerOn(test::kCaries);
+    Tick tick = press(simulation);
+    for (int i = 0; i < 400; ++i) tick = simulation.step({at(kSpeed * kTick * i, 0, -0.4), 0, false}, kTick);
+    EXPECT_GT(tick.contact.proxy.position.x(), 0.5) << "it did slip";
+    EXPECT_GT(tick.force.tipHold, 0);
+    EXPECT_EQ(tick.contact.pullOuts, 0U);
+    EXPECT_EQ(lift(simulation, 2).contact.pullOuts, 1U);
 }
 
 TEST(TipHold, NothingTurnsInTheHand) {

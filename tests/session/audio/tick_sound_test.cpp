@@ -20,6 +20,8 @@ Tick cuttingTick() {
     tick.contact.onsets = 4;
     tick.contact.impactSpeed = 12;
     tick.contact.slideSpeed = 15;
+    tick.contact.pullOuts = 3;
+    tick.contact.pullOutForce = 0.25;
     tick.force.wrench.force = {0, 0, 0.5};
     return tick;
 }
@@ -35,6 +37,8 @@ TEST(TickSound, HandsOnWhatTheTickFound) {
     EXPECT_EQ(state.contactCount, 4U);
     EXPECT_EQ(state.contactSpeed, 12);
     EXPECT_EQ(state.slideSpeed, 15);
+    EXPECT_EQ(state.pullOutCount, 3U);
+    EXPECT_EQ(state.pullOutForce, 0.25);
     EXPECT_EQ(state.contactForce, 0.5);
 }
 

@@ -101,6 +101,8 @@ TEST(HandInstruments, ASessionIsReplayedBitForBit) {
             if (std::holds_alternative<ExactTickEvent>(event)) {
                 ASSERT_EQ(kernel.tick().force.wrench.force, run.ticks[ticks].force.wrench.force);
                 ASSERT_EQ(kernel.tick().force.tipHold, run.ticks[ticks].force.tipHold);
+                ASSERT_EQ(kernel.tick().contact.pullOuts, run.ticks[ticks].contact.pullOuts);
+                ASSERT_EQ(kernel.tick().contact.pullOutForce, run.ticks[ticks].contact.pullOutForce);
                 ++ticks;
             }
         }

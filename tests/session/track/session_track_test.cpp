@@ -88,6 +88,19 @@ TEST(SessionTrack, HasEachTickOfTheReplayBitForBit) {
     EXPECT_GT(made.track->bytes(), moment * sizeof(TrackTick));
 }
 
+TEST(TrackTick, KeepsTheImpactsAndPullOutsThatAreHeard) {
+    Tick tick;
+    tick.contact.onsets = 4;
+    tick.contact.impactSpeed = 12.5;
+    tick.contact.pullOuts = 3;
+    tick.contact.pullOutForce = 0.25;
+    const Tick again = TrackTick::of(1, tick).tick();
+    EXPECT_EQ(again.contact.onsets, 4U);
+    EXPECT_EQ(again.contact.impactSpeed, 12.5);
+    EXPECT_EQ(again.contact.pullOuts, 3U);
+    EXPECT_EQ(again.contact.pullOutForce, 0.25);
+}
+
 TEST(SessionTrack, ReachesTheToothOfAnyMomentBitForBit) {
     const test::TemporaryFolder folder;
     const std::uint64_t end = RecordedStrokes().writeTo(folder / "s.ttsession");

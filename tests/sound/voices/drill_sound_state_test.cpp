@@ -28,6 +28,8 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     state.removalPower = 4.5;
     state.material = soundCharacterOf("enamel");
     state.contactSpeed = 12.0;
+    state.pullOutCount = 3;
+    state.pullOutForce = 0.4;
     state.water = 0.4;
     state.suction = 1.0;
     const DrillSoundState safe = sanitised(state);
@@ -37,6 +39,8 @@ TEST(DrillSoundState, SensibleValuesAreLeftAlone) {
     EXPECT_EQ(safe.removalPower, 4.5);
     EXPECT_EQ(safe.material.bandCentreHz, state.material.bandCentreHz);
     EXPECT_EQ(safe.contactSpeed, 12.0);
+    EXPECT_EQ(safe.pullOutCount, 3U);
+    EXPECT_EQ(safe.pullOutForce, 0.4);
     EXPECT_EQ(safe.water, 0.4);
     EXPECT_EQ(safe.suction, 1.0);
 }
@@ -54,12 +58,14 @@ TEST(DrillSoundState, NonsenseBecomesTheNearestSense) {
     state.load = -1.0;
     state.removalPower = std::nan("");
     state.blades = -3;
+    state.pullOutForce = -0.4;
     state.material.bandCentreHz = 1e9;
     state.material.level = std::nan("");
     const DrillSoundState safe = sanitised(state);
     EXPECT_EQ(safe.speedRpm, 0.0);
     EXPECT_EQ(safe.pedal, 1.0);
     EXPECT_EQ(safe.blades, 0);
+    EXPECT_EQ(safe.pullOutForce, 0.0);
     EXPECT_EQ(safe.load, 0.0);
     EXPECT_EQ(safe.removalPower, 0.0);
     EXPECT_EQ(safe.material.bandCentreHz, 16000.0);

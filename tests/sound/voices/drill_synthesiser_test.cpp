@@ -314,7 +314,9 @@ TEST(DrillSynthesiser, NonsenseInTheStateStaysFiniteAndBounded) {
                                value(4),
                                {value(1), value(2), value(3), value(4), value(0), value(1), value(2)},
                                static_cast<std::uint32_t>(block),
-                               value(3)};
+                               value(3),
+                               static_cast<std::uint32_t>(block),
+                               value(4)};
     });
     for (const float sample : sound) ASSERT_LE(std::abs(sample), PeakLimiter::kCeiling * 1.0001f);
 }

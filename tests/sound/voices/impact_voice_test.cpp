@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "sound/files/sound_format.h"
 #include "spectrum.h"
 
@@ -21,6 +23,27 @@ std::vector<float> tapOn(const char* material, double speed) {
     (void)renderDrill(synthesiser, 0.2, [&](double) { return state; });
     state.contactCount = 1;
     return renderDrill(synthesiser, 0.5, [&](double) { return state; });
+}
+
+// The sound of an explorer's tip that comes free of decay.
+std::vector<float> pullOutWith(double force) {
+    DrillSynthesiser synthesiser;
+    DrillSoundState state;
+    state.material = soundCharacterOf("caries");
+    state.pullOutForce = force;
+    (void)renderDrill(synthesiser, 0.2, [&](double) { return state; });
+    state.pullOutCount = 1;
+    return renderDrill(synthesiser, 0.5, [&](double) { return state; });
+}
+
+// What the voice alone makes of `after` when it has known `before`.
+std::vector<float> soundOf(const DrillSoundState& before, const DrillSoundState& after) {
+    ImpactVoice voice;
+    std::vector<float> block(kSoundRate / 10, 0.0f);
+    voice.addTo(block, before, 1.0);
+    EXPECT_EQ(peak(block), 0.0f);
+    voice.addTo(block, after, 1.0);
+    return block;
 }
 
 TEST(ImpactVoice, EnamelTicksCariesThuds) {
@@ -73,6 +96,63 @@ TEST(ImpactVoice, EachNewCountKnocksOnce) {
     EXPECT_EQ(blockPeak(), 0.0f);
     ++state.contactCount;
     EXPECT_FLOAT_EQ(blockPeak(), first);
+}
+
+TEST(ImpactVoice, APullOutOfAStrongerHoldIsLouder) {
+    float last = 0.0f;
+    for (const double force : {0.05, 0.2, 0.5, 1.0}) {
+        const float loudness = peak(pullOutWith(force));
+        EXPECT_GT(loudness, 1.2f * last) << force << " N";
+        last = loudness;
+    }
+    EXPECT_GT(peak(pullOutWith(0.2)), 0.01f) << "audible";
+    EXPECT_LT(last, 0.6f * peak(tapOn("enamel", 50.0)));
+}
+
+TEST(ImpactVoice, APullOutRingsBrightAndShort) {
+    const auto sound = pullOutWith(0.3);
+    EXPECT_NEAR(spectrumOf(sound).peakHz(1000.0, 20000.0), 5200.0, 50.0);
+    EXPECT_GT(spectrumOf(sound).centroidHz(), spectrumOf(tapOn("enamel", 20.0)).centroidHz());
+    EXPECT_EQ(peak(std::span(sound).last(sound.size() - kSoundRate / 10)), 0.0f);
+}
+
+TEST(ImpactVoice, APullOutThatWasAlreadyCountedDoesNotTick) {
+    DrillSynthesiser synthesiser;
+    DrillSoundState state;
+    state.pullOutCount = 41;
+    state.pullOutForce = 1.0;
+    EXPECT_EQ(peak(renderDrill(synthesiser, 0.2, [&](double) { return state; })), 0.0f);
+}
+
+TEST(ImpactVoice, AForceThatIsNoForceDoesNotTick) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    for (const double force : {nan, infinity, -infinity, -0.5, 0.0}) EXPECT_EQ(peak(pullOutWith(force)), 0.0f) << force;
+}
+
+TEST(ImpactVoice, AnImpactSoundsTheSameWhateverWasPulledOutBefore) {
+    DrillSoundState before;
+    before.material = soundCharacterOf("enamel");
+    before.contactSpeed = 30.0;
+    DrillSoundState after = before;
+    ++after.contactCount;
+    const std::vector<float> impact = soundOf(before, after);
+    EXPECT_GT(peak(impact), 0.01f);
+    before.pullOutCount = after.pullOutCount = 7;
+    before.pullOutForce = after.pullOutForce = 1.0;
+    EXPECT_EQ(soundOf(before, after), impact);
+}
+
+TEST(ImpactVoice, AnImpactAndAPullOutAtOnceAreTheSumOfBoth) {
+    DrillSoundState before;
+    before.material = soundCharacterOf("enamel");
+    before.contactSpeed = 30.0;
+    before.pullOutForce = 0.5;
+    DrillSoundState hit = before, pulled = before, both = before;
+    hit.contactCount = both.contactCount = 1;
+    pulled.pullOutCount = both.pullOutCount = 1;
+    const std::vector<float> impact = soundOf(before, hit), pullOut = soundOf(before, pulled);
+    const std::vector<float> sum = soundOf(before, both);
+    for (std::size_t i = 0; i < sum.size(); ++i) ASSERT_NEAR(sum[i], impact[i] + pullOut[i], 1e-6f) << i;
 }
 
 }  // namespace
