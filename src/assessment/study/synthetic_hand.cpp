@@ -14,6 +14,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kCutting = 3;     // mm/s in the tooth
+constexpr double kUsualForce = 2;  // N: a hand that accepts more goes on faster, or it would not press harder
 constexpr double kTravel = 20;     // mm/s above it
 constexpr double kLift = 2;        // mm above the highest place of the paths' surface
 constexpr double kNextPath = 1;    // mm: to a path that begins so near, the bur goes without leaving the tooth
@@ -190,7 +191,7 @@ void SyntheticHand::press(const HandStation& goal, double elapsed) {
         const double lag = known_.lag.norm();
         if (eagerness > 0) aim -= known_.lag * (lag > kMostLead ? kMostLead / lag : 1);
         if (eagerness < 0) aim = at_ + known_.lag;
-        speed = kCutting * std::abs(eagerness);
+        speed = kCutting * std::max(1.0, habits_.force / kUsualForce) * std::abs(eagerness);
     }
     const Vec3 way = aim - at_;
     const double needed = way.norm();
