@@ -133,7 +133,6 @@ TEST_F(Film, WhatCannotBeAFilmHasASentence) {
         {{"--film", file("s.ttsession")}, "s.ttsession"},
         {{"--pictures", "3"}, "--out"},
         {{"--film", file("work.mp4"), "--fps", "0"}, "--fps"},
-        {{"--film", file("work.mp4"), "--verify"}, "--verify"},
     };
     for (const auto& [more, words] : refused) {
         std::vector<std::string> all = {"replay", file("s.ttsession")};

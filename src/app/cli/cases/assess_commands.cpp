@@ -48,7 +48,7 @@ void addLanguage(CLI::App& command, Language& language) {
 
 /// A rate of failed trials.
 void addRate(CLI::App& command, const std::string& name, double& rate, const std::string& meaning) {
-    command.add_option(name, rate, meaning)->transform(numberFrom(0.001, 0.999))->type_name("RATE:0.001 to 0.999");
+    command.add_option(name, rate, meaning)->transform(numberFrom(0.001, 0.999))->type_name("RATE");
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
             "Share of trials that who cannot do it fails (default: 0.3)");
     command->add_option("--trials", options->trials, "Number of trials that are planned (default: 50)")
         ->transform(wholeNumberFrom(1, 1000))
-        ->type_name("N:1 to 1000");
+        ->type_name("N");
     addRate(*command, "--acceptable", options->acceptable, "Share of failed trials that is acceptable (default: 0.05)");
     addRate(*command, "--unacceptable", options->unacceptable, "Share that is not acceptable (default: 0.15)");
     addLanguage(*command, options->language);
@@ -139,10 +139,10 @@ void addStudyCommand(CLI::App& program, CommandAction& chosen) {
         ->type_name("RUBRIC");
     command->add_option("--hands", options->hands, "Number of hands of each level (default: 5)")
         ->transform(wholeNumberFrom(2, 100))
-        ->type_name("N:2 to 100");
+        ->type_name("N");
     command->add_option("--seed", options->seed, "Another number gives other hands (default: 1)")
         ->transform(wholeNumberFrom(0, 1000000))
-        ->type_name("N:0 to 1000000");
+        ->type_name("N");
     command->add_option("--out", options->out, "Folder for study.html, study.csv and study.json")
         ->required()
         ->type_name("DIR");

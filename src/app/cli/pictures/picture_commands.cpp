@@ -30,10 +30,8 @@ void addSubject(CLI::App& command, RenderOptions& options) {
                     "Adds a mouth mirror with a head of this diameter, mm: 18 (No. 2) to 26 (No. 6)")
         ->transform(numberFrom(10.0, 40.0))
         ->type_name("MM");
-    command.add_option("--fog", options.fog, "Fog on the mirror, 0 to 1")
-        ->transform(numberFrom(0.0, 1.0))
-        ->type_name("SHARE");
-    command.add_option("--drops", options.drops, "Share of the mirror covered by drops, 0 to 1")
+    command.add_option("--fog", options.fog, "Fog on the mirror")->transform(numberFrom(0.0, 1.0))->type_name("SHARE");
+    command.add_option("--drops", options.drops, "Share of the mirror covered by drops")
         ->transform(numberFrom(0.0, 1.0))
         ->type_name("SHARE");
 }

@@ -15,7 +15,6 @@ struct ReplayOptions {
     std::filesystem::path session;
     std::filesystem::path out;    ///< folder; empty: writes no files
     std::optional<double> until;  ///< s of the session
-    bool verify = false;          ///< only compares
     bool json = false;
     std::optional<SealReport> seal;  ///< what is known of the seal of the recording, for the summary
     int pictures = 0;                ///< in `out`, evenly over the session

@@ -72,9 +72,10 @@ void addReplay(CLI::App& program, CommandAction& chosen) {
         ->transform(numberFrom(0.0, 1e6))
         ->type_name("S");
     addPictures(*command, *options);
-    command->add_flag("--verify", options->verify, "Only compares, and writes no files")
-        ->excludes("--out")
-        ->excludes("--film");
+    // Every replay compares, so that nothing is left to do.
+    command->add_flag_callback(
+        "--verify", [] {},
+        "Compares with the recording, as every replay does; without --out and --film no file is written");
     command->add_flag("--json", options->json, "Writes the summary as JSON");
 }
 

@@ -38,7 +38,6 @@ int runSessionVerify(const SessionVerifyOptions& options) {
     if (isRefused) return reportWithoutReplay(*seal, options.json);
     ReplayOptions replay;
     replay.session = options.session;
-    replay.verify = true;
     replay.json = options.json;
     replay.seal = *seal;
     const int replayed = runReplay(replay);
