@@ -125,35 +125,61 @@ private:
         filling.site = lesionSite(table, fdi);
         filling.width = toml_.number(table, "width", filling.width, kMinLesionWidth, kMaxLesionWidth);
         filling.depth = toml_.number(table, "depth", filling.depth, kMinLesionDepth, kDeepestLesion);
-        const std::string name = toml_.text(table, "material", true);
-        const MaterialRegistry& materials = *exercise_.materials;
-        const auto material = materials.find(name);
-        if (material && materials.hasRole(*material, MaterialRole::None)) {
-            filling.material = *material;
-            filling.materials = &materials;
-        } else if (!name.empty()) {
-            std::string names;
-            for (const MaterialId id : materials.inMenuOrder()) {
-                if (materials.hasRole(id, MaterialRole::None))
-                    names += (names.empty() ? "" : ", ") + materials.nameOf(id);
-            }
-            toml_.fail(*table.get("material"), {msg::kFillingMaterial, quotedWord(name), names});
-        }
+        if (const auto material = ownMaterial(table, msg::kFillingMaterial)) filling.material = *material;
+        filling.materials = exercise_.materials;
         return filling;
     }
 
+    /// The key `material`: one that no part of a sound tooth is made of. `mistake` takes the name and those that may
+    /// be.
+    std::optional<MaterialId> ownMaterial(const toml::table& table, const MessageText& mistake) {
+        const std::string name = toml_.text(table, "material", true);
+        const MaterialRegistry& materials = *exercise_.materials;
+        const auto material = materials.find(name);
+        if (material && materials.hasRole(*material, MaterialRole::None)) return material;
+        if (name.empty()) return std::nullopt;
+        std::string names;
+        for (const MaterialId id : materials.inMenuOrder()) {
+            if (materials.hasRole(id, MaterialRole::None)) names += (names.empty() ? "" : ", ") + materials.nameOf(id);
+        }
+        toml_.fail(*table.get("material"), {mistake, quotedWord(name), names});
+        return std::nullopt;
+    }
+
     Lesion lesion(const toml::table& decay, int fdi) {
-        toml_.allow(decay, msg::kDecay, {"site", "at", "width", "depth"});
+        toml_.allow(decay, msg::kDecay, {"site", "at", "spread", "width", "depth", "rim"});
         Lesion lesion;
         lesion.site = lesionSite(decay, fdi);
         if (decay.get("at") != nullptr) {
             if (decay.get("site") != nullptr) toml_.fail(decay, msg::kDecaySiteOrPlace);
             lesion.place = placeIn(toml_, decay, "at");
         }
+        if (decay.get("spread") != nullptr) {
+            if (!lesion.place) toml_.fail(*decay.get("spread"), msg::kDecaySpreadNeedsPlace);
+            lesion.spread = placesIn(toml_, decay, "spread", 1, kMostDecayPlaces, msg::kDecaySpread);
+        }
         lesion.width = toml_.number(decay, "width", lesion.width, kMinLesionWidth, kMaxLesionWidth);
         if (decay.get("depth") != nullptr)
             lesion.depth = toml_.number(decay, "depth", 1, kMinLesionDepth, kDeepestLesion);
+        if (const toml::table* rim = toml_.table(decay, "rim")) lesion.rim = lesionRim(*rim);
         return lesion;
+    }
+
+    LesionRim lesionRim(const toml::table& table) {
+        toml_.allow(table, msg::kARim, {"width", "material"});
+        LesionRim rim;
+        rim.width = toml_.number(table, "width", rim.width, kMinRimWidth, kMaxRimWidth);
+        rim.materials = exercise_.materials;
+        const MaterialRegistry& materials = *rim.materials;
+        if (const auto material = ownMaterial(table, msg::kRimMaterial)) {
+            rim.material = *material;
+            const int least = materials[materials.withRole(MaterialRole::Dentin)].nesting;
+            const int above = materials[materials.withRole(MaterialRole::Pulp)].nesting;
+            const int nesting = materials[rim.material].nesting;
+            if (nesting < least || nesting >= above)
+                toml_.fail(*table.get("material"), {msg::kRimNesting, materials.nameOf(rim.material), least, above});
+        }
+        return rim;
     }
 
     void readCustomTooth(const toml::table& root, const toml::node& node) {

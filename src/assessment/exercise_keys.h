@@ -38,6 +38,7 @@ inline constexpr double kMostTaper = 30;                             // degrees:
 inline constexpr int kMostMinutes = 600;                             // for an exercise
 inline constexpr double kLeastTolerance = 0.02, kMostTolerance = 2;  // mm
 inline constexpr std::size_t kMostCorners = 200;                     // of an outline
+inline constexpr std::size_t kMostDecayPlaces = 60;                  // beside the first one
 inline constexpr std::size_t kMostZones = 20;                        // where nothing may be cut
 
 /// The directions that have a name, out of the tooth, unit; `mesialX` as that of the tooth.

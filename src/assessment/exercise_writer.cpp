@@ -94,6 +94,12 @@ private:
         if (lesion.place) add("at = {}, ", numbersText(*lesion.place));
         add("width = {}", numberText(lesion.width));
         if (lesion.depth) add(", depth = {}", numberText(*lesion.depth));
+        for (const Vec3& place : lesion.spread)
+            add("{}{}", &place == lesion.spread.data() ? ", spread = [" : ", ", numbersText(place));
+        if (!lesion.spread.empty()) text_ += "]";
+        if (lesion.rim)
+            add(", rim = {{width = {}, material = \"{}\"}}", numberText(lesion.rim->width),
+                lesion.rim->materials->nameOf(lesion.rim->material));
         text_ += "}\n";
     }
 

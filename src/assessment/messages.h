@@ -157,6 +157,19 @@ inline constexpr MessageText kPlaceTooFar{"place_too_far", "this place is far aw
 inline constexpr MessageText kDecaySiteOrPlace{"decay_site_or_place",
                                                "decay has either a 'site' or a place, 'at', not both",
                                                "う蝕には 'site' か位置 'at' のどちらか一方を書いてください"};
+inline constexpr MessageText kDecaySpread{
+    "decay_spread", "'spread' must be a list of 1 to %1 places [x, y, z] near the tooth, mm",
+    "'spread' は歯の近くの位置 [x, y, z] (mm) を 1 から %1 個並べたものでなければなりません"};
+inline constexpr MessageText kDecaySpreadNeedsPlace{"decay_spread_needs_place",
+                                                    "decay that has 'spread' begins at a place, 'at'",
+                                                    "'spread' を書くときは、う蝕の位置を 'at' で書いてください"};
+inline constexpr MessageText kARim{"a_rim", "the rim of decay", "う蝕の周囲の層"};
+inline constexpr MessageText kRimMaterial{
+    "rim_material", "%1 is no material of a rim; give one of these: %2, or describe it under 'materials'",
+    "%1 は周囲の層の材料ではありません。%2 のどれかを書くか、'materials' の下で定義してください"};
+inline constexpr MessageText kRimNesting{
+    "rim_nesting", "the material '%1' of a rim needs a 'nesting' from %2 (dentin) to below %3 (pulp)",
+    "周囲の層の材料 '%1' の 'nesting' は %2 (象牙質) 以上 %3 (歯髄) 未満でなければなりません"};
 inline constexpr MessageText kNoRoomInOutline{
     "no_room_in_outline",
     "the outline is narrower than the bur, lies beside the tooth, or does not reach its box; draw it anew.",

@@ -53,34 +53,52 @@ Vec3 placeIn(TomlReader& toml, const toml::table& table, std::string_view key) {
     return place;
 }
 
-std::vector<Vec3> cornersIn(TomlReader& toml, const toml::table& table, const Vec3& outward) {
-    std::vector<Vec3> corners;
-    const toml::node* node = table.get("corners");
-    const toml::array* list = node != nullptr ? node->as_array() : nullptr;
-    if (list == nullptr || list->size() < 3 || list->size() > kMostCorners) {
-        toml.fail(node != nullptr ? *node : static_cast<const toml::node&>(table), {msg::kCornersNeeded, kMostCorners});
-        return corners;
+namespace {
+
+/// Three numbers, near the tooth.
+std::optional<Vec3> placeOf(const toml::node& node) {
+    const toml::array* const numbers = node.as_array();
+    if (numbers == nullptr || numbers->size() != 3) return std::nullopt;
+    Vec3 place;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto number = numbers->get(i)->value<double>();
+        if (!numbers->get(i)->is_number() || !number || !(std::abs(*number) <= kFarthest)) return std::nullopt;
+        place[static_cast<Eigen::Index>(i)] = *number;
     }
+    return place;
+}
+
+}  // namespace
+
+std::vector<Vec3> placesIn(TomlReader& toml, const toml::table& table, std::string_view key, std::size_t least,
+                           std::size_t most, const MessageText& mistake) {
+    const toml::node* const node = table.get(key);
+    const toml::array* const list = node != nullptr ? node->as_array() : nullptr;
+    if (list == nullptr || list->size() < least || list->size() > most) {
+        toml.fail(node != nullptr ? *node : static_cast<const toml::node&>(table), {mistake, most});
+        return {};
+    }
+    std::vector<Vec3> places;
     for (const toml::node& each : *list) {
-        const toml::array* place = each.as_array();
-        Vec3 corner = Vec3::Zero();
-        bool isPlace = place != nullptr && place->size() == 3;
-        for (std::size_t i = 0; isPlace && i < 3; ++i) {
-            const auto number = place->get(i)->value<double>();
-            isPlace = place->get(i)->is_number() && number && std::abs(*number) <= kFarthest;
-            if (isPlace) corner[static_cast<Eigen::Index>(i)] = *number;
-        }
-        if (!isPlace) {
-            toml.fail(each, {msg::kCornersNeeded, kMostCorners});
+        const std::optional<Vec3> place = placeOf(each);
+        if (!place) {
+            toml.fail(each, {mistake, most});
             return {};
         }
-        corners.push_back(corner);
+        places.push_back(*place);
     }
+    return places;
+}
+
+std::vector<Vec3> cornersIn(TomlReader& toml, const toml::table& table, const Vec3& outward) {
+    std::vector<Vec3> corners = placesIn(toml, table, "corners", 3, kMostCorners, msg::kCornersNeeded);
+    if (corners.empty()) return corners;
+    const toml::node& node = *table.get("corners");
     Box3 box;
     for (const Vec3& corner : corners) box.extend(corner);
     // A cavity is searched place by place: that of a jaw would take hours.
-    if (box.sizes().maxCoeff() > kLargestTooth) toml.fail(*node, msg::kDrawnOutlineTooLarge);
-    if (FlatOutline(corners, outward).crossesItself()) toml.fail(*node, msg::kDrawnOutlineCrosses);
+    if (box.sizes().maxCoeff() > kLargestTooth) toml.fail(node, msg::kDrawnOutlineTooLarge);
+    if (FlatOutline(corners, outward).crossesItself()) toml.fail(node, msg::kDrawnOutlineCrosses);
     return corners;
 }
 

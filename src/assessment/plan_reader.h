@@ -32,6 +32,9 @@ std::size_t choice(TomlReader& toml, const toml::table& table, std::string_view 
 [[nodiscard]] Vec3 sideIn(TomlReader& toml, const toml::table& table, double mesialX);
 /// The place that a key has, near the tooth.
 [[nodiscard]] Vec3 placeIn(TomlReader& toml, const toml::table& table, std::string_view key);
+/// The list of places that a key has, `least` to `most` of them, near the tooth; `mistake` takes `most`.
+[[nodiscard]] std::vector<Vec3> placesIn(TomlReader& toml, const toml::table& table, std::string_view key,
+                                         std::size_t least, std::size_t most, const MessageText& mistake);
 /// The key 'corners' of a table: a closed outline that does not cross itself, seen along `outward`.
 [[nodiscard]] std::vector<Vec3> cornersIn(TomlReader& toml, const toml::table& table, const Vec3& outward);
 

@@ -64,8 +64,7 @@ void mirror(TriangleMesh& mesh) {
 }
 
 void mirrorLayers(BuiltinTooth& tooth) {
-    for (TriangleMesh* layer : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries, &tooth.filling})
-        mirror(*layer);
+    for (TriangleMesh* mesh : meshesOf(tooth)) mirror(*mesh);
 }
 
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
@@ -104,13 +103,25 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
         tooth = meshed(shape, cellSize);
     }
     if (request.lesion) tooth.caries = insideTooth(shape, lesionBody(shape, *request.lesion), request.triangles);
+    if (request.lesion && request.lesion->rim)
+        tooth.rim = insideTooth(shape, lesionRimBody(shape, *request.lesion), request.triangles);
+    if (request.filling) tooth.filling = insideTooth(shape, fillingBody(shape, *request.filling), request.triangles);
+    takeMaterials(tooth, request);
+    if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
+    return tooth;
+}
+
+void takeMaterials(BuiltinTooth& tooth, const ToothRequest& request) {
     if (request.filling) {
-        tooth.filling = insideTooth(shape, fillingBody(shape, *request.filling), request.triangles);
         tooth.fillingMaterial = request.filling->material;
         tooth.materials = request.filling->materials;
     }
-    if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
-    return tooth;
+    if (request.lesion && request.lesion->rim) {
+        const LesionRim& rim = *request.lesion->rim;
+        TACTOOTH_ASSERT(!request.filling || request.filling->materials == rim.materials);
+        tooth.rimMaterial = rim.material;
+        tooth.materials = rim.materials;
+    }
 }
 
 ToothRequest builtinToothRequest(BuiltinToothKind kind, int triangles, double lesionWidth) {
@@ -134,6 +145,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     const ToothShape shape = varied(toothShape(request.fdi), request.seed);
     std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
     if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
+    if (request.lesion && request.lesion->rim) fields.push_back(lesionRimBody(shape, *request.lesion));
     if (request.filling) fields.push_back(fillingBody(shape, *request.filling));
     constexpr int kProbes = 7;  // points along each side of the tooth's box: a change of the anatomy changes some value
     for (int i = 0; i < kProbes * kProbes * kProbes; ++i) {
@@ -167,6 +179,7 @@ std::vector<LayerMesh> layersOf(const BuiltinTooth& tooth) {
     add(MaterialRole::Pulp, tooth.pulp);
     if (!tooth.filling.empty())
         layers.push_back({materials.nameOf(tooth.fillingMaterial), tooth.fillingMaterial, tooth.filling});
+    if (!tooth.rim.empty()) layers.push_back({materials.nameOf(tooth.rimMaterial), tooth.rimMaterial, tooth.rim});
     add(MaterialRole::Decay, tooth.caries);
     return layers;
 }

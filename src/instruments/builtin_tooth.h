@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,9 +19,9 @@ enum class BuiltinToothKind { LowerFirstMolar, UpperCentralIncisor, UpperCanine 
 /// A tooth that the program generates. Tooth frame: origin on the tooth's axis at the height of the lowest (buccal and
 /// lingual) points of the cervical line, +z toward the crown, +y buccal, and mesial along x as `mesialX` says; mm.
 ///
-/// Layers are nested and the inner one wins: enamel < dentin < pulp < filling < caries. `enamel` is the whole crown as
-/// a closed body; what is inside `dentin` is dentin, and so on. Enamel and dentin together fill `outer`; where they
-/// reach the surface of the tooth they share its vertices.
+/// Layers are nested and the inner one wins: enamel < dentin < pulp < filling < rim < caries. `enamel` is the whole
+/// crown as a closed body; what is inside `dentin` is dentin, and so on. Enamel and dentin together fill `outer`; where
+/// they reach the surface of the tooth they share its vertices.
 struct BuiltinTooth {
     std::string name;                 ///< for people
     int fdi = 0;                      ///< two-digit tooth number (FDI)
@@ -31,9 +32,18 @@ struct BuiltinTooth {
     TriangleMesh caries;              ///< the lesion, closed; empty if there is none
     TriangleMesh filling = {};        ///< closed; empty if there is none
     MaterialId fillingMaterial = {};  ///< of `materials`
+    TriangleMesh rim = {};            ///< of the lesion in the dentin, closed, with the lesion in it; empty: none
+    MaterialId rimMaterial = {};      ///< of `materials`
     /// Those of the tooth: the built-in ones, and perhaps others after them.
     const MaterialRegistry* materials = &builtinMaterials();
 };
+
+/// Pointers to all meshes of a tooth.
+template <class Tooth>
+[[nodiscard]] auto meshesOf(Tooth& tooth) {
+    return std::array{&tooth.outer,  &tooth.enamel,  &tooth.dentin, &tooth.pulp,
+                      &tooth.caries, &tooth.filling, &tooth.rim};
+}
 
 /// The mesial direction on the x axis of a tooth's frame, for a two-digit tooth number (FDI): +1 in the patient's upper
 /// right and lower left quadrant, -1 in the other two. Their teeth are mirror images, and a frame is always
@@ -57,6 +67,17 @@ inline constexpr double kMinLesionWidth = 0.4, kMaxLesionWidth = 4, kMinLesionDe
 /// the buccal neck of a canine.
 enum class LesionSite { Usual, Occlusal, Mesial, Distal, Buccal, Lingual };
 
+/// The dentin around a lesion that has changed but is not infected: leathery below active decay, harder than sound
+/// dentin where decay has come to rest.
+struct LesionRim {
+    double width = 0.5;                                       ///< mm, at most kMaxRimWidth
+    MaterialId material = {};                                 ///< of `materials`
+    const MaterialRegistry* materials = &builtinMaterials();  ///< these, and perhaps others after them
+
+    bool operator==(const LesionRim&) const = default;
+};
+inline constexpr double kMinRimWidth = 0.1, kMaxRimWidth = 2;  // mm
+
 struct Lesion {
     LesionSite site = LesionSite::Usual;
     double width = kDefaultLesionWidth;  ///< mm, width in the dentin, at most 4
@@ -64,6 +85,9 @@ struct Lesion {
     /// In place of `site`: where it begins, in the frame of the tooth, mm. It begins at the nearest place of the
     /// surface and grows inwards, square to it.
     std::optional<Vec3> place = {};
+    /// Further places where it begins likewise; all of them together are one lesion, or several. With `place` only.
+    std::vector<Vec3> spread = {};
+    std::optional<LesionRim> rim = {};  ///< none: sound dentin lies beside the lesion
 
     bool operator==(const Lesion&) const = default;
 };
@@ -108,6 +132,10 @@ struct ToothRequest {
 /// Makes a tooth of the built-in mouth. The same request gives the same bits, on any number of threads; teeth of the
 /// two sides of the mouth are mirror images.
 [[nodiscard]] BuiltinTooth makeTooth(const ToothRequest& request);
+
+/// Gives a tooth the materials of the request for it: those of the filling and of the rim of the decay. Both have the
+/// same registry.
+void takeMaterials(BuiltinTooth& tooth, const ToothRequest& request);
 
 /// A hash of the result of makeTooth: it changes with the request, the anatomy of the tooth and the method of meshing.
 /// Quick.

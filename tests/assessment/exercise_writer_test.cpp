@@ -38,8 +38,11 @@ Exercise drawn() {
     exercise.tolerance = 0.1 + 0.2;
     exercise.inMouth = false;
     std::get<ToothRequest>(exercise.tooth).seed = 5;
-    std::get<ToothRequest>(exercise.tooth).lesion =
-        Lesion{.site = LesionSite::Usual, .width = 2.1, .depth = 1.7, .place = Vec3(1.0 / 3, -0.2, 6.1)};
+    std::get<ToothRequest>(exercise.tooth).lesion = Lesion{.site = LesionSite::Usual,
+                                                           .width = 2.1,
+                                                           .depth = 1.7,
+                                                           .place = Vec3(1.0 / 3, -0.2, 6.1),
+                                                           .spread = {Vec3(0.1 + 0.2, 0, 6), Vec3(-1, 0.7, 6)}};
     auto& plan = std::get<PreparationPlan>(exercise.ideal);
     plan.fissure.reset();
     plan.outline = {.corners = {{-2, -1, 6}, {4, -1, 6.3}, {4, 1.0 / 3, 6}, {-2, 1, 6}},

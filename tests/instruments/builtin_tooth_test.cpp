@@ -13,6 +13,7 @@
 #include <set>
 #include <span>
 
+#include "collision/bvh/closest_point.h"
 #include "instruments/mesh_checks.h"
 #include "support/materials.h"
 #include "support/mesh_checks.h"
@@ -252,6 +253,74 @@ TEST(BuiltinTooth, DecayBeginsWhereItIsPlaced) {
             EXPECT_GT(farthest, 0.7) << fdi;
         }
     }
+}
+
+/// Places on the buccal side of the crown, from mesial to distal.
+std::vector<Vec3> buccalPlaces(const BuiltinTooth& tooth) {
+    std::vector<Vec3> places;
+    for (const double x : {-1.5, 0.0, 1.5}) {
+        Vec3 found(x, 0, 2);
+        for (const Vec3f& vertex : tooth.outer.vertices) {
+            const Vec3 place = vertex.cast<double>();
+            const bool isThere = std::abs(place.x() - x) < 0.3 && std::abs(place.z() - 2) < 0.3;
+            if (isThere && place.y() > found.y()) found = place;
+        }
+        places.push_back(found);
+    }
+    return places;
+}
+
+TEST(BuiltinTooth, PaintedDecayIsOneClosedBodyWithEachOfItsPlaces) {
+    for (const int fdi : {46, 36}) {
+        const std::vector<Vec3> places = buccalPlaces(makeTooth({.fdi = fdi, .triangles = 8000}));
+        Lesion lesion{.width = 1.6, .depth = 1.2, .place = places[0]};
+        const double one = test::volumeOf(makeTooth({.fdi = fdi, .triangles = 8000, .lesion = lesion}).caries);
+        lesion.spread = {places[1], places[2]};
+        const BuiltinTooth painted = makeTooth({.fdi = fdi, .triangles = 8000, .lesion = lesion});
+        EXPECT_EQ(test::openEdges(painted.caries), 0) << fdi;
+        EXPECT_GT(test::volumeOf(painted.caries), 2.2 * one) << fdi;
+        EXPECT_LT(test::volumeOf(painted.caries), 3.2 * one) << fdi;
+        for (const Vec3& place : places) {
+            const Vec3 inward(0, -0.4, 0);
+            EXPECT_TRUE(isInside(painted.caries, place + inward)) << fdi << ' ' << place.transpose();
+        }
+        lesion.place = lesion.spread[0];
+        lesion.spread = {places[0], places[2]};
+        const BuiltinTooth reordered = makeTooth({.fdi = fdi, .triangles = 8000, .lesion = lesion});
+        EXPECT_NEAR(test::volumeOf(reordered.caries), test::volumeOf(painted.caries), 0.01 * one) << fdi;
+    }
+}
+
+TEST(BuiltinTooth, ARimLiesAroundTheDecayInTheDentinAlone) {
+    Lesion lesion{.site = LesionSite::Occlusal, .width = 2, .depth = 2.2};
+    lesion.rim = LesionRim{.width = 0.6, .material = test::kRestoration};
+    const ToothRequest request{.fdi = 46, .triangles = 8000, .lesion = lesion};
+    const BuiltinTooth tooth = makeTooth(request);
+    EXPECT_EQ(test::openEdges(tooth.rim), 0);
+    EXPECT_EQ(tooth.rimMaterial, test::kRestoration);
+    ASSERT_GT(tooth.rim.vertices.size(), 500U);
+    const SurfacePart dentin(tooth.dentin, {}, 0), caries(tooth.caries, {}, 0);
+    double outside = 0, farthest = 0;  // mm
+    for (const Vec3f& each : tooth.rim.vertices) {
+        const Vec3 vertex = each.cast<double>();
+        const auto distanceTo = [&](const SurfacePart& part) {
+            return (closestPoint(part, vertex)->point - vertex).norm();
+        };
+        if (!isInside(tooth.dentin, vertex)) outside = std::max(outside, distanceTo(dentin));
+        if (!isInside(tooth.caries, vertex)) farthest = std::max(farthest, distanceTo(caries));
+    }
+    EXPECT_LT(outside, 0.1);
+    EXPECT_NEAR(farthest, 0.6, 0.1);
+    const Expected<LayeredTooth> layered = layeredTooth(tooth);
+    ASSERT_TRUE(layered) << layered.error().message();
+    ASSERT_EQ(layered->layers().size(), 5U);
+
+    ToothRequest wider = request;
+    wider.lesion->rim->width = 0.9;
+    EXPECT_NE(toothFingerprint(wider), toothFingerprint(request));
+    wider.lesion->rim.reset();
+    EXPECT_NE(toothFingerprint(wider), toothFingerprint(request));
+    EXPECT_TRUE(makeTooth(wider).rim.empty());
 }
 
 TEST(BuiltinTooth, PulpChamberLiesWhereItIsMeasured) {

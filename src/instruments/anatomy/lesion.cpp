@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "geometry/util/assert.h"
 #include "instruments/modelling/blend.h"
@@ -96,31 +98,78 @@ LesionOrigin lesionOrigin(const ToothShape& shape, LesionSite site) {
     return {shape.lesionSite, shape.lesionInward, shape.lesionEnamel};
 }
 
-ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) {
+namespace {
+
+/// Decay that begins at one place, larger by `beyond` on all sides, mm.
+class SingleLesion {
+public:
+    SingleLesion(const LesionOrigin& origin, const Lesion& lesion, double beyond)
+        : origin_(origin), width_(lesion.width), beyond_(beyond) {
+        middle_ = 0.10 * width_, half_ = 0.36 * width_;
+        throat_ = origin.enamel;
+        if (lesion.depth) {
+            const double inDentin = std::max(0.0, *lesion.depth - origin.enamel);
+            middle_ *= inDentin / (0.46 * width_);
+            half_ *= inDentin / (0.46 * width_);
+            throat_ = std::min(throat_, *lesion.depth - 0.34 * width_);  // the end of the throat is round
+        }
+        reach_ = 0.5 + width_ + beyond + std::max(throat_, origin.enamel + middle_ + half_);
+    }
+
+    [[nodiscard]] double operator()(const Vec3& point) const {
+        const Vec3 from = point - origin_.site;
+        const double deep = from.dot(origin_.inward), aside = (from - deep * origin_.inward).norm();
+        // Decay protrudes from the tooth, so that its mouth is open; a rim lies around what is within the tooth.
+        const double top = beyond_ > 0 ? -0.01 : -0.5;
+        const double mouth = taperedCapsule(Vec3(aside, 0, deep), Vec3(0, 0, top), 0.22 * width_ + beyond_,
+                                            Vec3(0, 0, std::max(throat_, 0.0)), 0.34 * width_ + beyond_);
+        constexpr double kThinnest = 0.05;  // mm; a smaller lesion stays in the enamel
+        if (half_ < kThinnest) return mouth;
+        const Vec3 spread(0.5 * width_ + beyond_, 0.5 * width_ + beyond_, half_ + beyond_);
+        const double body = ellipsoid(Vec3(aside, 0, deep - origin_.enamel - middle_), spread);
+        return smoothUnion(mouth, body, 0.15 * width_);
+    }
+
+    /// No less than this: quick.
+    [[nodiscard]] double atLeast(const Vec3& point) const { return (point - origin_.site).norm() - reach_; }
+
+private:
+    LesionOrigin origin_;
+    double width_;
+    double beyond_;
+    double middle_;  // mm: of the part in the dentin, below the enamel
+    double half_;    // mm: its half height
+    double throat_;  // mm: length of the part in the enamel
+    double reach_;   // mm: no point of it is farther from the site
+};
+
+ScalarField bodyOf(const ToothShape& shape, const Lesion& lesion, double beyond) {
     TACTOOTH_ASSERT(lesion.width > 0 && lesion.width <= kMaxLesionWidth);
     TACTOOTH_ASSERT(!lesion.depth || *lesion.depth > 0);
-    const LesionOrigin place =
+    TACTOOTH_ASSERT(lesion.place || lesion.spread.empty());
+    const LesionOrigin first =
         lesion.place ? nearestTo(shape, inShape(shape, *lesion.place)) : lesionOrigin(shape, lesion.site);
-    const double width = lesion.width;
-    // Depth of the middle of the part in the dentin below the enamel, and its half height.
-    double middle = 0.10 * width, half = 0.36 * width;
-    double throat = place.enamel;
-    if (lesion.depth) {
-        const double inDentin = std::max(0.0, *lesion.depth - place.enamel);
-        middle *= inDentin / (0.46 * width);
-        half *= inDentin / (0.46 * width);
-        throat = std::min(throat, *lesion.depth - 0.34 * width);  // the end of the throat is round
-    }
-    return [place, width, middle, half, throat](const Vec3& point) {
-        const Vec3 from = point - place.site;
-        const double deep = from.dot(place.inward), aside = (from - deep * place.inward).norm();
-        const double mouth = taperedCapsule(Vec3(aside, 0, deep), Vec3(0, 0, -0.5), 0.22 * width,
-                                            Vec3(0, 0, std::max(throat, 0.0)), 0.34 * width);
-        constexpr double kThinnest = 0.05;  // mm; a smaller lesion stays in the enamel
-        if (half < kThinnest) return mouth;
-        const Vec3 spread(0.5 * width, 0.5 * width, half);
-        const double body = ellipsoid(Vec3(aside, 0, deep - place.enamel - middle), spread);
-        return smoothUnion(mouth, body, 0.15 * width);
+    std::vector<SingleLesion> parts = {SingleLesion(first, lesion, beyond)};
+    for (const Vec3& place : lesion.spread) parts.emplace_back(nearestTo(shape, inShape(shape, place)), lesion, beyond);
+    const double fillet = 0.15 * lesion.width;
+    return [parts = std::move(parts), fillet](const Vec3& point) {
+        double value = parts.front()(point);
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            // A part that is farther by the fillet changes nothing.
+            if (parts[i].atLeast(point) < value + fillet) value = smoothUnion(value, parts[i](point), fillet);
+        }
+        return value;
+    };
+}
+
+}  // namespace
+
+ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion) { return bodyOf(shape, lesion, 0); }
+
+ScalarField lesionRimBody(const ToothShape& shape, const Lesion& lesion) {
+    TACTOOTH_ASSERT(lesion.rim && lesion.rim->width > 0 && lesion.rim->width <= kMaxRimWidth);
+    return [core = shape.core, body = bodyOf(shape, lesion, lesion.rim->width)](const Vec3& point) {
+        return std::max(core(point), body(point));
     };
 }
 

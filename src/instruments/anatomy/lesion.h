@@ -17,6 +17,10 @@ struct LesionOrigin {
 /// A caries lesion as a body: narrow through the enamel, then wider along the border of the dentin and toward the pulp,
 /// like fissure and contact lesions. It protrudes from the tooth; intersect it with the tooth. The width is 0..4 mm,
 /// the depth positive.
+/// All places where a lesion begins give one body, with fillets between them.
 [[nodiscard]] ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion);
+
+/// The part of the dentin that is within the lesion or no farther from it than its rim is wide. There is a rim.
+[[nodiscard]] ScalarField lesionRimBody(const ToothShape& shape, const Lesion& lesion);
 
 }  // namespace tactooth

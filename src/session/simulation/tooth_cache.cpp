@@ -19,14 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kToothMagic = 0x3348544F4F544354;  // "TCTOOTH3"
+constexpr std::uint64_t kToothMagic = 0x3448544F4F544354;  // "TCTOOTH4"
 constexpr std::uint64_t kMouthMagic = 0x314854554F4D4354;  // "TCMOUTH1"
 constexpr std::array kExtensions = {".tooth", ".mouth"};
-
-template <class Tooth>
-auto layersIn(Tooth& tooth) {
-    return std::array{&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries, &tooth.filling};
-}
 
 void put(const TriangleMesh& mesh, ByteWriter& content) {
     content.put(static_cast<std::uint64_t>(mesh.vertices.size()));
@@ -64,11 +59,11 @@ bool isUnbroken(std::uint64_t magic, std::span<const std::byte> bytes, ByteReade
     return file.ok() && sum == checksum(bytes.subspan(file.at()));
 }
 
-/// FDI number, layers. What a filling is made of is no part of it.
+/// FDI number, layers. What a filling and a rim are made of is no part of it.
 std::vector<std::byte> bytesOf(const BuiltinTooth& tooth) {
     ByteWriter content;
     content.put(tooth.fdi);
-    for (const TriangleMesh* mesh : layersIn(tooth)) put(*mesh, content);
+    for (const TriangleMesh* mesh : meshesOf(tooth)) put(*mesh, content);
     return sealed(kToothMagic, content);
 }
 
@@ -78,7 +73,7 @@ std::optional<BuiltinTooth> toothFrom(std::span<const std::byte> bytes) {
     if (!isUnbroken(kToothMagic, bytes, file)) return std::nullopt;
     BuiltinTooth tooth;
     tooth.fdi = file.get<int>();
-    for (TriangleMesh* layer : layersIn(tooth)) {
+    for (TriangleMesh* layer : meshesOf(tooth)) {
         auto mesh = meshFrom(file);
         if (!mesh) return std::nullopt;
         *layer = std::move(*mesh);
@@ -161,10 +156,7 @@ BuiltinTooth ToothCache::make(const ToothRequest& request) const {
     if (folder_.empty()) return makeTooth(request);
     const fs::path file = fileOf(request);
     if (auto tooth = kept(file, toothFrom); tooth && tooth->fdi == request.fdi) {
-        if (request.filling) {
-            tooth->fillingMaterial = request.filling->material;
-            tooth->materials = request.filling->materials;
-        }
+        takeMaterials(*tooth, request);
         return std::move(*tooth);
     }
     BuiltinTooth tooth = makeTooth(request);

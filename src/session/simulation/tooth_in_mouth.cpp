@@ -23,8 +23,7 @@ int placeInArch(int fdi) {
 bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
 
 BuiltinTooth transformed(BuiltinTooth tooth, const Pose& pose) {
-    for (TriangleMesh* mesh : {&tooth.outer, &tooth.enamel, &tooth.dentin, &tooth.pulp, &tooth.caries, &tooth.filling})
-        *mesh = transformed(*mesh, pose);
+    for (TriangleMesh* mesh : meshesOf(tooth)) *mesh = transformed(*mesh, pose);
     return tooth;
 }
 
