@@ -123,12 +123,24 @@
         <translation>軸側壁の高さ</translation>
     </message>
     <message>
-        <source>Choose Decay above, and click where it begins</source>
-        <translation>上で「う蝕」を選び、始まる場所をクリックします</translation>
+        <source>Choose Decay above, and click or drag over the tooth</source>
+        <translation>上で「う蝕」を選び、歯の上をクリックまたはドラッグします</translation>
     </message>
     <message>
         <source>fits the width</source>
         <translation>幅に合わせる</translation>
+    </message>
+    <message>
+        <source>Affected dentin</source>
+        <translation>う蝕影響象牙質</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>Leathery dentin around the decay: harder than the decay, softer than sound dentin</source>
+        <translation>う蝕の周りの革様の象牙質。う蝕より硬く、健全な象牙質より軟らかい</translation>
     </message>
 </context>
 <context>
@@ -229,8 +241,8 @@
         <translation>次の点をクリックします。最初の点をクリックすると線が閉じます。</translation>
     </message>
     <message>
-        <source>Click where the decay begins.</source>
-        <translation>う蝕の始まる場所をクリックします。</translation>
+        <source>Click or drag: paint decay. Right click: take it away.</source>
+        <translation>クリックまたはドラッグ：う蝕を描く。右クリック：取り除く。</translation>
     </message>
     <message>
         <source>Click: add a point. Drag: move it. Right click: remove it.</source>

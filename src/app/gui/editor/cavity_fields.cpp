@@ -97,7 +97,7 @@ void CavityFields::addBox(std::size_t side, const QString& title, const char* na
 
 void CavityFields::addDecay() {
     hasDecay_->setObjectName("editHasDecay");
-    hasDecay_->setToolTip(tr("Choose Decay above, and click where it begins"));
+    hasDecay_->setToolTip(tr("Choose Decay above, and click or drag over the tooth"));
     form().addRow(hasDecay_);
     connect(hasDecay_, &QCheckBox::toggled, this, [this](bool on) {
         ask({}, [on](Exercise& exercise) {
@@ -118,6 +118,10 @@ void CavityFields::addDecay() {
                                 if (value >= kMinLesionDepth - 1e-9) lesion->depth = value;
                             });
     decayDepth_->setSpecialValueText(tr("fits the width"));
+    // Below the least width: none.
+    rimWidth_ = addNumber("editRimWidth", tr("Affected dentin"), {0, kMaxRimWidth, kMinRimWidth, 1, tr(" mm")}, setRim);
+    rimWidth_->setSpecialValueText(tr("none"));
+    rimWidth_->setToolTip(tr("Leathery dentin around the decay: harder than the decay, softer than sound dentin"));
 }
 
 void CavityFields::showBox(const BoxFields& fields, const ExerciseDraft& draft, double towardX) const {
@@ -156,9 +160,11 @@ void CavityFields::showDraft(const ExerciseDraft& draft) {
     hasDecay_->setChecked(lesion != nullptr);
     form().setRowVisible(decayWidth_, lesion != nullptr);
     form().setRowVisible(decayDepth_, lesion != nullptr);
+    form().setRowVisible(rimWidth_, mayHaveRim(draft.exercise()));
     if (lesion == nullptr) return;
     decayWidth_->setValue(lesion->width);
     decayDepth_->setValue(lesion->depth.value_or(decayDepth_->minimum()));
+    rimWidth_->setValue(lesion->rim ? lesion->rim->width : 0);
 }
 
 }  // namespace tactooth

@@ -37,6 +37,7 @@ private:
     QCheckBox* hasDecay_;
     QDoubleSpinBox* decayWidth_;
     QDoubleSpinBox* decayDepth_;
+    QDoubleSpinBox* rimWidth_;
 };
 
 }  // namespace tactooth

@@ -67,9 +67,8 @@ OutlineMarks marksOf(const ExerciseDraft& draft, const std::shared_ptr<const Sur
             if (middle) marks.lines.push_back(boxMark(*plan, box, *middle, outer));
         }
     }
-    const auto* request = std::get_if<ToothRequest>(&draft.exercise().tooth);
-    if (request != nullptr && request->lesion && request->lesion->place)
-        marks.lines.push_back(decayMark(*request->lesion->place, request->lesion->width, *outer));
+    for (const Vec3& place : draft.decay())
+        marks.lines.push_back(decayMark(place, std::get<ToothRequest>(draft.exercise().tooth).lesion->width, *outer));
     return marks;
 }
 

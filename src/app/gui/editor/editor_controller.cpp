@@ -137,12 +137,14 @@ void EditorController::takeTooth() {
     outer_ = tooth.piece->tooth().ownOuter();
     if (adopted_) {
         loaded_ = adopted_->exercise();
+        tool_.setDraft(nullptr);
         draft_ = std::exchange(adopted_, {});
         return showDraft();
     }
     if (trial_ != nullptr && exerciseOf(tooth) == trial_) return;
     if (!isOfDraft(tooth)) return end();
     if (const auto begun = std::exchange(pending_, nullptr)) {
+        tool_.setDraft(nullptr);
         draft_.emplace(isCopy_ ? editableCopy(*begun, outer_) : *begun);
         loaded_ = draft_->exercise();
         showDraft();
@@ -246,7 +248,7 @@ QString EditorController::problem() const {
 /// Shows the draft as it is now; where it has another tooth, that is loaded.
 void EditorController::followDraft() {
     if (!draft_ || trial_ != nullptr) return;
-    if (!haveSameTooth(*loaded_, draft_->exercise())) {
+    if (!tool_.isPainting() && !haveSameTooth(*loaded_, draft_->exercise())) {
         load(draft_->exercise());
         if (!parts_.teeth.isBusy()) return;  // it was declined
     }
@@ -257,7 +259,7 @@ void EditorController::followDraft() {
     if (draft_->openLine() && draft_->points(*draft_->openLine()).size() > 2) {
         marks.hint = tr("Click the next point, or the first one to close the line.");
     } else if (tool_.stroke() == DraftStroke::Decay) {
-        marks.hint = tr("Click where the decay begins.");
+        marks.hint = tr("Click or drag: paint decay. Right click: take it away.");
     } else {
         marks.hint = tr("Click: add a point. Drag: move it. Right click: remove it.");
     }

@@ -214,13 +214,39 @@ void ExerciseDraft::closeLine() {
     push({}, std::move(state));
 }
 
-void ExerciseDraft::placeDecay(const Vec3& place) {
+std::vector<Vec3> ExerciseDraft::decay() const {
+    const auto* request = std::get_if<ToothRequest>(&exercise().tooth);
+    if (request == nullptr || !request->lesion || !request->lesion->place) return {};
+    std::vector<Vec3> places = {*request->lesion->place};
+    places.insert(places.end(), request->lesion->spread.begin(), request->lesion->spread.end());
+    return places;
+}
+
+void ExerciseDraft::addDecay(const Vec3& place, const std::string& step) {
+    const auto* request = std::get_if<ToothRequest>(&exercise().tooth);
+    if (request == nullptr) return;
+    Lesion lesion = request->lesion.value_or(Lesion{});
+    constexpr double kNear = 0.35;  // of the width: places that near together make one even stroke
+    const auto isThere = [&](const Vec3& other) { return (other - place).norm() < kNear * lesion.width; };
+    if (std::ranges::any_of(decay(), isThere) || lesion.spread.size() >= kMostDecayPlaces) return;
+    if (lesion.place) {
+        lesion.spread.push_back(place);
+    } else {
+        lesion.place = place;
+        lesion.site = LesionSite::Usual;
+    }
+    change(step, [&](Exercise& exercise) { std::get<ToothRequest>(exercise.tooth).lesion = lesion; });
+}
+
+void ExerciseDraft::removeDecay(std::size_t place) {
+    std::vector<Vec3> places = decay();
+    if (place >= places.size()) return;
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(place));
     change({}, [&](Exercise& exercise) {
-        auto* request = std::get_if<ToothRequest>(&exercise.tooth);
-        if (request == nullptr) return;
-        if (!request->lesion) request->lesion = Lesion{};
-        request->lesion->place = place;
-        request->lesion->site = LesionSite::Usual;
+        std::optional<Lesion>& lesion = std::get<ToothRequest>(exercise.tooth).lesion;
+        if (places.empty()) return lesion.reset();
+        lesion->place = places.front();
+        lesion->spread.assign(places.begin() + 1, places.end());
     });
 }
 
@@ -263,6 +289,44 @@ void ExerciseDraft::markSaved(const std::filesystem::path& file) {
     for (State& state : states_) state.exercise.file = file;
     saved_ = exercise();
     endStep();
+}
+
+namespace {
+
+/// What may be the rim of decay: it lies in the dentin.
+std::optional<MaterialId> rimMaterial(const MaterialRegistry& materials) {
+    const auto nestingOf = [&](MaterialRole role) { return materials[materials.withRole(role)].nesting; };
+    for (const MaterialId id : materials.inMenuOrder()) {
+        const int nesting = materials[id].nesting;
+        const bool fits = nesting >= nestingOf(MaterialRole::Dentin) && nesting < nestingOf(MaterialRole::Pulp);
+        if (fits && materials.hasRole(id, MaterialRole::None)) return id;
+    }
+    return std::nullopt;
+}
+
+/// The materials with which the exercise may have a rim; null: there are none.
+const MaterialRegistry* rimMaterials(const Exercise& exercise) {
+    if (rimMaterial(*exercise.materials)) return exercise.materials;
+    // One of the built-in exercises describes affected dentin.
+    const auto selective = exercise.materials == &builtinMaterials() ? builtinExercise("caries-37") : nullptr;
+    return selective != nullptr ? selective->materials : nullptr;
+}
+
+}  // namespace
+
+bool mayHaveRim(const Exercise& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    return request != nullptr && request->lesion && rimMaterials(exercise) != nullptr;
+}
+
+void setRim(Exercise& exercise, double width) {
+    if (!mayHaveRim(exercise)) return;
+    ToothRequest& request = std::get<ToothRequest>(exercise.tooth);
+    if (!(width > 0)) return request.lesion->rim.reset();
+    if (request.lesion->rim) return static_cast<void>(request.lesion->rim->width = width);
+    exercise.materials = rimMaterials(exercise);
+    request.lesion->rim = {width, *rimMaterial(*exercise.materials), exercise.materials};
+    if (request.filling) request.filling->materials = exercise.materials;  // those of the program have the same numbers
 }
 
 }  // namespace tactooth

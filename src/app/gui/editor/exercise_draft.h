@@ -67,7 +67,12 @@ public:
     void removePoint(DraftLine line, std::size_t point);
     /// Closes the open line, if it has three points.
     void closeLine();
-    void placeDecay(const Vec3& place);
+    /// The places where decay begins by hand, tooth frame, mm: the first one, then where it spreads to.
+    [[nodiscard]] std::vector<Vec3> decay() const;
+    /// Paints decay at a place, unless it is there already. `step`: as for `change`.
+    void addDecay(const Vec3& place, const std::string& step);
+    /// Takes away one of `decay()`; with the last one the tooth is sound.
+    void removeDecay(std::size_t place);
 
     /// What keeps the exercise from being tried or saved, as one sentence; nothing: it is complete. `outer`: the tooth,
     /// LayeredTooth::ownOuter; null: it is not there yet, and boxes are not judged.
@@ -96,5 +101,10 @@ private:
 
 /// Puts a bur of the catalogue into an exercise: its cavity takes over the measures.
 void takeBur(Exercise& exercise, const BurSpec& bur);
+
+/// Gives the decay of a built-in tooth a rim of affected dentin that wide, mm; 0: none.
+void setRim(Exercise& exercise, double width);
+/// Whether it can have one: it has decay, and its materials are those of the program or include one for a rim.
+[[nodiscard]] bool mayHaveRim(const Exercise& exercise);
 
 }  // namespace tactooth

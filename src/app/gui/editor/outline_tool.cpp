@@ -3,6 +3,8 @@
 #include "app/gui/editor/outline_tool.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <limits>
 
 #include "session/control/surface_ray.h"
 
@@ -25,12 +27,20 @@ std::optional<SurfaceHit> hitUnder(const Surface& surface, const Ray& ray) {
     return hit && !hit->isAdjacent ? hit : std::nullopt;
 }
 
+/// From a place of the tooth to a pixel; infinite behind the eye.
+double pixelsTo(const Viewport& picture, const Vec3& place, const Vec2& pixel) {
+    const auto at = project(picture.camera(), picture.size(), place);
+    return at ? (Vec2(at->x(), at->y()) - pixel).norm() : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 void OutlineTool::setDraft(ExerciseDraft* draft) {
+    if (draft == draft_) return;
     draft_ = draft;
     held_.reset();
     drags_ = false;
+    paints_ = false;
     zone_ = 0;
     stroke_ = DraftStroke::Outline;
 }
@@ -44,12 +54,10 @@ std::optional<int> OutlineTool::zone() const {
 std::optional<DraftPoint> OutlineTool::pointAt(const Viewport& picture, const Vec2& pixel) const {
     std::optional<DraftPoint> nearest;
     double least = kReach;
-    if (draft_ == nullptr) return nearest;
+    if (draft_ == nullptr || stroke_ == DraftStroke::Decay) return nearest;
     for (const DraftLine& line : draft_->lines()) {
         for (std::size_t i = 0; i < draft_->points(line).size(); ++i) {
-            const auto at = project(picture.camera(), picture.size(), draft_->points(line)[i]);
-            if (!at) continue;
-            const double distance = (Vec2(at->x(), at->y()) - pixel).norm();
+            const double distance = pixelsTo(picture, draft_->points(line)[i], pixel);
             if (distance >= least) continue;
             least = distance;
             nearest = DraftPoint{line, i};
@@ -76,15 +84,14 @@ void OutlineTool::press(const Surface& surface, const Viewport& picture, const V
         ++drag_;
         return hold(point);
     }
+    paints_ = stroke_ == DraftStroke::Decay;  // a stroke may begin beside the tooth
+    if (paints_) ++drag_;
     const Ray ray = picture.rayThrough(pixel);
     if (const auto hit = hitUnder(surface, ray)) add(ray.origin + hit->distance * ray.direction, hit->normal);
 }
 
 void OutlineTool::add(const Vec3& place, const Vec3& normal) {
-    if (stroke_ == DraftStroke::Decay) {
-        draft_->placeDecay(place);
-        return emit changed();
-    }
+    if (paints_) return paint(place);
     DraftLine line;
     if (stroke_ == DraftStroke::Zone) line = zone() ? DraftLine{*zone()} : draft_->beginZone();
     const std::size_t point = draft_->addPoint(line, place, sideOf(draft_->exercise(), normal));
@@ -94,14 +101,26 @@ void OutlineTool::add(const Vec3& place, const Vec3& normal) {
     emit changed();
 }
 
+void OutlineTool::paint(const Vec3& place) {
+    draft_->addDecay(place, "paint " + std::to_string(drag_));
+    emit changed();
+}
+
 void OutlineTool::release() {
-    if (!drags_) return;
-    drags_ = false;
+    if (!drags_ && !paints_) return;
+    const bool painted = paints_;
+    drags_ = paints_ = false;
     if (draft_ != nullptr) draft_->endStep();
+    if (painted) emit changed();
 }
 
 void OutlineTool::move(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
     if (draft_ == nullptr) return;
+    if (paints_) {
+        const Ray ray = picture.rayThrough(pixel);
+        if (const auto hit = hitUnder(surface, ray)) paint(ray.origin + hit->distance * ray.direction);
+        return;
+    }
     if (!drags_ || !held_) return hold(pointAt(picture, pixel));
     const auto at = project(picture.camera(), picture.size(), draft_->points(held_->line)[held_->point]);
     constexpr double kStill = 3;  // pixels: a click that trembles moves nothing
@@ -114,6 +133,14 @@ void OutlineTool::move(const Surface& surface, const Viewport& picture, const Ve
 }
 
 void OutlineTool::clickRight(const Viewport& picture, const Vec2& pixel) {
+    if (draft_ != nullptr && stroke_ == DraftStroke::Decay) {
+        const std::vector<Vec3> places = draft_->decay();
+        const auto nearest =
+            std::ranges::min_element(places, {}, [&](const Vec3& place) { return pixelsTo(picture, place, pixel); });
+        if (nearest == places.end() || pixelsTo(picture, *nearest, pixel) >= kReach) return;
+        draft_->removeDecay(static_cast<std::size_t>(nearest - places.begin()));
+        return emit changed();
+    }
     if (const auto point = pointAt(picture, pixel)) remove(*point);
 }
 
@@ -134,7 +161,7 @@ void OutlineTool::obey(const QKeySequence& keys) {
         return;
     }
     held_.reset();
-    drags_ = false;
+    drags_ = paints_ = false;
     undoes(keys) ? draft_->undo() : draft_->redo();
     emit changed();
 }

@@ -14,12 +14,13 @@ namespace tactooth {
 enum class DraftStroke { Outline, Zone, Decay };
 
 /// Draws an exercise on its tooth by mouse and keys: a click adds a point, or closes the open line at its first one; a
-/// drag moves a point; a click of the right button, or Delete, removes it.
+/// drag moves a point; a click of the right button, or Delete, removes it. Decay is painted: a click or a drag adds
+/// places, and a click of the right button removes the one under it.
 class OutlineTool final : public QObject, public SurfaceTool {
     Q_OBJECT
 
 public:
-    /// `draft` stays there until another one is given; null: there is none.
+    /// `draft` stays there until another one is given; null: there is none. Another one begins with its outline.
     void setDraft(ExerciseDraft* draft);
     void setStroke(DraftStroke stroke) { stroke_ = stroke; }
     [[nodiscard]] DraftStroke stroke() const { return stroke_; }
@@ -28,6 +29,8 @@ public:
     void setZone(int zone) { zone_ = zone; }
     /// The point that the mouse is on.
     [[nodiscard]] const std::optional<DraftPoint>& held() const { return held_; }
+    /// A stroke of decay is not complete yet.
+    [[nodiscard]] bool isPainting() const { return paints_; }
 
     void press(const Surface& surface, const Viewport& picture, const Vec2& pixel) override;
     void release() override;
@@ -45,12 +48,14 @@ private:
     void hold(const std::optional<DraftPoint>& point);
     void add(const Vec3& place, const Vec3& normal);
     void remove(const DraftPoint& point);
+    void paint(const Vec3& place);
 
     ExerciseDraft* draft_ = nullptr;
     DraftStroke stroke_ = DraftStroke::Outline;
     int zone_ = 0;
     std::optional<DraftPoint> held_;
     bool drags_ = false;
+    bool paints_ = false;
     int drag_ = 0;  // number of the drag: each is a step of its own
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/gui/editor/exercise_template.h"
 #include "assessment/exercise_file.h"
+#include "assessment/exercise_keys.h"
 #include "assessment/exercise_writer.h"
 
 namespace tactooth {
@@ -227,6 +228,52 @@ TEST(ExerciseDraft, NoticesAnOutlineThatDoesNotReachItsBox) {
     EXPECT_EQ(problemOf(ExerciseDraft(exercise), outer), "draft_distal_box");
     boxes.front().axialDepth = 0.5;
     EXPECT_EQ(problemOf(ExerciseDraft(exercise), outer), "draft_box_narrow");
+}
+
+const Lesion& lesionOf(const ExerciseDraft& draft) { return *std::get<ToothRequest>(draft.exercise().tooth).lesion; }
+
+TEST(ExerciseDraft, DecayIsPaintedPlaceByPlace) {
+    ExerciseDraft draft(newExercise(36, false));
+    EXPECT_TRUE(draft.decay().empty());
+    draft.addDecay(Vec3(0, 0, 6), "stroke");
+    for (int i = 1; i <= 100; ++i) draft.addDecay(Vec3(0.03 * i, 0, 6), "stroke");
+    const std::size_t count = draft.decay().size();
+    EXPECT_GE(count, 3U);
+    EXPECT_LE(count, 5U) << "places lie a third of the width apart";
+    EXPECT_EQ(draft.decay().front(), Vec3(0, 0, 6));
+    EXPECT_EQ(lesionOf(draft).spread.size(), count - 1);
+    draft.endStep();
+    draft.addDecay(Vec3(0, 3, 6), "another");
+    EXPECT_EQ(draft.decay().size(), count + 1);
+    draft.undo();
+    EXPECT_EQ(draft.decay().size(), count);
+    draft.undo();
+    EXPECT_TRUE(draft.decay().empty()) << "a stroke is one step";
+    draft.redo();
+    const Vec3 second = draft.decay()[1];
+    draft.removeDecay(0);
+    EXPECT_EQ(draft.decay().front(), second);
+    while (!draft.decay().empty()) draft.removeDecay(0);
+    EXPECT_FALSE(std::get<ToothRequest>(draft.exercise().tooth).lesion);
+    for (int i = 0; i < 200; ++i) draft.addDecay(Vec3(0, 2.0 * i, 6), "many");
+    EXPECT_EQ(lesionOf(draft).spread.size(), kMostDecayPlaces);
+}
+
+TEST(ExerciseDraft, ARimBringsTheMaterialOfAffectedDentin) {
+    ExerciseDraft draft = squareDraft();
+    EXPECT_FALSE(mayHaveRim(draft.exercise())) << "it has no decay";
+    draft.addDecay(Vec3(0, 0, 6), {});
+    ASSERT_TRUE(mayHaveRim(draft.exercise()));
+    draft.change({}, [](Exercise& exercise) { setRim(exercise, 0.6); });
+    ASSERT_TRUE(lesionOf(draft).rim);
+    EXPECT_EQ(draft.exercise().materials->nameOf(lesionOf(draft).rim->material), "affected-dentin");
+    const auto text = exerciseText(draft.exercise(), {});
+    ASSERT_TRUE(text) << text.error().message();
+    const auto read = parseExercise(*text, "own.toml", {});
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(*read, draft.exercise());
+    draft.change({}, [](Exercise& exercise) { setRim(exercise, 0); });
+    EXPECT_FALSE(lesionOf(draft).rim);
 }
 
 }  // namespace

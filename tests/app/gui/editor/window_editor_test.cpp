@@ -19,9 +19,8 @@
 #include <QScrollArea>
 
 #include "app/gui/editor/editor_panel.h"
-#include "app/gui/settings/window_setup.h"
+#include "app/gui/editor/editor_session.h"
 #include "app/gui/window/window_owner.h"
-#include "app/window_session.h"
 #include "assessment/exercise_file.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
@@ -33,7 +32,7 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-class WindowEditorTest : public test::WindowSession {
+class WindowEditorTest : public test::EditorSession {
     Q_OBJECT
 
 public:
@@ -56,69 +55,18 @@ private slots:
     void aCopyOfABuiltInOneIsEdited();
     void anotherToothBringsAnotherOutline();
     void aFreeOutlineIsClosedAtItsFirstPoint();
-    void decayIsPlacedByAClick();
     void anotherLanguageKeepsTheDraft();
     void cleanupTestCase();
 
 private:
-    void chooseEntry(const char* menu, const char* entry);
-    void click(const char* button) const;
-    void clickAt(const QPoint& place) const { QTest::mouseClick(&view(), Qt::LeftButton, {}, place); }
-    void waitForEditor();
-    void setNumber(const char* name, double value) const;
     void chooseInDialog(const fs::path& file) const;
-    [[nodiscard]] const ExerciseDraft& draft() const { return *window_->editor().draft(); }
-    [[nodiscard]] const PreparationPlan& plan() const { return *draft().plan(); }
-    [[nodiscard]] const std::vector<Vec3>& points() const { return draft().points({}); }
-    [[nodiscard]] QString problem() const { return window_->findChild<QLabel*>("editProblem")->text(); }
-    /// Where a point of the outline is in the picture.
-    [[nodiscard]] QPoint pixelOf(const Vec3& place) const { return view().outlines().pointOf(place)->toPoint(); }
-    [[nodiscard]] QMessageBox* question() const { return window_->findChild<QMessageBox*>("unsavedExercise"); }
-    void answer(QMessageBox::StandardButton button) const;
 
     fs::path file_;
 };
 
-void WindowEditorTest::initTestCase() {
-    qputenv("XDG_DATA_HOME", (folder_ / "data").c_str());
-    openWindowWithSettings();
-    waitForTooth();
-}
+void WindowEditorTest::initTestCase() { openEditorWindow(); }
 
 void WindowEditorTest::cleanupTestCase() { closeWindow(); }
-
-/// By mouse, as a user does.
-void WindowEditorTest::chooseEntry(const char* menu, const char* entry) {
-    auto* shown = window_->findChild<QMenu*>(menu);
-    QMenuBar& bar = *window_->menuBar();
-    QTest::mouseClick(&bar, Qt::LeftButton, {}, bar.actionGeometry(shown->menuAction()).center());
-    QTRY_VERIFY_WITH_TIMEOUT(shown->isVisible(), kPatience);
-    auto* action = window_->findChild<QAction*>(entry);
-    QTest::mouseClick(shown, Qt::LeftButton, {}, shown->actionGeometry(action).center());
-}
-
-void WindowEditorTest::click(const char* button) const {
-    auto* found = window_->findChild<QAbstractButton*>(button);
-    QVERIFY2(found != nullptr, button);
-    for (QWidget* parent = found->parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
-        if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(found);
-    }
-    QVERIFY2(found->isVisible() && found->isEnabled(), button);
-    QTest::mouseClick(found, Qt::LeftButton, {}, QPoint(12, found->height() / 2));
-}
-
-void WindowEditorTest::waitForEditor() {
-    QTRY_VERIFY_WITH_TIMEOUT(window_->editor().isEditing(), kLoadPatience);
-    waitForTooth();
-}
-
-void WindowEditorTest::setNumber(const char* name, double value) const {
-    auto* box = window_->findChild<QDoubleSpinBox*>(name);
-    QVERIFY2(box != nullptr && box->isEnabled(), name);
-    box->selectAll();
-    QTest::keyClicks(box, box->locale().toString(value));
-    QTest::keyClick(box, Qt::Key_Return);
-}
 
 void WindowEditorTest::chooseInDialog(const fs::path& file) const {
     QFileDialog* dialog = nullptr;
@@ -126,12 +74,6 @@ void WindowEditorTest::chooseInDialog(const fs::path& file) const {
     if (!file.empty()) dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(file.string()));
     QMetaObject::invokeMethod(dialog, "accept");
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
-}
-
-void WindowEditorTest::answer(QMessageBox::StandardButton button) const {
-    QTRY_VERIFY_WITH_TIMEOUT(question() != nullptr && question()->isVisible(), kPatience);
-    QTest::mouseClick(question()->button(button), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, kPatience);
 }
 
 void WindowEditorTest::theMenuBeginsANewExerciseOnTheToothOfTheBench() {
@@ -395,25 +337,6 @@ void WindowEditorTest::aFreeOutlineIsClosedAtItsFirstPoint() {
     clickAt(corners.front());
     QCOMPARE(points().size(), std::size_t{4});
     QCOMPARE(problem(), "The exercise is complete.");
-}
-
-void WindowEditorTest::decayIsPlacedByAClick() {
-    const CutModel* const before = window_->model().tooth()->piece.get();
-    click("drawDecay");
-    clickAt(middle() + QPoint(20, 20));
-    const auto& lesion = std::get<ToothRequest>(draft().exercise().tooth).lesion;
-    QVERIFY(lesion && lesion->place);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->model().tooth()->piece.get() != before, kLoadPatience);
-    waitForTooth();
-    const LayeredTooth& tooth = window_->model().tooth()->piece->tooth();
-    double nearest = 100;
-    for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        if (!tooth.materials().hasRole(layer.material, MaterialRole::Decay)) continue;
-        for (const Vec3f& vertex : layer.part->mesh().vertices)
-            nearest = std::min(nearest, (vertex.cast<double>() - *lesion->place).norm());
-    }
-    QVERIFY2(nearest < 0.3, qPrintable(QString::number(nearest)));
-    click("drawOutline");
 }
 
 void WindowEditorTest::anotherLanguageKeepsTheDraft() {
