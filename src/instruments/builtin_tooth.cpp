@@ -10,7 +10,7 @@
 #include "geometry/util/byte_stream.h"
 #include "instruments/anatomy/filling_body.h"
 #include "instruments/anatomy/lesion.h"
-#include "instruments/anatomy/variation.h"
+#include "instruments/anatomy/tooth_shape.h"
 #include "instruments/modelling/fold_check.h"
 
 namespace tactooth {
@@ -67,6 +67,20 @@ void mirrorLayers(BuiltinTooth& tooth) {
     for (TriangleMesh* mesh : meshesOf(tooth)) mirror(*mesh);
 }
 
+constexpr int kTries = 5;            // the first one succeeds for nearly every tooth
+constexpr double kFinerCell = 0.97;  // of the cell before
+
+/// Narrow canals that meet may fold where a finer mesh does not.
+TriangleMesh pulpOf(const ToothShape& shape, double cellSize) {
+    double cell = std::min(cellSize, kCanalCell);
+    TriangleMesh pulp = meshOf(shape.pulp, shape.bounds, cell, kRelaxations);
+    for (int i = 1; i < kTries && hasFolds(pulp); ++i) {
+        cell *= kFinerCell;
+        pulp = meshOf(shape.pulp, shape.bounds, cell, kRelaxations);
+    }
+    return pulp;
+}
+
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
 BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
     const auto mesh = [&](const ScalarField& body) { return meshOf(body, shape.bounds, cellSize, kRelaxations); };
@@ -79,7 +93,7 @@ BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
     constexpr double kOverlap = 0.3;
     tooth.enamel = mesh([&](const Vec3& p) { return std::max(shape.outer(p), -shape.cervical(p) - kOverlap); });
     tooth.dentin = mesh(shape.core);
-    tooth.pulp = meshOf(shape.pulp, shape.bounds, std::min(cellSize, kCanalCell), kRelaxations);
+    tooth.pulp = pulpOf(shape, cellSize);
     return tooth;
 }
 
@@ -94,12 +108,11 @@ TriangleMesh insideTooth(const ToothShape& shape, const ScalarField& body, int t
 
 BuiltinTooth makeTooth(const ToothRequest& request) {
     TACTOOTH_ASSERT(isPermanentTooth(request.fdi) && request.triangles > 0);
-    const ToothShape shape = varied(toothShape(request.fdi), request.seed);
+    const ToothShape shape = toothShape(request.fdi, request.seed);
     double cellSize = cellSizeFor(shape, request.triangles);
     BuiltinTooth tooth = meshed(shape, cellSize);
-    constexpr int kTries = 5;  // the first one succeeds for nearly every tooth
     for (int i = 1; i < kTries && (hasFolds(tooth.outer) || hasFolds(tooth.enamel) || hasFolds(tooth.dentin)); ++i) {
-        cellSize *= 0.97;
+        cellSize *= kFinerCell;
         tooth = meshed(shape, cellSize);
     }
     if (request.lesion) tooth.caries = insideTooth(shape, lesionBody(shape, *request.lesion), request.triangles);
@@ -142,7 +155,7 @@ std::uint64_t toothFingerprint(const ToothRequest& request) {
     facts.put(request.fdi);
     facts.put(request.triangles);
     facts.put(request.seed);
-    const ToothShape shape = varied(toothShape(request.fdi), request.seed);
+    const ToothShape shape = toothShape(request.fdi, request.seed);
     std::vector<ScalarField> fields = {shape.outer, shape.core, shape.cervical, shape.pulp};
     if (request.lesion) fields.push_back(lesionBody(shape, *request.lesion));
     if (request.lesion && request.lesion->rim) fields.push_back(lesionRimBody(shape, *request.lesion));

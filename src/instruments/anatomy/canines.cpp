@@ -3,7 +3,7 @@
 //
 // Right canines (13, 43). Lengths, diameters and cervical curves: Wheeler's table of average teeth. Between them
 // thicknesses, outlines, edges and the lean of the roots follow CT scans, brought to Wheeler's diameters.
-#include "instruments/anatomy/anterior_tooth.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -146,8 +146,8 @@ AnteriorToothPlan lower() {
 
 }  // namespace
 
-ToothShape upperCanine() { return anteriorTooth(upper()); }
+AnteriorToothPlan upperCanine() { return upper(); }
 
-ToothShape lowerCanine() { return anteriorTooth(lower()); }
+AnteriorToothPlan lowerCanine() { return lower(); }
 
 }  // namespace tactooth

@@ -3,7 +3,7 @@
 //
 // Lower right first molar (46). Lengths and diameters: Wheeler's table of average teeth; pulp chamber: A. S. Deutsch,
 // B. L. Musikant, J. Endod. 30 (2004) 388; crown: after CT scans (docs/teeth.md). All else follows textbook drawings.
-#include "instruments/anatomy/posterior_tooth.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -138,7 +138,7 @@ const std::vector<Section> kDistalCanal = {{-12.5, 0.14, 0.14, 0.18, 0.18, 2, -3
 
 }  // namespace
 
-ToothShape lowerFirstMolar() {
+PosteriorToothPlan lowerFirstMolar() {
     PosteriorToothPlan plan;
     plan.name = "Lower right first molar";
     plan.fdi = 46;
@@ -160,7 +160,7 @@ ToothShape lowerFirstMolar() {
     plan.chamber = Vec3(-0.1, 0, 0.33);
     plan.chamberHalf = Vec3(2.40, 1.95, 0.78);
     plan.canals = {kMesiobuccalCanal, kMesiolingualCanal, kDistalCanal};
-    return posteriorTooth(plan);
+    return plan;
 }
 
 }  // namespace tactooth

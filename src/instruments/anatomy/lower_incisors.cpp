@@ -3,7 +3,7 @@
 //
 // Lower right incisors (41, 42). Lengths, diameters and cervical curves: Wheeler's table of average teeth. Between them
 // thicknesses, outlines, edges and the lean of the roots follow CT scans, brought to Wheeler's diameters.
-#include "instruments/anatomy/anterior_tooth.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -122,8 +122,8 @@ AnteriorToothPlan lateral() {
 
 }  // namespace
 
-ToothShape lowerCentralIncisor() { return anteriorTooth(central()); }
+AnteriorToothPlan lowerCentralIncisor() { return central(); }
 
-ToothShape lowerLateralIncisor() { return anteriorTooth(lateral()); }
+AnteriorToothPlan lowerLateralIncisor() { return lateral(); }
 
 }  // namespace tactooth

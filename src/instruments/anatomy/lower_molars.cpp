@@ -4,8 +4,8 @@
 // Lower right second and third molar (47, 48). Lengths and diameters: Wheeler's table of average teeth;
 // outline and landmarks of the second: after CT scans (docs/teeth.md). All else follows textbook drawings.
 #include "instruments/anatomy/lower_second_molar_tables.h"
-#include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/third_molar_tables.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -23,7 +23,7 @@ PosteriorToothPlan lowerMolar(const char* name, int fdi, const CrownForm& crown,
 
 }  // namespace
 
-ToothShape lowerSecondMolar() {
+PosteriorToothPlan lowerSecondMolar() {
     CrownForm crown{.length = 7.0,
                     .mesiodistal = 10.5,
                     .buccolingual = 10.0,
@@ -77,10 +77,10 @@ ToothShape lowerSecondMolar() {
             {{0, 0.45, 0.95}}, 0.2);
     plan.chamber = Vec3(-0.1, 0, 0.25);
     plan.chamberHalf = Vec3(2.35, 1.9, 0.78);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape lowerThirdMolar() {
+PosteriorToothPlan lowerThirdMolar() {
     CrownForm crown{.length = 7.0,
                     .mesiodistal = 10.0,
                     .buccolingual = 9.5,
@@ -135,7 +135,7 @@ ToothShape lowerThirdMolar() {
             {{0, 0.42, 0.85}}, 0.2);
     plan.chamber = Vec3(-0.1, 0, 0.25);
     plan.chamberHalf = Vec3(2.1, 1.8, 0.75);
-    return posteriorTooth(plan);
+    return plan;
 }
 
 }  // namespace tactooth

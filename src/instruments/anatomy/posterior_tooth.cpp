@@ -95,10 +95,22 @@ private:
             if (g.buccal == (p.y() > 0)) furrow += g.depth * bump(p.x() - g.x, g.width);
         }
         distance += high * furrow;
+        if (plan_.tubercle && p.y() < 0) distance -= tubercle(p, *plan_.tubercle);
         constexpr double kNeck = 0.3, kFull = 3.0;  // mm: the waves grow from the neck to here
         distance -= smoothStep(kNeck, kFull, p.z()) * outlineOffset(plan_.outline, p.x(), p.y());
         constexpr double kStep = 0.07;  // mm that the crown protrudes over the root
         return distance + kStep * (1 - smoothStep(-0.15, 0.35, cervical(p)));
+    }
+
+    /// mm that the lingual side stands out at a tubercle, or lies back in its groove.
+    [[nodiscard]] static double tubercle(const Vec3& p, const LingualTubercle& of) {
+        constexpr double kUp = 0.8, kDown = 1.2;           // of the width: the upper side is the steeper one
+        constexpr double kCrescent = 1.5, kNarrow = 0.32;  // of the width: the groove's way around, and its half width
+        const double x = (p.x() - of.x) / of.width, above = (p.z() - of.z) / of.width;
+        const double z = above / (above > 0 ? kUp : kDown), away = std::hypot(x, z);
+        const double groove = of.groove * bump(away - kCrescent, kNarrow) * smoothStep(0, 0.8, z);
+        constexpr double kFrom = -1, kTo = -3;  // mm to lingual, so that it grows smoothly from the middle of the tooth
+        return smoothStep(kFrom, kTo, p.y()) * (of.height * bump(away, 1) - groove);
     }
 
     /// Approximate distance to the occlusal surface from a point at this height above it.

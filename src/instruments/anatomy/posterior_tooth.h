@@ -3,6 +3,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 #include "instruments/anatomy/outline_wave.h"
@@ -45,6 +46,14 @@ struct DevelopmentalGroove {
     double x, depth, width;
 };
 
+/// A tubercle on the lingual side of the crown (of Carabelli), with a crescent groove above it.
+struct LingualTubercle {
+    double x = 0, z = 0;  ///< its middle
+    double height = 0;    ///< mm that it stands out; 0: only the groove
+    double width = 1;     ///< distance from the middle at which a third of the height is left
+    double groove = 0;    ///< depth of the groove
+};
+
 /// A root: outlines from its apex to within the crown.
 struct RootPlan {
     std::vector<Section> sections;
@@ -74,6 +83,7 @@ struct PosteriorToothPlan {
     std::vector<OcclusalLandmark> landmarks;  ///< bring cusps, ridges and grooves to their heights
     OutlineWaves outline;                     ///< of the crown above its neck
     std::vector<DevelopmentalGroove> developmentalGrooves;
+    std::optional<LingualTubercle> tubercle;
     double cervicalFillet = 0.9;                ///< length over which the trunk blends into the roots
     double rootTop = -0.8, rootTopRound = 1.2;  ///< where the roots end inside the trunk, and the length of the blend
     double trunkEnd = -2.9;  ///< height of the end of the common trunk of the roots; with its rounding, lower

@@ -3,7 +3,7 @@
 //
 // Upper right and lower right premolars (14, 15, 44, 45). Lengths and diameters: Wheeler's table of average teeth;
 // sections, outlines and landmarks: after CT scans (docs/teeth.md). All else follows textbook drawings.
-#include "instruments/anatomy/posterior_tooth.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -33,7 +33,7 @@ PosteriorToothPlan premolar(const char* name, int fdi, const CrownForm& crown, d
 
 }  // namespace
 
-ToothShape upperFirstPremolar() {
+PosteriorToothPlan upperFirstPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 9.0,
@@ -94,10 +94,10 @@ ToothShape upperFirstPremolar() {
             {{0, 0.32, 0.40}});
     plan.chamber = Vec3(0, 0.1, 0.7);
     plan.chamberHalf = Vec3(0.75, 2.25, 1.0);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape upperSecondPremolar() {
+PosteriorToothPlan upperSecondPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 9.0,
@@ -145,10 +145,10 @@ ToothShape upperSecondPremolar() {
             {{0, 0.38, 0.95}}, 0.3);
     plan.chamber = Vec3(0, 0.05, 0.7);
     plan.chamberHalf = Vec3(0.72, 2.15, 1.0);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape lowerFirstPremolar() {
+PosteriorToothPlan lowerFirstPremolar() {
     CrownForm crown{.length = 8.5,
                     .mesiodistal = 7.0,
                     .buccolingual = 7.5,
@@ -199,10 +199,10 @@ ToothShape lowerFirstPremolar() {
             {{0, 0.36, 0.72}}, 0.15);
     plan.chamber = Vec3(0, 0.1, 0.8);
     plan.chamberHalf = Vec3(0.68, 1.35, 1.1);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape lowerSecondPremolar() {
+PosteriorToothPlan lowerSecondPremolar() {
     CrownForm crown{.length = 8.0,
                     .mesiodistal = 7.0,
                     .buccolingual = 8.0,
@@ -252,7 +252,7 @@ ToothShape lowerSecondPremolar() {
             {{0, 0.38, 0.80}}, 0.15);
     plan.chamber = Vec3(0, 0, 0.7);
     plan.chamberHalf = Vec3(0.75, 1.6, 1.0);
-    return posteriorTooth(plan);
+    return plan;
 }
 
 }  // namespace tactooth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "geometry/field/isosurface.h"
@@ -23,25 +24,8 @@ struct ToothShape {
     double lesionEnamel = 1;  ///< thickness of the enamel there, mm
 };
 
-// Right-side teeth; those of the left side are their mirror images.
-[[nodiscard]] ToothShape upperCentralIncisor();
-[[nodiscard]] ToothShape upperLateralIncisor();
-[[nodiscard]] ToothShape upperCanine();
-[[nodiscard]] ToothShape upperFirstPremolar();
-[[nodiscard]] ToothShape upperSecondPremolar();
-[[nodiscard]] ToothShape upperFirstMolar();
-[[nodiscard]] ToothShape upperSecondMolar();
-[[nodiscard]] ToothShape upperThirdMolar();
-[[nodiscard]] ToothShape lowerCentralIncisor();
-[[nodiscard]] ToothShape lowerLateralIncisor();
-[[nodiscard]] ToothShape lowerCanine();
-[[nodiscard]] ToothShape lowerFirstPremolar();
-[[nodiscard]] ToothShape lowerSecondPremolar();
-[[nodiscard]] ToothShape lowerFirstMolar();
-[[nodiscard]] ToothShape lowerSecondMolar();
-[[nodiscard]] ToothShape lowerThirdMolar();
-
-/// The shape of a permanent tooth (FDI 11-18, 21-28, 31-38, 41-48): that of the right side, with its own number.
-[[nodiscard]] ToothShape toothShape(int fdi);
+/// The shape of a permanent tooth (FDI 11-18, 21-28, 31-38, 41-48): that of the right side, with its own number. Seed 0
+/// is the average tooth, any other one the same tooth of another patient.
+[[nodiscard]] ToothShape toothShape(int fdi, std::uint32_t seed = 0);
 
 }  // namespace tactooth

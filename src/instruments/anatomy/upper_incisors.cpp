@@ -3,7 +3,7 @@
 //
 // Upper right incisors (11, 12). Lengths, diameters and cervical curves: Wheeler's table of average teeth. Between them
 // thicknesses, outlines, edges and the lean of the roots follow CT scans, brought to Wheeler's diameters.
-#include "instruments/anatomy/anterior_tooth.h"
+#include "instruments/anatomy/tooth_plans.h"
 
 namespace tactooth {
 namespace {
@@ -131,8 +131,8 @@ AnteriorToothPlan lateral() {
 
 }  // namespace
 
-ToothShape upperCentralIncisor() { return anteriorTooth(central()); }
+AnteriorToothPlan upperCentralIncisor() { return central(); }
 
-ToothShape upperLateralIncisor() { return anteriorTooth(lateral()); }
+AnteriorToothPlan upperLateralIncisor() { return lateral(); }
 
 }  // namespace tactooth

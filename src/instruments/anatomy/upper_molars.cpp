@@ -6,8 +6,8 @@
 // follows textbook drawings.
 #include <cmath>
 
-#include "instruments/anatomy/posterior_tooth.h"
 #include "instruments/anatomy/third_molar_tables.h"
+#include "instruments/anatomy/tooth_plans.h"
 #include "instruments/anatomy/upper_molar_tables.h"
 
 namespace tactooth {
@@ -37,7 +37,7 @@ PosteriorToothPlan upperMolar(const char* name, int fdi, double length, double c
 
 }  // namespace
 
-ToothShape upperFirstMolar() {
+PosteriorToothPlan upperFirstMolar() {
     PosteriorToothPlan plan = upperMolar("Upper right first molar", 16, 7.5, 7.65);
     plan.top = 7.5;
     plan.fossa = 4.4;
@@ -88,10 +88,10 @@ ToothShape upperFirstMolar() {
             {{0, 0.55, 0.45}});
     plan.chamber = Vec3(-0.1, 0.1, 0.45);
     plan.chamberHalf = Vec3(2.0, 2.6, 0.85);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape upperSecondMolar() {
+PosteriorToothPlan upperSecondMolar() {
     PosteriorToothPlan plan = upperMolar("Upper right second molar", 17, 7.0, 6.8);
     plan.top = 7.0;
     plan.fossa = 4.2;
@@ -140,10 +140,10 @@ ToothShape upperSecondMolar() {
             {{0, 0.50, 0.45}});
     plan.chamber = Vec3(-0.1, 0.1, 0.35);
     plan.chamberHalf = Vec3(1.7, 2.5, 0.82);
-    return posteriorTooth(plan);
+    return plan;
 }
 
-ToothShape upperThirdMolar() {
+PosteriorToothPlan upperThirdMolar() {
     CrownForm crown{.length = 6.5,
                     .mesiodistal = 8.32,
                     .buccolingual = 10.0,
@@ -209,7 +209,7 @@ ToothShape upperThirdMolar() {
             {{0, 0.45, 0.42}});
     plan.chamber = Vec3(-0.1, 0.1, 0.25);
     plan.chamberHalf = Vec3(1.5, 2.1, 0.75);
-    return posteriorTooth(plan);
+    return plan;
 }
 
 }  // namespace tactooth

@@ -8,23 +8,18 @@
 #include <numbers>
 #include <random>
 
+#include "instruments/anatomy/deviation.h"
 #include "instruments/modelling/blend.h"
 
 namespace tactooth {
 namespace {
-
-/// A number between -range and range.
-double deviation(std::mt19937& random, double range) {
-    constexpr double kHalf = 2147483648.0;  // half of the range of the generator
-    return range * (static_cast<double>(random()) / kHalf - 1);
-}
 
 /// Maps a point of the varied tooth to that of the average tooth. It changes lengths by less than a fifth, so that
 /// nested layers stay nested and values stay close to distances.
 class ShapeWarp {
 public:
     ShapeWarp(std::uint32_t seed, int fdi) {
-        std::mt19937 mouth(seed), tooth(seed * 100 + static_cast<std::uint32_t>(10 * (fdi / 10 > 2) + fdi % 10));
+        std::mt19937 mouth(seed), tooth(seed * 100 + placeOfTooth(fdi));
         const double size = 1 + deviation(mouth, 0.045), slender = deviation(mouth, 0.025);
         crown_ = size + slender + deviation(tooth, 0.03);
         root_ = size + slender + deviation(tooth, 0.09);
@@ -74,19 +69,19 @@ Vec3 unwarped(const ShapeWarp& warp, const Vec3& average) {
 
 }  // namespace
 
-ToothShape varied(const ToothShape& average, std::uint32_t seed) {
-    if (seed == 0) return average;
-    const ShapeWarp warp(seed, average.fdi);
+ToothShape varied(const ToothShape& planned, std::uint32_t seed) {
+    if (seed == 0) return planned;
+    const ShapeWarp warp(seed, planned.fdi);
     const auto through = [&](const ScalarField& field) {
         return [field, warp](const Vec3& p) { return field(warp(p)); };
     };
-    ToothShape shape = average;
-    shape.bounds = warp.around(average.bounds);
-    shape.outer = through(average.outer);
-    shape.core = through(average.core);
-    shape.cervical = through(average.cervical);
-    shape.pulp = through(average.pulp);
-    shape.lesionSite = unwarped(warp, average.lesionSite);
+    ToothShape shape = planned;
+    shape.bounds = warp.around(planned.bounds);
+    shape.outer = through(planned.outer);
+    shape.core = through(planned.core);
+    shape.cervical = through(planned.cervical);
+    shape.pulp = through(planned.pulp);
+    shape.lesionSite = unwarped(warp, planned.lesionSite);
     return shape;
 }
 

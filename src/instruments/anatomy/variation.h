@@ -9,8 +9,9 @@
 namespace tactooth {
 
 /// The same tooth of another patient: a little larger or smaller, as all teeth of that mouth, with other proportions of
-/// crown and roots, and bent, twisted and rounded differently. Seed 0 is the average tooth, unchanged. Mirror images
-/// (16 and 26) of one seed stay mirror images.
-[[nodiscard]] ToothShape varied(const ToothShape& average, std::uint32_t seed);
+/// crown and roots, and bent, twisted and rounded differently. It is the second step: the tooth comes from the plan of
+/// that patient (plan_variation.h), which has other cusps, grooves and roots. Seed 0 changes nothing. Mirror images (16
+/// and 26) of one seed stay mirror images.
+[[nodiscard]] ToothShape varied(const ToothShape& planned, std::uint32_t seed);
 
 }  // namespace tactooth

@@ -15,7 +15,6 @@
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/parallel_for.h"
-#include "instruments/anatomy/variation.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {
@@ -59,7 +58,7 @@ struct ToothSurface {
 constexpr double kCell = 0.33;  // mm: the mesh is within 0.02 mm of the surface
 
 ToothSurface toothSurfaceOf(int fdi, std::uint32_t seed) {
-    ToothShape shape = varied(toothShape(fdi), seed);
+    ToothShape shape = toothShape(fdi, seed);
     SurfacePart surface(
         isosurface(shape.outer, shape.bounds, {.cellSize = kCell, .lipschitzBound = 1.3, .relaxations = 1}));
     ToothSurface tooth{std::move(shape), std::move(surface)};
