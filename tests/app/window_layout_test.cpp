@@ -372,9 +372,11 @@ void WindowLayoutTest::resetBringsBackTheLayoutOfTheFirstStart() {
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window, kPatience));
     QStringList first;
+    int unchanged = 0;  // looks, 50 ms apart
     const auto isSettled = [&] {
         const QStringList before = std::exchange(first, layoutOf(window));
-        return before == first;
+        unchanged = before == first ? unchanged + 1 : 0;
+        return unchanged >= 10;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isSettled(), kPatience);
     window.addDockWidget(Qt::LeftDockWidgetArea, window.findChild<QDockWidget*>("Look inside"));
@@ -387,7 +389,7 @@ void WindowLayoutTest::resetBringsBackTheLayoutOfTheFirstStart() {
     QTRY_VERIFY_WITH_TIMEOUT(window.width() == 1250 && layoutOf(window) != first, kPatience);
     window.findChild<QAction*>("resetLayout")->trigger();
     QStringList now;
-    const bool isBack = QTest::qWaitFor([&] { return (now = layoutOf(window)) == first; }, 10'000);
+    const bool isBack = QTest::qWaitFor([&] { return (now = layoutOf(window)) == first; }, kPatience);
     for (qsizetype i = 0; i < first.size() && !isBack; ++i) QCOMPARE(now.value(i), first[i]);
     QVERIFY(isBack);
 }

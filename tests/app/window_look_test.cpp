@@ -76,7 +76,7 @@ void WindowLookTest::aHintThatDoesNotFitEndsInDots() {
     QVERIFY(!hint->text().isEmpty());
     for (int width = 2400; width > 600 && hint->shown() == hint->text(); width -= 50) {
         window_->resize(width, size.height());
-        (void)QTest::qWaitFor([&] { return window_->width() == width; }, 1000);
+        (void)QTest::qWaitFor([&] { return window_->width() == width; }, 5000);
         QCoreApplication::processEvents();
     }
     QVERIFY2(hint->shown().endsWith(QChar(0x2026)), qPrintable(hint->shown()));
@@ -147,9 +147,11 @@ void WindowLookTest::aSecondViewShowsAnotherSideAndAClickGoesThere() {
     view().setFocus();
     auto* frame = window_->findChild<QAbstractButton*>("secondViewFrame");
     QVERIFY(!frame->isVisible());
+    QVERIFY(waitForQuietPicture());  // a slow machine draws coarsely before
     const QImage alone = view().grabFramebuffer();
     key(Qt::Key_3, Qt::ControlModifier);
     QTRY_VERIFY_WITH_TIMEOUT(frame->isVisible(), kPatience);
+    QVERIFY(waitForQuietPicture());
     QCOMPARE(frame->text(), QString("Lingual"));
     const double ratio = view().devicePixelRatioF();
     const QRect corner(frame->pos() * ratio, frame->size() * ratio);
@@ -274,9 +276,10 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 3000, kPatience);
     QVERIFY(facts->text().contains("Device: mouse"));
     const auto all = ticks();
-    QVERIFY(all <= window_->model().runner()->feed().timing().ticks);
+    const auto ofRunner = [this] { return window_->model().runner()->feed().timing().ticks.load(); };
+    QVERIFY(all <= ofRunner());
     QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() < all, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() + all <= ofRunner(), kPatience);
     auto* panel = window_->findChild<TimingPanel*>();
     panel->reset();  // as at a restart of the runner
     panel->show(*window_->model().runner(), "mouse", 1000);
@@ -288,7 +291,7 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     const auto file = folder_ / "ball.stl";
     QVERIFY(writeStl(test::sphere(Vec3(20, 0, 0), 5, 40, 30), file).has_value());
     window_->teeth().openTooth({.outer = file, .layers = {}});
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kLoadPatience);
     loadMolar();
     auto* recent = window_->findChild<QMenu*>("recent");
     emit recent->aboutToShow();
@@ -297,7 +300,7 @@ void WindowLookTest::openedTeethAreInTheRecentMenu() {
     for (QAction* each : recent->actions()) ball = each->text() == "ball.stl" ? each : ball;
     QVERIFY(ball != nullptr);
     ball->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().tooth()->name, std::string("ball.stl"), kLoadPatience);
     waitForTooth();
     QVERIFY(window_->settings().recent.find("ball.stl") != std::string::npos);
 }

@@ -69,7 +69,7 @@ void WindowMenuTest::leaveDialogs(const QString& after) const {
         }
         if (front == nullptr) return;
         QTest::keyClick(front, Qt::Key_Escape);
-        (void)QTest::qWaitFor([dialog = QPointer(front)] { return dialog == nullptr || !dialog->isVisible(); }, 1000);
+        (void)QTest::qWaitFor([dialog = QPointer(front)] { return dialog == nullptr || !dialog->isVisible(); }, 10'000);
     }
     QFAIL(qPrintable("a dialog stays open after " + after));
 }

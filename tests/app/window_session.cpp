@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QProgressBar>
 #include <QSignalSpy>
+#include <utility>
 
 namespace tactooth::test {
 namespace {
@@ -47,7 +48,7 @@ void WindowSession::pressBurOn(const QPoint& place) const {
         return (goal - window_->model().manipulator().pose().position).norm() < kNear &&
                (goal - window_->model().log().newest().contact.proxy.position).norm() < kNear;
     };
-    (void)QTest::qWaitFor(isThere, 5000);
+    (void)QTest::qWaitFor(isThere, 10'000);
     QTest::mousePress(&view(), Qt::LeftButton, {}, place);
 }
 
@@ -68,13 +69,17 @@ void WindowSession::waitForSteps(int steps) const {
 
 void WindowSession::waitForCarving() const {
     constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
-    const LiveRunner& runner = *window_->model().runner();
-    std::uint64_t updates = runner.feed().surfaceUpdates();
-    double since = window_->model().log().newest().time;
+    const LiveRunner* watched = nullptr;
+    std::uint64_t updates = 0;
+    double since = 0;
     const auto isQuiet = [&] {
+        const LiveRunner* const runner = window_->model().runner();
+        if (runner == nullptr) return false;
         const double now = window_->model().log().newest().time;
-        if (updates != runner.feed().surfaceUpdates()) since = now;
-        updates = runner.feed().surfaceUpdates();
+        const std::uint64_t newest = runner->feed().surfaceUpdates();
+        if (std::exchange(watched, runner) != runner || std::exchange(updates, newest) != newest || now < since) {
+            since = now;
+        }
         return now > since + kQuiet;
     };
     QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), kPatience);

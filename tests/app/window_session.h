@@ -17,10 +17,10 @@ namespace tactooth::test {
 class WindowSession : public QObject {
 protected:
     /// How long a test waits for a picture, a program or a thread before it fails, ms. A slow machine with software
-    /// OpenGL needs seconds; only a broken program needs this long.
-    static constexpr int kPatience = 30'000;
+    /// OpenGL needs seconds, and many of them beside other tests; only a broken program needs this long.
+    static constexpr int kPatience = 120'000;
     /// The same for a tooth, a mouth or an import.
-    static constexpr int kLoadPatience = 120'000;
+    static constexpr int kLoadPatience = 300'000;
 
     void openWindow();
     /// The same, and applies its own settings as those of a file.

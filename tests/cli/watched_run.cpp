@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kMaxSeconds = 10;
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-constexpr int kTimeoutMs = 100'000;
+constexpr int kTimeoutMs = 300'000;
 
 double secondsOf(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);

@@ -20,7 +20,7 @@ struct WatchedRun {
     std::size_t peakBytes = 0;  ///< of memory
 };
 
-/// Runs the real program in `folder`. Ends it when it is late: after ten times its permitted time, for a busy machine.
+/// Runs the real program in `folder`. Ends it when it is late: after 30 times its permitted time, for a busy machine.
 [[nodiscard]] WatchedRun watchTactooth(const std::vector<std::string>& arguments, const std::filesystem::path& folder);
 
 /// The fault in the end of the program; empty: none. The program must end by itself with 0, 1 or 2, within 10 s of

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kChance = 20261121;
-constexpr auto kPatience = std::chrono::seconds(20);  // a thousand times what the slowest takes: it hangs, or nearly
+constexpr auto kPatience = std::chrono::minutes(1);  // thousands of times what the slowest takes: it hangs, or nearly
 
 }  // namespace
 
@@ -44,13 +44,14 @@ bool tryTarget(const FuzzTarget& target, const std::string& bytes) {
     }
 }
 
-int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, Clock::duration longest) {
+int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, Clock::duration longest, int leastRounds) {
     const std::vector<std::string> seeds = seedsOf(target);
     std::mt19937 random(kChance);
     const Clock::time_point begin = Clock::now();
     Clock::time_point last = begin;
     int accepted = 0, round = 0;
-    while (round < mostRounds && last - begin < longest && !testing::Test::HasFailure()) {
+    const auto isDue = [&] { return round < leastRounds || (round < mostRounds && last - begin < longest); };
+    while (isDue() && !testing::Test::HasFailure()) {
         std::string bytes = seeds[below(random, seeds.size())];
         for (std::size_t changes = 1 + below(random, 2); changes > 0; --changes) mutate(bytes, seeds, random);
         accepted += tryTarget(target, bytes);

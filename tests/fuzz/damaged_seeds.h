@@ -26,8 +26,9 @@ inline void PrintTo(const FuzzTarget& target, std::ostream* out) { *out << targe
 bool tryTarget(const FuzzTarget& target, const std::string& bytes);
 
 /// Tries the target on files of its corpus that are damaged once or twice, in rounds of seeded chance until either the
-/// rounds or the time are over. Fails also if nearly all or nearly none of them are accepted, or one takes seconds.
-/// Gives the number of rounds.
-int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, std::chrono::steady_clock::duration longest);
+/// rounds or the time are over, but for `leastRounds`, however long they take. Fails also if nearly all or nearly none
+/// of them are accepted, or one takes a minute. Gives the number of rounds.
+int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, std::chrono::steady_clock::duration longest,
+                    int leastRounds = 0);
 
 }  // namespace tactooth::test

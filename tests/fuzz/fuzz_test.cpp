@@ -33,7 +33,7 @@ TEST_P(Fuzz, EveryBeginningOfASeedKeepsThePromises) {
 
 TEST_P(Fuzz, DamagedSeedsKeepThePromises) {
     constexpr int kRounds = 2000;
-    EXPECT_EQ(tryDamagedSeeds(GetParam(), kRounds, std::chrono::minutes(4)), kRounds);
+    EXPECT_EQ(tryDamagedSeeds(GetParam(), kRounds, std::chrono::minutes(4), kRounds), kRounds);
 }
 
 }  // namespace

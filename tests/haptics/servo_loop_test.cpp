@@ -30,7 +30,7 @@ TEST(ServoLoop, TicksAtItsRateAndNoFaster) {
     std::uint64_t ticks = 0;
     {
         ServoLoop loop(1000, [&](double elapsed) { simulated += elapsed; });
-        ASSERT_TRUE(within(10s, [&] { return loop.timing().ticks >= 200; }));
+        ASSERT_TRUE(within(60s, [&] { return loop.timing().ticks >= 200; }));
         ticks = loop.timing().ticks;
         EXPECT_EQ(loop.rateHz(), 1000);
     }
@@ -42,7 +42,7 @@ TEST(ServoLoop, TicksAtItsRateAndNoFaster) {
 
 TEST(ServoLoop, MeasuresEachTick) {
     ServoLoop loop(1000, [](double) { std::this_thread::sleep_for(200us); });
-    ASSERT_TRUE(within(10s, [&] { return loop.timing().ticks >= 50; }));
+    ASSERT_TRUE(within(60s, [&] { return loop.timing().ticks >= 50; }));
     EXPECT_GE(loop.timing().tick.total(), 50U);
     EXPECT_GE(loop.timing().lateness.total(), 50U);
     EXPECT_GE(loop.timing().tick.quantile(0.0), 190);
@@ -58,7 +58,7 @@ TEST(ServoLoop, ALateTickIsSkippedAndNotRepeated) {
             longest = std::max(longest, elapsed);
             if (++ticks == 5) std::this_thread::sleep_for(30ms);
         });
-        ASSERT_TRUE(within(10s, [&] { return ticks >= 40; }));
+        ASSERT_TRUE(within(60s, [&] { return ticks >= 40; }));
         missed = loop.timing().missed;
     }
     const double passed = std::chrono::duration<double>(Clock::now() - start).count();
@@ -69,7 +69,7 @@ TEST(ServoLoop, ALateTickIsSkippedAndNotRepeated) {
 
 TEST(ServoLoop, StopsWithinATickOfItsEnd) {
     auto loop = std::make_unique<ServoLoop>(1000, [](double) {});
-    ASSERT_TRUE(within(10s, [&] { return loop->timing().ticks >= 3; }));
+    ASSERT_TRUE(within(60s, [&] { return loop->timing().ticks >= 3; }));
     const auto start = Clock::now();
     loop.reset();
     EXPECT_LT(Clock::now() - start, 2s);

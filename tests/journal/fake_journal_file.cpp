@@ -9,7 +9,7 @@
 namespace tactooth::test {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(30);
+constexpr auto kPatience = std::chrono::seconds(120);
 
 class FakeFile final : public JournalFile {
 public:

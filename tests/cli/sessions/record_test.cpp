@@ -189,7 +189,7 @@ TEST_F(Record, ASignalEndsTheRecordingInOrder) {
         arguments[6] = strokes(60'000);
         RunningTactooth run(with(arguments, {"--record", session}));
         std::error_code ignored;
-        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(300);
         while (!(fs::exists(session) && fs::file_size(session, ignored) > 30'000)) {
             ASSERT_LT(std::chrono::steady_clock::now(), limit);
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

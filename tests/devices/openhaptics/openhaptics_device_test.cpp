@@ -10,6 +10,7 @@
 #include <cmath>
 #include <thread>
 
+#include "devices/base/monotonic_clock.h"
 #include "devices/openhaptics/hd_library.h"
 #include "standin/pen_folder.h"
 #include "standin/plane_servo.h"
@@ -24,6 +25,7 @@ using test::kWall;
 using test::PenFolder;
 using test::soon;
 using test::soonSays;
+using test::soonSaysNothing;
 using Servo = test::PlaneServo;
 using ::testing::HasSubstr;
 
@@ -34,6 +36,7 @@ const test::HdStandinControl& standin() {
 }
 
 constexpr long kBadReading = 1;  // the first tick after a fault was set
+constexpr double kLoss = 0.005;  // s after which a lost device renders no force
 
 class OpenHaptics : public ::testing::Test {
 protected:
@@ -51,14 +54,28 @@ protected:
         const auto opened = device.open();
         return opened ? "" : opened.error().message();
     }
-    /// Lifts off and presses on the plane, repeatedly until a force acts; down is -y in HDAPI's frame.
+    /// Waits for so many more ticks of the driver: the hand moves by a millisecond with each of them.
+    static bool pass(long ticks) {
+        const long before = standin().ticks();
+        return soon([before, ticks] { return standin().ticks() > before + ticks; }, 10s);
+    }
+    /// Lifts off and presses on the plane, repeatedly until a force acts; down is -y in HDAPI's frame. A busy machine
+    /// only slows it: it counts in ticks.
     static bool lean() {
         return soon([] {
             standin().wantPosition(0, 5, 0);
-            std::this_thread::sleep_for(300ms);
+            if (!pass(300)) return false;
             standin().wantPosition(0, kWall - 4, 0);
-            std::this_thread::sleep_for(700ms);
-            return force() > 0.3;
+            return pass(700) && force() > 0.3;
+        });
+    }
+    /// Leans, and then presses deeper until the condition holds: after a stall of the machine it leans again.
+    template <class Condition>
+    static bool pressUntil(const Condition& condition) {
+        return soon([&condition] {
+            const bool leans = lean();
+            standin().wantPosition(0, kWall - 9, 0);
+            return leans && soon(condition, 2s);
         });
     }
 
@@ -92,7 +109,7 @@ TEST_F(OpenHaptics, TouchesAPlaneAndStops) {
         EXPECT_TRUE(soon([&] { return lean() && soon(isPressed, 2s); }));
         standin().setButtons(3);
         EXPECT_TRUE(soon([&] { return servo.buttons() == 3; }));
-        EXPECT_EQ(device.faultMessage(), nullptr);
+        EXPECT_TRUE(soonSaysNothing(device));
     }
     EXPECT_EQ(force(), 0);
     EXPECT_LE(standin().strongestForce(), 3.3);
@@ -184,7 +201,7 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
     EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
     RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
     set(HdFault::None);
-    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; }));
+    EXPECT_TRUE(soonSaysNothing(device));
     EXPECT_TRUE(lean());
 }
 
@@ -227,7 +244,7 @@ TEST_P(OpenHapticsPoses, ThatNoHandCanHaveGiveNoForceAndASentenceAndThePenComesB
         std::this_thread::sleep_for(100ms);
         EXPECT_EQ(standin().strongestWhileFaulty(), 0);
         EXPECT_LE(standin().lastForceSinceFault(), kBadReading + 2) << "2 ms of the device's own time";
-        EXPECT_LE(servo.oldestWithForce(), 0.005);
+        EXPECT_LE(servo.oldestWithForce(), kLoss);
         RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
         EXPECT_TRUE(soonSays(device, GetParam().sentence));
         set(HdFault::None);
@@ -254,9 +271,11 @@ TEST_F(OpenHaptics, ADriverThatCallsTwentyTimesTooOftenIsLimpAndComesBack) {
     EXPECT_TRUE(soonSays(device, "calls far too often"));
     EXPECT_TRUE(soon([] { return force() == 0; }));
     RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
+    const double began = monotonicSeconds();
     const long before = servo.ticks();
     std::this_thread::sleep_for(200ms);
-    EXPECT_LE(servo.ticks() - before, 1.1 * 5000 * 0.2) << "the servo leaves time to others";
+    const auto ticks = static_cast<double>(servo.ticks() - before);
+    EXPECT_LE(ticks, 1.1 * 5000 * (monotonicSeconds() - began)) << "the servo leaves time to others";
     EXPECT_EQ(force(), 0);
     set(HdFault::None);
     EXPECT_TRUE(lean());
@@ -267,12 +286,7 @@ TEST_F(OpenHaptics, TemperaturesThatAreNoNumberCountAsHot) {
     ASSERT_TRUE(device.open());
     const Servo servo(device);
     set(HdFault::NanHeat);
-    ASSERT_TRUE(soon([] {
-        const bool leans = lean();
-        standin().wantPosition(0, kWall - 9, 0);
-        return leans && soon([] { return force() > 0.85; }, 2s);
-    }));
-    EXPECT_EQ(servo.state(), ForceState::Warm);
+    ASSERT_TRUE(pressUntil([&] { return force() > 0.85 && servo.state() == ForceState::Warm; }));
     EXPECT_LE(force(), 0.88 + 1e-9);
 }
 
@@ -282,12 +296,11 @@ TEST_F(OpenHaptics, APenThatIsNotCalibratedIsLimpAndSaysWhatToDo) {
     ASSERT_TRUE(device.open());
     const Servo servo(device);
     standin().wantPosition(0, kWall - 4, 0);
-    ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
-    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("into its inkwell"));
+    ASSERT_TRUE(soonSays(device, "into its inkwell"));
     std::this_thread::sleep_for(200ms);
     EXPECT_EQ(force(), 0);
     set(HdFault::None);
-    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; }));
+    EXPECT_TRUE(soonSaysNothing(device));
     EXPECT_TRUE(lean());
 }
 
@@ -295,27 +308,23 @@ TEST_F(OpenHaptics, WarmMotorsAreSpared) {
     OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(device.open());
     const Servo servo(device);
-    ASSERT_TRUE(soon([] {
-        const bool leans = lean();
-        standin().wantPosition(0, kWall - 9, 0);
-        return leans && soon([] { return force() > 1.5; }, 2s);
-    }));
+    ASSERT_TRUE(pressUntil([] { return force() > 1.5; }));
     set(HdFault::WarmMotors);
-    EXPECT_TRUE(soon([&] { return servo.state() == ForceState::Warm && force() < 0.9; }));
-    ASSERT_NE(device.faultMessage(), nullptr);
-    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("motors are warm"));
+    const auto isSpared = [&] { return servo.state() == ForceState::Warm && force() < 0.9; };
+    EXPECT_TRUE(soon(isSpared, 2s) || pressUntil(isSpared));
+    EXPECT_TRUE(soonSays(device, "motors are warm"));
 }
 
 TEST_F(OpenHaptics, ACutForceIsSaidAndTheSessionGoesOn) {
     OpenHapticsDevice device("", TACTOOTH_STANDIN_HD);
     ASSERT_TRUE(device.open());
     const Servo servo(device);
-    ASSERT_TRUE(lean());
-    set(HdFault::TooMuchForce);
-    ASSERT_TRUE(soon([&] { return device.faultMessage() != nullptr; }));
-    EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr("press more gently"));
-    EXPECT_TRUE(soon([] { return force() > 0.3; }));
-    EXPECT_TRUE(soon([&] { return device.faultMessage() == nullptr; })) << "it is not shown for ever";
+    EXPECT_TRUE(soon([&] {  // a stall of the machine at that moment would end the force, too
+        const bool leans = lean();
+        set(HdFault::TooMuchForce);
+        return leans && soonSays(device, "press more gently") && soon([] { return force() > 0.3; }, 2s);
+    }));
+    EXPECT_TRUE(soonSaysNothing(device)) << "it is not shown for ever";
 }
 
 TEST_F(OpenHaptics, AStallOfTheDriverStartsTheForceFromZeroAgain) {
@@ -366,10 +375,10 @@ TEST_F(OpenHaptics, ALostPenLeavesTheOtherHandAlone) {
         EXPECT_EQ(standin().schedulerStarts(), before);
     }
     EXPECT_TRUE(lean());
-    EXPECT_EQ(right.faultMessage(), nullptr);
+    EXPECT_TRUE(soonSaysNothing(right));
     set(HdFault::None);
     standin().wantPosition(0, 5, 0);  // a device that renders no force may be interrupted for the time of a start
-    EXPECT_TRUE(soon([&] { return left.faultMessage() == nullptr; }));
+    EXPECT_TRUE(soonSaysNothing(left));
 }
 
 TEST_F(OpenHaptics, AServoThatHangsRendersNothing) {
@@ -377,10 +386,10 @@ TEST_F(OpenHaptics, AServoThatHangsRendersNothing) {
     ASSERT_TRUE(device.open());
     Servo servo(device);
     ASSERT_TRUE(lean());
-    const long before = standin().ticks();
+    set(HdFault::None);  // starts the count
     servo.hang(300ms);
     EXPECT_TRUE(soon([] { return force() == 0; }));
-    EXPECT_LT(standin().ticks() - before, 200) << "the driver's callback did it, not the servo";
+    EXPECT_LT(standin().lastForceSinceFault(), 200) << "the driver's callback did it, not the servo";
     EXPECT_TRUE(lean());
 }
 

@@ -13,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kLong = 20;  // s: only a broken program waits so long
+constexpr double kLong = 60;  // s: only a broken program waits so long
 
 TEST(Bell, ARingBeforeTheWaitIsNotMissed) {
     Bell bell;

@@ -17,14 +17,15 @@ namespace tactooth::test {
 class StallMonitor {
 public:
     StallMonitor();
-    /// s: the longest stall of any processor since the last call.
-    [[nodiscard]] double takeLongest();
+    /// s: the longest stall of any processor since the last call, or all those of more than half a millisecond together
+    /// if that is longer: they may have hit one thread after the other.
+    [[nodiscard]] double takeStalls();
 
 private:
     void watch(const std::stop_token& stop, unsigned processor);
 
     std::mutex mutex_;
-    double longest_ = 0;  // s; protected by the mutex
+    double longest_ = 0, total_ = 0;  // s; protected by the mutex
     std::vector<std::jthread> threads_;
 };
 

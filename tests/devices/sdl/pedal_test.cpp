@@ -98,7 +98,7 @@ TEST(Pedal, ARealJoystickIsReadWithItsAxesAndButtons) {
     foot.axis(2, 1);
     foot.button(1, true);
     const auto seen = [&](const PedalBinding& choice, double value) {
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 12'000; ++i) {
             const auto states = (*joysticks)->states();
             if (pedalOf(choice, states) == value) return true;
             std::this_thread::sleep_for(5ms);

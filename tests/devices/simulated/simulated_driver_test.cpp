@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "devices/base/monotonic_clock.h"
 #include "standin/plane_servo.h"
@@ -18,11 +19,16 @@ TEST(SimulatedDriver, SetsThePaceOfItsServoAndTimesItsAnswers) {
     SimulatedDriver driver(1000);
     ASSERT_TRUE(driver.open());
     const test::PlaneServo servo(driver);
-    const long before = servo.ticks();
-    const double start = monotonicSeconds();
-    ASSERT_TRUE(soon([&] { return servo.ticks() > before + 300; }));
-    EXPECT_NEAR(monotonicSeconds() - start, 0.3, 0.2);
-    EXPECT_GT(driver.responseTime().total(), 250U);
+    double took = 0;                // s for 300 ticks
+    const auto isAtItsPace = [&] {  // a machine that stalls now and then leaves it some time in between
+        const long before = servo.ticks();
+        const std::uint64_t answers = driver.responseTime().total();
+        const double start = monotonicSeconds();
+        if (!soon([&] { return servo.ticks() > before + 300; })) return false;
+        took = monotonicSeconds() - start;
+        return std::abs(took - 0.3) < 0.2 && driver.responseTime().total() > answers + 250;
+    };
+    EXPECT_TRUE(soon(isAtItsPace)) << took;
     EXPECT_LT(driver.responseTime().quantile(0.5), 1000);
 }
 

@@ -26,7 +26,7 @@ using ::testing::HasSubstr;
 
 template <class Done>
 bool playUntil(HapticDevice& device, const Done& done) {
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < 60'000; ++i) {
         if (done(device.read(0.001))) return true;
         std::this_thread::sleep_for(1ms);
     }

@@ -17,7 +17,7 @@ namespace tactooth::test {
 
 /// Whether a condition becomes true within a time limit that only a broken program exceeds.
 template <class Condition>
-bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::seconds(20)) {
+bool soon(const Condition& condition, std::chrono::seconds limit = std::chrono::seconds(60)) {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (!condition()) {
         if (std::chrono::steady_clock::now() > end) return false;
@@ -33,6 +33,11 @@ inline bool soonSays(const HapticDevice& device, const std::string& text) {
         const Message* const faultMessage = device.faultMessage();
         return faultMessage != nullptr && faultMessage->in(Language::English).find(text) != std::string::npos;
     });
+}
+
+/// Whether a device soon reports nothing. A stall of a busy machine is reported for 3 s, whatever the test does.
+inline bool soonSaysNothing(const HapticDevice& device) {
+    return soon([&] { return device.faultMessage() == nullptr; });
 }
 
 inline constexpr double kWall = -2;            // mm, height of a plane in the device's frame

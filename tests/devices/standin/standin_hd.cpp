@@ -118,9 +118,9 @@ void moveHands() {
     const double force = lengthOf(pens[0].force);
     strongest = std::max(strongest, force);
     if (force > 0) lastForceTick = ticksSinceFault;
-    if (fault != HdFault::None && Clock::now() - faultSince > std::chrono::milliseconds(5)) {
-        strongestFaulty = std::max(strongestFaulty, force);
-    }
+    // Also 5 ms by its own ticks: a machine that stalls keeps the force of the moment before.
+    const bool isLate = Clock::now() - faultSince > std::chrono::milliseconds(5) && ticksSinceFault >= 5;
+    if (fault != HdFault::None && isLate) strongestFaulty = std::max(strongestFaulty, force);
 }
 
 HdFault faultNow() {
@@ -238,8 +238,9 @@ void readTransform(double* out) {
     const Pen& pen = pens[std::min(current, kMaxPens - 1)];
     for (std::size_t i = 0; i < 3; ++i) out[12 + i] = pen.position[i];
     if (fault == HdFault::NanPose) out[13] = std::numeric_limits<double>::quiet_NaN();
-    if (fault == HdFault::Jump) out[12] += 50;
+    // To and fro: if the machine stalls at that moment, a single jump could be a quick motion of the hand.
     const bool isOdd = ticksSinceFault % 2 == 1;
+    if (fault == HdFault::Jump && isOdd) out[12] += 50;
     if (fault == HdFault::Jitter && isOdd) out[12] += 4.9;
     if (fault == HdFault::Drift) out[12] += 3.0 * static_cast<double>(ticksSinceFault);
     if (fault == HdFault::BentAxes) out[1] = 0.4;

@@ -19,7 +19,7 @@ enum class HdFault : int {
     NeedsInkwell,   ///< the pen has to be docked
     Stall,          ///< one pause of the callbacks, 5 ms long
     NanPose,
-    Jump,          ///< the position jumps by 50 mm
+    Jump,          ///< the position jumps by 50 mm, to and fro
     DeviceFault,   ///< an error at every frame, while the motors keep running
     CrashAtStart,  ///< the library crashes when a device is started
     BentAxes,      ///< three axes that are not a rotation
@@ -43,7 +43,7 @@ struct HdStandinControl {
     void (*lastForce)(double* xyz);                      ///< N, HDAPI's frame, of the first pen
     double (*forceOf)(int pen);                          ///< N; pen 0 is the first, 1 the one named Left
     double (*strongestForce)();                          ///< N, since the reset
-    double (*strongestWhileFaulty)();                    ///< N, more than 5 ms after a fault was set
+    double (*strongestWhileFaulty)();                    ///< N, more than 5 ms and 5 ticks after a fault was set
     long (*ticks)();
     /// The last tick after a fault was set in which the first pen received a force that its motors rendered. Tick 1 is
     /// the one with the bad reading. 0: in none.

@@ -16,7 +16,7 @@ namespace tactooth::test {
 namespace {
 
 constexpr int kPollMs = 10;
-constexpr int kPatience = 1000;  // number of polls for which an event waits for a client
+constexpr int kPatience = 6000;  // number of polls for which an event waits for a client
 constexpr std::int32_t kMotion = 0, kPress = 1, kRelease = 2;
 
 bool readable(int file) {

@@ -36,7 +36,7 @@ public:
     explicit PlaneServo(HapticDevice& device) : device_(device), pipeline_(patient(device.info().limits)) {}
 
     /// Runs ticks until the condition is true; false after a time limit that only a broken program exceeds.
-    bool runUntil(const std::function<bool()>& isSo, double seconds = 20) {
+    bool runUntil(const std::function<bool()>& isSo, double seconds = 60) {
         for (const double end = monotonicSeconds() + seconds; monotonicSeconds() < end;) {
             tick();
             if (isSo()) return true;
@@ -46,7 +46,7 @@ public:
     /// If the machine stalls, the device releases its force, which returns only after the tool has lifted off.
     bool lean(const HdStandinControl& pen) {
         const auto isPressed = [&] { return pen.forceOf(0) > 0.3; };
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 60; ++i) {
             pen.wantPosition(0, 5, 0);
             (void)runUntil([] { return false; }, 0.2);
             pen.wantPosition(0, -6, 0);

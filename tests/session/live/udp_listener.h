@@ -38,10 +38,10 @@ public:
         pollfd waiting{socket_, POLLIN, 0};
         return ::poll(&waiting, 1, 0) > 0;
     }
-    /// Empty if nothing comes within ten seconds.
+    /// Empty if nothing comes within a minute.
     [[nodiscard]] std::vector<std::byte> next() const {
         pollfd waiting{socket_, POLLIN, 0};
-        if (::poll(&waiting, 1, 10'000) <= 0) return {};
+        if (::poll(&waiting, 1, 60'000) <= 0) return {};
         std::vector<std::byte> bytes(2048);
         bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::recv(socket_, bytes.data(), bytes.size(), 0))));
         return bytes;

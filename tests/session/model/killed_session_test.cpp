@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <string_view>
 #include <thread>
@@ -30,6 +31,7 @@
 #include "session/recording/session_recording.h"
 #include "session/recording/session_replay.h"
 #include "session/simulation/tooth_file.h"
+#include "support/disk_watch.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 #include "track/stepped_session.h"
@@ -41,7 +43,7 @@ namespace fs = std::filesystem;
 using Seconds = std::chrono::duration<double>;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kMostLost = 1.5;  // s: a block of half a second, and a sync on a busy disk
+constexpr double kMostLost = 1.5;  // s: a block of half a second, and a sync; more where the disk takes longer
 constexpr const char* kWork = R"({"title":"Block","bur":"Flat","seconds":1,"events":[]})";
 constexpr const char* kLive = "--live";  // KIND FOLDER: the program is the one that is killed
 
@@ -236,13 +238,23 @@ protected:
         EXPECT_EQ(WEXITSTATUS(status), 0);
         return false;
     }
+    /// Kills a recording as soon as its session has so many ticks.
+    static void killAtTick(std::uint64_t ticks, const fs::path& folder, const Progress& progress) {
+        const pid_t child = begin("recording", folder);
+        while (progress.ticks < ticks && !endsWithin(child, 1e-3)) {
+        }
+        ::kill(child, SIGKILL);
+        int status = 0;
+        EXPECT_EQ(::waitpid(child, &status, 0), child);
+        EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << status;
+    }
     /// Calls `check(folder, progress)` after each kill, and counts those that came after something was done. `prepare`
     /// is called with each new folder.
     template <class Prepare, class Check>
     void killEach(const char* kind, double within, const Prepare& prepare, const Check& check) {
         std::mt19937 random(300);
         int killed = 0, atWork = 0;
-        for (int tried = 0; killed < kills() && tried < 3 * kills() && !HasFailure(); ++tried) {
+        for (int tried = 0; killed < kills() && tried < 20 * kills() && !HasFailure(); ++tried) {
             const test::TemporaryFolder folder;
             const SharedProgress progress(folder.path());
             prepare(folder.path());
@@ -280,12 +292,13 @@ protected:
 
 TEST_F(KilledSession, WhileItIsRecordedLacksNoMoreThanItMay) {
     double mostLost = 0;
+    test::DiskWatch disk;
     killEach("recording", findKind("recording")->seconds, nothing, [&](const fs::path& folder, Progress& progress) {
         expectNoHalfFile(folder, {".ttsession"});
         const double lived = 1e-3 * static_cast<double>(progress.ticks);
         double recorded = 0;
         for (const fs::path& file : filesOf(folder, ".ttsession")) recorded = replayed(file).seconds;
-        EXPECT_LT(lived - recorded, kMostLost);
+        EXPECT_LT(lived - recorded, kMostLost + disk.takeLongest());
         mostLost = std::max(mostLost, lived - recorded);
     });
     std::printf("recording: at most %.2f s lost\n", mostLost);
@@ -343,15 +356,15 @@ TEST_F(KilledSession, WhileItIsRestoredIsNotLost) {
     const test::TemporaryFolder before;
     {
         const SharedProgress progress(before.path());
-        ASSERT_TRUE(killAfter("recording", before.path(), 3, &*progress));  // what there is to restore
+        killAtTick(3000, before.path(), *progress);  // what there is to restore
     }
     const Replayed all = replayed(before / "s.ttsession");
     ASSERT_GT(all.ticks, 1000U);
     const auto leave = [&](const fs::path& folder) {
         fs::copy_file(before / "s.ttsession", folder / "live-1-0.ttsession");
     };
-    double whole = 0;
-    {
+    double whole = std::numeric_limits<double>::infinity();  // s, without a stall of the machine
+    for (int i = 0; i < 3; ++i) {
         const test::TemporaryFolder folder;
         const SharedProgress progress(folder.path());
         leave(folder.path());
@@ -359,7 +372,7 @@ TEST_F(KilledSession, WhileItIsRestoredIsNotLost) {
         const pid_t child = begin("restore", folder.path());
         int status = 0;
         ASSERT_EQ(::waitpid(child, &status, 0), child);
-        whole = Seconds(Clock::now() - began).count();
+        whole = std::min(whole, Seconds(Clock::now() - began).count());
         ASSERT_EQ((*progress).turns, 4U) << "it could not be restored";
     }
     killEach("restore", whole, leave, [&](const fs::path& folder, Progress&) {

@@ -114,9 +114,9 @@ private:
     return withHead({.name = "Flat", .instrument = flatBur(), .shown = mesh, .blurred = mesh, .file = {}});
 }
 
-/// Steps the model until the condition holds; false if it does not within 20 s.
+/// Steps the model until the condition holds; false if it does not within a minute.
 [[nodiscard]] inline bool stepUntil(SessionModel& model, const std::function<bool()>& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (std::chrono::steady_clock::now() < end) {
         (void)model.step(0.01);
         if (condition()) return true;

@@ -66,7 +66,7 @@ struct RecordedStrokes {
 private:
     /// Its queues hold 16,384 events, and it looks 20 times a second: nobody may be faster than that.
     static void waitForRecorder(std::uint64_t ticks) {
-        constexpr std::uint64_t kBatch = 4000;
+        constexpr std::uint64_t kBatch = 2000;
         static thread_local std::chrono::steady_clock::time_point batchBegan;
         if (ticks % kBatch != 0) return;
         const auto next = batchBegan + std::chrono::milliseconds(60);

@@ -106,8 +106,11 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(comparison().source()->track()->isFinished(), kLoadPatience);
         replay().cursor().setPlaying(false);
     }
-    /// Both pictures show the cursor's moment with full quality.
+    /// Both pictures show the cursor's moment with full quality. It asks for the teeth first: the next pictures may not
+    /// have been drawn yet.
     void waitForPictures() const {
+        (void)replay().source()->contentsAt(replay().cursor().moment(), {});
+        (void)comparison().source()->contentsAt(replay().cursor().otherMoment(), {});
         const auto isThere = [this] {
             return replay().source()->isToothThere() && comparison().source()->isToothThere() && first().isAtRest() &&
                    other()->isAtRest();
