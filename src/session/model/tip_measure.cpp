@@ -108,7 +108,8 @@ AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& too
     // In a cavity: from outside onto the uncut surface. Over the tooth: onto what is there now.
     const auto depth = hand.depthControl().depthOf(mark.tip, inward);
     const bool isInside = depth && *depth > 0;
-    const double back = isInside ? kOutside : 0;
+    // A bur in a fissure has cusps beside it that rise above its tip.
+    const double back = isInside ? kOutside : headRadius;
     const Surface& below = isInside ? *uncut : *there.touchable;
     const auto landingOf = [&](const Vec3& place) -> std::optional<Vec3> {
         const Vec3 start = place - back * inward;

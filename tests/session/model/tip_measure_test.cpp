@@ -60,6 +60,20 @@ TEST_F(AimMarkTest, MarksThePartOfTheRingThatLiesOnANeighbour) {
     }
 }
 
+TEST_F(AimMarkTest, TheRingLiesOnWhatRisesBesideTheTip) {
+    standBeside(5.4);
+    const AimMark mark = aimMark(hand_, kRadius, {Vec3(4.95, 0, 5.1), Quat::Identity()});
+    ASSERT_TRUE(mark.landing);
+    EXPECT_NEAR(mark.landing->z(), 5, 1e-9);
+    int beside = 0;
+    for (const AimPlace& place : mark.ring) {
+        const bool isBeside = place.at.x() > 5.2;
+        EXPECT_NEAR(place.at.z(), isBeside ? 5.4 : 5, 1e-6);  // a mesh has single precision
+        beside += isBeside ? 1 : 0;
+    }
+    EXPECT_GT(beside, 0);
+}
+
 TEST_F(AimMarkTest, ANeighbourBelowTheFloorIsNotTouched) {
     standBeside(3.5);
     hand_.setPressMode(PressMode::Depth);
