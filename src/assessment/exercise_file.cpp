@@ -173,8 +173,7 @@ private:
         const MaterialRegistry& materials = *rim.materials;
         if (const auto material = ownMaterial(table, msg::kRimMaterial)) {
             rim.material = *material;
-            const int least = materials[materials.withRole(MaterialRole::Dentin)].nesting;
-            const int above = materials[materials.withRole(MaterialRole::Pulp)].nesting;
+            const auto [least, above] = rimNesting(materials);
             const int nesting = materials[rim.material].nesting;
             if (nesting < least || nesting >= above)
                 toml_.fail(*table.get("material"), {msg::kRimNesting, materials.nameOf(rim.material), least, above});

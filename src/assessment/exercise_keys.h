@@ -50,6 +50,15 @@ inline constexpr std::size_t kMostZones = 20;                        // where no
              {"distal", -mesialX * Vec3::UnitX()}}};
 }
 
+/// The nesting of what may be the rim of decay: it covers dentin, and neither pulp nor decay.
+struct RimNesting {
+    int least, above;
+};
+[[nodiscard]] inline RimNesting rimNesting(const MaterialRegistry& materials) {
+    return {materials[materials.withRole(MaterialRole::Dentin)].nesting,
+            materials[materials.withRole(MaterialRole::Pulp)].nesting};
+}
+
 /// The mesial direction on the x axis: +1 for a surface from a file.
 [[nodiscard]] inline double toothMesialX(const std::variant<ToothRequest, ToothSource>& tooth) {
     const auto* request = std::get_if<ToothRequest>(&tooth);

@@ -295,11 +295,10 @@ namespace {
 
 /// What may be the rim of decay: it lies in the dentin.
 std::optional<MaterialId> rimMaterial(const MaterialRegistry& materials) {
-    const auto nestingOf = [&](MaterialRole role) { return materials[materials.withRole(role)].nesting; };
+    const auto [least, above] = rimNesting(materials);
     for (const MaterialId id : materials.inMenuOrder()) {
         const int nesting = materials[id].nesting;
-        const bool fits = nesting >= nestingOf(MaterialRole::Dentin) && nesting < nestingOf(MaterialRole::Pulp);
-        if (fits && materials.hasRole(id, MaterialRole::None)) return id;
+        if (nesting >= least && nesting < above && materials.hasRole(id, MaterialRole::None)) return id;
     }
     return std::nullopt;
 }
