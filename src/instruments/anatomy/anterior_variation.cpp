@@ -4,6 +4,7 @@
 
 #include "instruments/anatomy/deviation.h"
 #include "instruments/anatomy/plan_variation.h"
+#include "instruments/anatomy/root_variation.h"
 
 namespace tactooth {
 namespace {

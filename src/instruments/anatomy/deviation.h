@@ -32,18 +32,4 @@ namespace tactooth {
     return std::mt19937(seed * 100 + kPlan + placeOfTooth(fdi));
 }
 
-/// mm that the apices of all teeth of a mouth move to mesial and to buccal.
-struct RootSwing {
-    double mesial, buccal;
-};
-
-/// Neighbouring roots bend alike, or they would meet. Most bend to distal.
-[[nodiscard]] inline RootSwing rootSwing(std::uint32_t seed) {
-    constexpr std::uint32_t kMouth = 99;                              // beyond the generators of all teeth
-    constexpr double kToMesial = 0.2, kToDistal = 0.7, kAside = 0.3;  // mm, chosen
-    std::mt19937 random(seed * 100 + kMouth);
-    const double mesial = numberBetween(random, -kToDistal, kToMesial);
-    return {mesial, deviation(random, kAside)};
-}
-
 }  // namespace tactooth
