@@ -72,12 +72,17 @@ TEST(ImpactVoice, AudibleThenGoneWithinATenthOfASecond) {
     }
 }
 
-TEST(ImpactVoice, CountThatWasAlreadyThereDoesNotKnock) {
+/// Of the sound of a state that stays as it is.
+float steadyPeak(const DrillSoundState& state) {
     DrillSynthesiser synthesiser;
+    return peak(renderDrill(synthesiser, 0.2, [&](double) { return state; }));
+}
+
+TEST(ImpactVoice, CountThatWasAlreadyThereDoesNotKnock) {
     DrillSoundState state;
     state.contactCount = 41;
     state.contactSpeed = 100.0;
-    EXPECT_EQ(peak(renderDrill(synthesiser, 0.2, [&](double) { return state; })), 0.0f);
+    EXPECT_EQ(steadyPeak(state), 0.0f);
 }
 
 TEST(ImpactVoice, EachNewCountKnocksOnce) {
@@ -117,11 +122,10 @@ TEST(ImpactVoice, APullOutRingsBrightAndShort) {
 }
 
 TEST(ImpactVoice, APullOutThatWasAlreadyCountedDoesNotTick) {
-    DrillSynthesiser synthesiser;
     DrillSoundState state;
     state.pullOutCount = 41;
     state.pullOutForce = 1.0;
-    EXPECT_EQ(peak(renderDrill(synthesiser, 0.2, [&](double) { return state; })), 0.0f);
+    EXPECT_EQ(steadyPeak(state), 0.0f);
 }
 
 TEST(ImpactVoice, AForceThatIsNoForceDoesNotTick) {
