@@ -27,7 +27,7 @@ bool tryTarget(const FuzzTarget& target, const std::string& bytes);
 
 /// Tries the target on files of its corpus that are damaged once or twice, in rounds of seeded chance until either the
 /// rounds or the time are over, but for `leastRounds`, however long they take. Fails also if nearly all or nearly none
-/// of them are accepted, or one takes a minute. Gives the number of rounds.
+/// of them are accepted, or one takes seconds. Gives the number of rounds.
 int tryDamagedSeeds(const FuzzTarget& target, int mostRounds, std::chrono::steady_clock::duration longest,
                     int leastRounds = 0);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -17,26 +16,21 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 void waitForStatus(const SoundOutput& output, SoundStatus status) {
-    for (const auto start = Clock::now(); output.status() != status && Clock::now() - start < 60s;) {
+    for (const auto start = Clock::now(); output.status() != status && Clock::now() - start < 5s;) {
         std::this_thread::sleep_for(1ms);
     }
 }
 
 TEST(SilentMachine, StartsSaysSoAndStopsWithinASecond) {
-    constexpr int kTries = 10;  // a busy machine may be late now and then
-    auto shortest = Clock::duration::max();
-    for (int i = 0; i < kTries && shortest >= 1s; ++i) {
-        const auto start = Clock::now();
-        {
-            OpenAlOutput output;
-            waitForStatus(output, SoundStatus::Silent);
-            EXPECT_EQ(output.status(), SoundStatus::Silent);
-            EXPECT_EQ(statusText(output.status()).english, "no sound card: silent");
-            EXPECT_EQ(output.playedBlocks(), 0u);
-        }
-        shortest = std::min(shortest, Clock::now() - start);
+    const auto start = Clock::now();
+    {
+        OpenAlOutput output;
+        waitForStatus(output, SoundStatus::Silent);
+        EXPECT_EQ(output.status(), SoundStatus::Silent);
+        EXPECT_EQ(statusText(output.status()).english, "no sound card: silent");
+        EXPECT_EQ(output.playedBlocks(), 0u);
     }
-    EXPECT_LT(shortest, 1s);
+    EXPECT_LT(Clock::now() - start, 1s);
 }
 
 TEST(SilentMachine, TakesStatesAndVolumesAsUsual) {

@@ -40,8 +40,7 @@ TEST_F(ReplayCommand, ReachesTheRecordedToothAndWritesIt) {
     const auto info = jsonOf({"session", "info", session, "--json"});
     EXPECT_TRUE(info["complete"]);
     EXPECT_TRUE(info["cut_off_at"].is_null());
-    EXPECT_GT(info["seconds"], 1.5);
-    EXPECT_LT(info["seconds"], 6) << "a slow machine takes some time to stop the hand";
+    EXPECT_NEAR(info["seconds"], 2, 0.5);
     EXPECT_GT(info["ticks"], 500);
     EXPECT_EQ(info["bytes"], fs::file_size(session));
     EXPECT_EQ(info["events"]["burs"], 1);
@@ -60,8 +59,7 @@ TEST_F(ReplayCommand, ReachesTheRecordedToothAndWritesIt) {
     EXPECT_EQ(verified.exitCode, 0) << verified.err;
     EXPECT_THAT(verified.out, HasSubstr("bit for bit"));
     const auto part = jsonOf({"replay", session, "--until", "0.5", "--json"});
-    EXPECT_LE(part["seconds"], 0.5);
-    EXPECT_GT(part["seconds"], 0.3) << "but for the longest tick of a busy machine";
+    EXPECT_NEAR(part["seconds"], 0.5, 0.05);
 }
 
 TEST_F(ReplayCommand, ARecordingThatWasCutOffIsPlayedToItsEndAndRepaired) {

@@ -157,7 +157,7 @@ protected:
     [[nodiscard]] bool press() {
         return soon([this] {
             standin_->moveTo(5);
-            std::this_thread::sleep_for(250ms);
+            std::this_thread::sleep_for(150ms);
             standin_->moveTo(kWall - 6);
             return soon([this] { return standin_->force() > kFelt; }, 2s);
         });

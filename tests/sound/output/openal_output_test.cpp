@@ -5,13 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <thread>
-#include <vector>
 
 #include "sound/files/sound_format.h"
 #include "sound/output/audio_libraries.h"
@@ -32,61 +28,41 @@ using Clock = std::chrono::steady_clock;
 }();
 
 void waitForBlocks(const OpenAlOutput& output, std::uint64_t blocks) {
-    for (const auto start = Clock::now(); output.playedBlocks() < blocks && Clock::now() - start < 60s;) {
+    for (const auto start = Clock::now(); output.playedBlocks() < blocks && Clock::now() - start < 5s;) {
         std::this_thread::sleep_for(1ms);
     }
 }
 
-/// Whether what has to be in time is so in one of a few attempts: a busy machine wakes its threads late now and then.
-bool isSometimes(const std::function<bool()>& inTime) {
-    constexpr int kTries = 5;
-    for (int i = 0; i < kTries; ++i) {
-        if (inTime()) return true;
-    }
-    return false;
-}
-
 TEST(OpenAlOutput, PlaysInRealTime) {
-    double seconds = 0, passed = 0;
-    std::uint64_t underruns = 0;
-    const auto playsASecond = [&] {
-        OpenAlOutput output;
-        waitForBlocks(output, 10);
-        EXPECT_EQ(output.status(), SoundStatus::Playing);
-        const auto start = Clock::now();
-        const std::uint64_t before = output.playedBlocks();
-        while (Clock::now() - start < 1s) {
-            output.publish(test::cutting("enamel", 5.0));
-            std::this_thread::sleep_for(1ms);
-        }
-        seconds = static_cast<double>(output.playedBlocks() - before) * kSoundBlock / kSoundRate;
-        passed = std::chrono::duration<double>(Clock::now() - start).count();
-        underruns = output.underruns();
-        return std::abs(seconds - passed) < 0.1 && underruns <= 2;
-    };
-    EXPECT_TRUE(isSometimes(playsASecond)) << seconds << " s in " << passed << " s, " << underruns << " underruns";
+    OpenAlOutput output;
+    waitForBlocks(output, 10);
+    ASSERT_EQ(output.status(), SoundStatus::Playing);
+    const auto start = Clock::now();
+    const std::uint64_t before = output.playedBlocks();
+    while (Clock::now() - start < 1s) {
+        output.publish(test::cutting("enamel", 5.0));
+        std::this_thread::sleep_for(1ms);
+    }
+    const double seconds = static_cast<double>(output.playedBlocks() - before) * kSoundBlock / kSoundRate;
+    const double passed = std::chrono::duration<double>(Clock::now() - start).count();
+    EXPECT_NEAR(seconds, passed, 0.1);
+    EXPECT_LE(output.underruns(), 2u);  // a busy machine may wake the thread late
 }
 
 TEST(OpenAlOutput, StartsAndStopsWithinASecondAgainAndAgain) {
-    const auto startsAndStops = [] {
-        const auto start = Clock::now();
-        for (int i = 0; i < 5; ++i) {
-            OpenAlOutput output;
-            waitForBlocks(output, 1);
-            EXPECT_EQ(output.status(), SoundStatus::Playing);
-        }
-        return Clock::now() - start < 5s;
-    };
-    EXPECT_TRUE(isSometimes(startsAndStops));
+    const auto start = Clock::now();
+    for (int i = 0; i < 5; ++i) {
+        OpenAlOutput output;
+        waitForBlocks(output, 1);
+        EXPECT_EQ(output.status(), SoundStatus::Playing);
+    }
+    EXPECT_LT(Clock::now() - start, 5s);
 }
 
 TEST(OpenAlOutput, StopsAtOnceEvenBeforeItHasStarted) {
-    const auto stops = [] {
-        const auto start = Clock::now();
-        for (int i = 0; i < 5; ++i) const OpenAlOutput output;
-        return Clock::now() - start < 2s;
-    };
-    EXPECT_TRUE(isSometimes(stops));
+    const auto start = Clock::now();
+    for (int i = 0; i < 5; ++i) const OpenAlOutput output;
+    EXPECT_LT(Clock::now() - start, 2s);
 }
 
 TEST(OpenAlOutput, TakesStatesVolumesAndPlacesFromTwoThreads) {
@@ -105,28 +81,23 @@ TEST(OpenAlOutput, TakesStatesVolumesAndPlacesFromTwoThreads) {
         EXPECT_GE(output.playedBlocks(), before);
         before = output.playedBlocks();
     }
-    waitForBlocks(output, 51);
-    EXPECT_GT(output.playedBlocks(), 50u);
+    EXPECT_GT(before, 50u);
 }
 
 TEST(OpenAlOutput, FromAParameterToItsSampleItTakesAtMostThirtyMilliseconds) {
-    double usual = 0, late = 0;  // s
-    const auto isInTime = [&] {
-        OpenAlOutput output;
-        waitForBlocks(output, 20);
-        std::vector<double> latencies;
-        for (int i = 0; i < 1000; ++i) {
-            output.publish(test::cutting("enamel", 5.0));
-            latencies.push_back(output.latency());
-            std::this_thread::sleep_for(1ms);
-        }
-        std::sort(latencies.begin(), latencies.end());
-        EXPECT_GT(latencies.front(), 0.005);  // less than the buffer of the device would be a wrong measurement
-        usual = latencies[latencies.size() / 2];
-        late = test::isSanitized() ? 0 : latencies[latencies.size() * 95 / 100];  // its threads come late
-        return usual < 0.030 && late < 0.030;
-    };
-    EXPECT_TRUE(isSometimes(isInTime)) << usual << " s, one in twenty " << late << " s";
+    OpenAlOutput output;
+    waitForBlocks(output, 20);
+    std::vector<double> latencies;
+    for (int i = 0; i < 1000; ++i) {
+        output.publish(test::cutting("enamel", 5.0));
+        latencies.push_back(output.latency());
+        std::this_thread::sleep_for(1ms);
+    }
+    std::sort(latencies.begin(), latencies.end());
+    EXPECT_GT(latencies.front(), 0.005);  // less than the buffer of the device would be a wrong measurement
+    EXPECT_LT(latencies[latencies.size() / 2], 0.030);
+    if (test::isSanitized()) return;  // its threads come late
+    EXPECT_LT(latencies[latencies.size() * 95 / 100], 0.030);
 }
 
 TEST(OpenAlOutput, PlayingUsesNoHeapOfOurs) {
@@ -140,7 +111,6 @@ TEST(OpenAlOutput, PlayingUsesNoHeapOfOurs) {
         output.setPlacement({{0.1 * i, 0.0, -100.0}, {}});
         std::this_thread::sleep_for(1ms);
     }
-    waitForBlocks(output, played + 51);
     EXPECT_GT(output.playedBlocks(), played + 50);
     EXPECT_EQ(test::heapCalls(), before);
 }
