@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cutting: time from a bur's move to the new surface (carve, extraction, snapshot). A bur of 1.2 mm plunges 2 mm into
 // a tooth of some 325,000 triangles and then runs along a slot; each iteration is the move between two surface updates.
-// Swept as far as the path goes, or as far as a given work pays for (feed).
+// Swept as far as the path goes, or as far as a given work suffices (feed).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ BENCHMARK(carveAndUpdate)
     ->Iterations(300)
     ->Unit(benchmark::kMillisecond);
 
-/// The way toward a hand that is always ahead is as long as the work pays for. Arguments: voxel in um, work that each
+/// Feeds toward a device that is always ahead, as far as the work suffices. Arguments: voxel in um, work that each
 /// update may spend in mN*m.
 void feedAndUpdate(benchmark::State& state) {
     const double voxel = 1e-3 * static_cast<double>(state.range(0));

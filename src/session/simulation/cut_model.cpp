@@ -17,18 +17,19 @@ namespace {
 constexpr double kKeptWork = 0.3;
 
 // Longest feed of one update, mm: 20 mm/s at an update each 5 ms, faster than any hand. It keeps the search for the
-// affordable path short where the device is far ahead of the bur.
+// length of a step short where the device is far ahead of the bur.
 constexpr double kLongestFeed = 0.1;
 
-// The search for the affordable path looks as far ahead as the work pays for at the price of the last step, and this
-// much farther: a price seldom falls by more from one update to the next.
+// The search for the length of a step begins where the work would suffice at the work for each mm of the last step,
+// times this: that seldom falls by more from one update to the next.
 constexpr double kLookAhead = 1.15;
 
-// Share of the least price that was found: so much work is saved, at which a slightly longer step is found, too.
+// Share of the least work that a step was found to require: so much is saved. It also suffices for a slightly longer
+// step.
 constexpr double kStepMargin = 1.05;
 
-// A step counts as the same if the bur begins this near, in voxels or rad, and goes the same way within some 10
-// degrees.
+// A step counts as the same if the bur begins this near, in voxels or rad, and its path has the same direction within
+// some 10 degrees.
 constexpr double kSamePlace = 1e-3;
 constexpr double kSameDirection = 0.985;
 
@@ -77,16 +78,16 @@ Pose CutModel::startOf(const Tick& tick) const {
     return isMovingTo ? *reached_ : tick.contact.proxy;
 }
 
-/// The work that a cut may spend now, N*m; nothing if there is none, or none new.
+/// The work that a cut may use now, N*m; nothing if there is none, or none new.
 std::optional<double> CutModel::newWork(const Tick& tick) {
     updateContact(tick);
     const double work = tick.spindle.cutWork - workSpent_;
-    const bool hasWorked = tick.spindle.cutWork > workSeen_;  // otherwise the last step is still not affordable
+    const bool hasWorked = tick.spindle.cutWork > workSeen_;  // otherwise the work still does not suffice
     workSeen_ = tick.spindle.cutWork;
     if (tick.contact.triangles == 0 || !(work > 0)) {
         workSpent_ = tick.spindle.cutWork;
         reached_.reset();
-        unpaid_.reset();
+        deferred_.reset();
         return std::nullopt;
     }
     return hasWorked ? std::optional(work) : std::nullopt;
@@ -98,16 +99,16 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
     if (!work) return false;
     constexpr std::array kLifts = {0.0, 0.05, 0.1, 0.2, 0.4};  // mm off the tissue
     constexpr double kKept = 5e-4;                             // N*m: 0.5 N along 1 mm
-    const Vec3 way = tick.input.device.position - tick.contact.proxy.position;
-    const double feed = std::min(way.norm(), kLongestFeed);
+    const Vec3 toDevice = tick.input.device.position - tick.contact.proxy.position;
+    const double feed = std::min(toDevice.norm(), kLongestFeed);
     if (!(feed > 0)) return false;
     for (const double lift : kLifts) {
         const Pose start{tick.contact.proxy.position + lift * tick.contact.normal, tick.contact.proxy.rotation};
-        const Pose goal{start.position + feed * way.normalized(), start.rotation};
+        const Pose goal{start.position + feed * toDevice.normalized(), start.rotation};
         const FeedResult result = feedBur(volume_, blade.envelope, start, goal, *work, materials, blade.sharpness);
-        if (!std::isfinite(result.wanted)) continue;
-        workSpent_ =
-            std::max(workSpent_ + result.work, tick.spindle.cutWork - std::max(kKept, kStepMargin * result.wanted));
+        if (!std::isfinite(result.requiredWork)) continue;
+        workSpent_ = std::max(workSpent_ + result.work,
+                              tick.spindle.cutWork - std::max(kKept, kStepMargin * result.requiredWork));
         addRemoved(result.carve);
         const bool changed = !changed_.empty();
         refreshSurface();
@@ -118,20 +119,21 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
 }
 
 bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials) {
-    const std::optional<double> payable = newWork(tick);
-    if (!payable) return false;
-    const double work = *payable;
+    const std::optional<double> available = newWork(tick);
+    if (!available) return false;
+    const double work = *available;
     const Pose start = startOf(tick);
     const double toDevice = (tick.input.device.position - start.position).norm();
     const double feed = std::min(toDevice, kLongestFeed);
     const Pose goal = between(start, tick.input.device, toDevice > kLongestFeed ? kLongestFeed / toDevice : 1);
-    if (isUnpaid(start, goal, work)) return false;
+    if (isDeferred(start, goal, work)) return false;
     const double enough = enoughLength(work) / feed;
     const FeedResult result = feedBur(volume_, tool.envelope, start, goal, work, materials, tool.sharpness, enough);
-    keepPriceOf(result, start, goal);
+    keepWorkOf(result, start, goal);
     reached_ = between(start, goal, result.fraction);
     // A broad bur in hard enamel must save work for its smallest step, which depends on the clearance of the cut.
-    const double kept = std::isfinite(result.wanted) ? std::max(kKeptWork, kStepMargin * result.wanted) : kKeptWork;
+    const double kept =
+        std::isfinite(result.requiredWork) ? std::max(kKeptWork, kStepMargin * result.requiredWork) : kKeptWork;
     workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - kept);
     addRemoved(result.carve);
     const bool changed = !changed_.empty();
@@ -139,29 +141,29 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     return changed;
 }
 
-/// Whether this step was too expensive before and still is. A search would be in vain.
-bool CutModel::isUnpaid(const Pose& start, const Pose& goal, double work) const {
-    if (!unpaid_ || unpaid_->edits != volume_.edits() || work >= unpaid_->price) return false;
+/// Whether the same step was found to require more work than there is. A search would find nothing.
+bool CutModel::isDeferred(const Pose& start, const Pose& goal, double work) const {
+    if (!deferred_ || deferred_->edits != volume_.edits() || work >= deferred_->requiredWork) return false;
     const double near = kSamePlace * volume_.lattice().spacing();
     const Vec3 path = goal.position - start.position;
-    return (start.position - unpaid_->start.position).norm() <= near &&
-           start.rotation.angularDistance(unpaid_->start.rotation) <= kSamePlace &&
-           path.dot(unpaid_->path) > kSameDirection * path.norm() * unpaid_->path.norm();
+    return (start.position - deferred_->start.position).norm() <= near &&
+           start.rotation.angularDistance(deferred_->start.rotation) <= kSamePlace &&
+           path.dot(deferred_->path) > kSameDirection * path.norm() * deferred_->path.norm();
 }
 
-/// A length that is likely to need more than this work, mm. A step of the sweep shorter than a voxel costs no less.
+/// A length that is likely to need more than this work, mm. A step of the sweep shorter than a voxel requires no less.
 double CutModel::enoughLength(double work) const {
     const double voxel = volume_.lattice().spacing();
-    return lastPrice_ ? std::max(kLookAhead * work / *lastPrice_, voxel) : voxel;
+    return lastWork_ ? std::max(kLookAhead * work / *lastWork_, voxel) : voxel;
 }
 
-void CutModel::keepPriceOf(const FeedResult& result, const Pose& start, const Pose& goal) {
-    unpaid_.reset();
+void CutModel::keepWorkOf(const FeedResult& result, const Pose& start, const Pose& goal) {
+    deferred_.reset();
     const Vec3 path = goal.position - start.position;
     const double length = result.fraction * path.norm();
-    if (length > 0) lastPrice_ = result.work / length;
-    if (result.fraction == 0 && result.wanted > 0 && std::isfinite(result.wanted))
-        unpaid_ = UnpaidStep{start, path, result.wanted, volume_.edits()};
+    if (length > 0) lastWork_ = result.work / length;
+    if (result.fraction == 0 && result.requiredWork > 0 && std::isfinite(result.requiredWork))
+        deferred_ = DeferredStep{start, path, result.requiredWork, volume_.edits()};
 }
 
 /// Time starts anew with each simulation of the model.
@@ -254,7 +256,7 @@ void CutModel::restore(const std::vector<ChangedBrick>& changed, const ToothLoss
 
 bool CutModel::reset(double time) {
     reached_.reset();
-    lastPrice_.reset();
+    lastWork_.reset();
     mayBeDetached_ = false;
     if (volume_.cutBricks().empty()) return false;
     markStep({CutStep::Kind::Reset, time});

@@ -57,12 +57,12 @@ public:
     /// Removes all that the bur sweeps between two poses, without the removal law. Returns the removed volumes.
     MaterialVolumes sweep(const CuttingTool& tool, const Pose& from, const Pose& to);
 
-    /// Cuts from the proxy toward the device pose of `tick`, as far as the work since the last call pays for. Returns
+    /// Cuts from the proxy toward the device pose of `tick`, as far as the work since the last call suffices. Returns
     /// true if the surface has changed.
     bool feed(const CuttingTool& tool, const Tick& tick, const MaterialTable& materials);
 
     /// Takes soft tissue away with a blade in the hand, from the proxy toward the device pose of `tick`, as far as the
-    /// work since the last call pays for. Tissue without `removal` stays, every voxel of it. Returns true if the
+    /// work since the last call suffices. Tissue without `removal` stays, every voxel of it. Returns true if the
     /// surface has changed.
     bool scrape(const CuttingTool& blade, const Tick& tick, const MaterialTable& materials);
 
@@ -107,11 +107,11 @@ public:
     [[nodiscard]] CutHistory history();
 
 private:
-    /// A step that the work did not pay for.
-    struct UnpaidStep {
+    /// A step that requires more work than there was.
+    struct DeferredStep {
         Pose start;
         Vec3 path;                // mm
-        double price = 0;         // N*m
+        double requiredWork = 0;  // N*m
         std::uint64_t edits = 0;  // CutVolume::edits at that time
     };
 
@@ -120,9 +120,9 @@ private:
     void addRemoved(const CarveResult& carve);
     void updateContact(const Tick& tick);
     void addFallen(const CarveResult& carve);
-    [[nodiscard]] bool isUnpaid(const Pose& start, const Pose& goal, double work) const;
+    [[nodiscard]] bool isDeferred(const Pose& start, const Pose& goal, double work) const;
     [[nodiscard]] double enoughLength(double work) const;
-    void keepPriceOf(const FeedResult& result, const Pose& start, const Pose& goal);
+    void keepWorkOf(const FeedResult& result, const Pose& start, const Pose& goal);
     void markStep(const CutStep& step);
     void followSteps();
     void restore(const std::vector<ChangedBrick>& changed, const ToothLoss& loss);
@@ -136,12 +136,12 @@ private:
     std::vector<ChangedBrick> changed_;  // since the last refresh
     StepLosses steps_;
     std::optional<Pose> reached_;
-    std::optional<UnpaidStep> unpaid_;
-    std::optional<double> lastPrice_;  // of the last step that was cut, N*m for 1 mm
-    bool mayBeDetached_ = false;       // something was cut since the last search for pieces
-    double touchedAt_ = 0;             // Tick::time of the last contact seen, s
-    double workSpent_ = 0;             // of Tick::cutWork, N*m
-    double workSeen_ = 0;              // Tick::cutWork at the last feed, N*m
+    std::optional<DeferredStep> deferred_;
+    std::optional<double> lastWork_;  // of the last step that was cut, N*m for each mm
+    bool mayBeDetached_ = false;      // something was cut since the last search for pieces
+    double touchedAt_ = 0;            // Tick::time of the last contact seen, s
+    double workSpent_ = 0;            // of Tick::cutWork, N*m
+    double workSeen_ = 0;             // Tick::cutWork at the last feed, N*m
 };
 
 }  // namespace tactooth

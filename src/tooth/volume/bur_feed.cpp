@@ -16,19 +16,19 @@
 namespace tactooth {
 namespace {
 
-constexpr int kTrials = 6;             // two or three are usual, since the cost is smooth and grows with the path
+constexpr int kTrials = 6;  // two or three are usual, since the required work is smooth and grows with the path
 constexpr double kCloseEnough = 0.97;  // share of the work; the rest is cut at the next update
-constexpr double kAim = 0.985;         // share of the work to aim at, so that a near miss stays affordable
+constexpr double kAim = 0.985;         // share of the work to aim at, so that a near miss still stays within it
 
-/// The affordable part of a path ends between two shares of it.
+/// Search for the largest share of a path for which the work suffices. It lies between two bounds.
 struct Search {
     double work = 0;
     double low = 0;
     double high = 1;
-    double below = 0;        // cost at `low`, from the work to aim at, N*m: below 0
-    double above = 0;        // the same at `high`: above 0
+    double below = 0;        // required work at `low` less the work to aim at, N*m: negative
+    double above = 0;        // the same at `high`: positive
     PlannedRemoval best;     // at `low`
-    double paidInPlace = 0;  // price of the clearance around the bur where it is, N*m
+    double workInPlace = 0;  // for the clearance around the bur where it is, N*m
 
     [[nodiscard]] double next() const {
         TACTOOTH_ASSERT(low <= high && below < 0 && above > 0);
@@ -36,50 +36,50 @@ struct Search {
         TACTOOTH_ASSERT(middle >= low && middle <= high);
         return middle;
     }
-    /// A share that the work pays for. Returns true if it is close enough.
-    [[nodiscard]] bool accept(double share, PlannedRemoval part, double cost) {
-        TACTOOTH_ASSERT(cost <= work);
-        low = share, best = std::move(part), below = cost - kAim * work;
-        return cost >= kCloseEnough * work;
+    /// Takes a share for which the work suffices. Returns true if it uses nearly all of the work.
+    [[nodiscard]] bool accept(double share, PlannedRemoval part, double required) {
+        TACTOOTH_ASSERT(required <= work);
+        low = share, best = std::move(part), below = required - kAim * work;
+        return required >= kCloseEnough * work;
     }
-    void refuse(double share, double cost) { high = share, above = cost - kAim * work; }
+    void refuse(double share, double required) { high = share, above = required - kAim * work; }
 };
 
-/// Cuts the affordable part of a path. A share of `high` (the removal `whole`) is too expensive. Source: the Illinois
-/// method (M. Dowell, P. Jarratt, "A Modified Regula Falsi Method", BIT 11, 1971): an end that stays for a second time
-/// counts half.
-template <class CostOf>
+/// Cuts the part of a path for which the work suffices. For a share of `high` (the removal `whole`) it does not.
+/// Source: the Illinois method (M. Dowell, P. Jarratt, "A Modified Regula Falsi Method", BIT 11, 1971): the value of a
+/// bound that stays for a second time is halved.
+template <class WorkOf>
 FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
-                       double work, double high, const PlannedRemoval& whole, const CostOf& costOf) {
+                       double work, double high, const PlannedRemoval& whole, const WorkOf& requiredFor) {
     TACTOOTH_ASSERT(high > 0 && high <= 1);
     FeedResult result;
-    result.wanted = costOf(whole);
-    TACTOOTH_ASSERT(result.wanted > work);
+    result.requiredWork = requiredFor(whole);
+    TACTOOTH_ASSERT(result.requiredWork > work);
     Search search{.work = work, .below = -kAim * work, .best = {}};
-    search.refuse(high, result.wanted);
+    search.refuse(high, result.requiredWork);
     bool wasAbove = true;
     for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(search.above); ++trial) {
         const double middle = search.next();
         PlannedRemoval part = volume.removablePartWay(whole, envelope, from, between(from, to, middle));
-        const double cost = costOf(part);
-        const bool isAbove = cost > work;
+        const double required = requiredFor(part);
+        const bool isAbove = required > work;
         if (isAbove) {
-            search.refuse(middle, result.wanted = cost);
-        } else if (search.accept(middle, std::move(part), cost)) {
+            search.refuse(middle, result.requiredWork = required);
+        } else if (search.accept(middle, std::move(part), required)) {
             break;
         }
         if (trial == 0 && isAbove) {
-            // A bur that was pushed to a new place must first cut the clearance around it. Work that does not pay for
-            // that pays for no step.
+            // A bur that was pushed to a new place must first cut the clearance around it. Work that does not suffice
+            // for that suffices for no step.
             PlannedRemoval inPlace = volume.removablePartWay(whole, envelope, from, from);
-            const double price = costOf(inPlace);
-            if (price > work) {
-                result.wanted = price;
+            const double workInPlace = requiredFor(inPlace);
+            if (workInPlace > work) {
+                result.requiredWork = workInPlace;
                 break;
             }
-            search.paidInPlace = price;
-            if (search.accept(0, std::move(inPlace), price)) {
-                result.wanted = 0;
+            search.workInPlace = workInPlace;
+            if (search.accept(0, std::move(inPlace), workInPlace)) {
+                result.requiredWork = 0;
                 break;
             }
         } else if (trial > 0 && isAbove == wasAbove) {
@@ -88,8 +88,8 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
         wasAbove = isAbove;
     }
     result.fraction = search.low;
-    if (search.low > 0 || search.paidInPlace > 0) result.carve = volume.carve(search.best);  // else the work is kept
-    if (search.low == 0) result.wanted = std::max(0.0, result.wanted - search.paidInPlace);
+    if (search.low > 0 || search.workInPlace > 0) result.carve = volume.carve(search.best);  // else no work is used
+    if (search.low == 0) result.requiredWork = std::max(0.0, result.requiredWork - search.workInPlace);
     return result;
 }
 
@@ -117,16 +117,16 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
                    const MaterialTable& materials, double sharpness, double enough) {
     TACTOOTH_ASSERT(work >= 0);
     TACTOOTH_ASSERT(enough > 0);
-    const auto costOf = [&](const PlannedRemoval& part) { return workFor(part.volumes, materials, sharpness); };
+    const auto requiredFor = [&](const PlannedRemoval& part) { return workFor(part.volumes, materials, sharpness); };
     double high = std::min(enough, 1.0);
     PlannedRemoval whole = volume.removable(envelope, from, between(from, to, high));
-    if (high < 1 && costOf(whole) <= work) whole = volume.removable(envelope, from, between(from, to, high = 1));
+    if (high < 1 && requiredFor(whole) <= work) whole = volume.removable(envelope, from, between(from, to, high = 1));
     FeedResult result;
-    if (costOf(whole) <= work) {
+    if (requiredFor(whole) <= work) {
         result.fraction = 1;
         result.carve = volume.carve(whole);
     } else {
-        result = feedPartWay(volume, envelope, from, to, work, high, whole, costOf);
+        result = feedPartWay(volume, envelope, from, to, work, high, whole, requiredFor);
     }
     result.work = workFor(result.carve.removed, materials, sharpness);
     TACTOOTH_ASSERT(result.work <= work);

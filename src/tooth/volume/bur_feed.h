@@ -11,8 +11,9 @@ namespace tactooth {
 /// Result of a feed under the removal law.
 struct FeedResult {
     double fraction = 0;  ///< of the path, 0..1; 0: at most the clearance around the bur where it is was cut
-    double work = 0;      ///< spent, N*m
-    double wanted = 0;  ///< if the work paid for no step: the least price that was found for one, N*m; may be infinite
+    double work = 0;      ///< that the cut has used, N*m
+    /// Least work that a step was found to need, N*m, if the given work sufficed for no step. May be infinite.
+    double requiredWork = 0;
     CarveResult carve;
 };
 

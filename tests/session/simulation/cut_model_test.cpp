@@ -261,7 +261,7 @@ TEST(CutModel, WorkDoneInTheAirOrBeforeIsNotSpentLater) {
 TEST(CutModel, WorkThatFindsNothingToCutIsNotSavedUp) {
     const auto piece = blockOnTheBench();
     const CuttingTool bur = test::flatBur().cutting;
-    piece->feed(bur, pressing(1000, 0.1), {});  // pays for the tenth of a millimetre many times over
+    piece->feed(bur, pressing(1000, 0.1), {});  // many times the work that a tenth of a millimetre requires
     const double removed = total(piece->removed());
     EXPECT_NEAR(removed, holeOf(0.1), 0.02 * removed);
     Tick deeper = pressing(1000.001, 1);
@@ -307,13 +307,13 @@ Tick pushedIn(double cutWork) {
     return tick;
 }
 
-TEST(CutModel, AStepIsCutAsSoonAsItsPriceIsPaid) {
+TEST(CutModel, AStepIsCutAsSoonAsThereIsTheWorkThatItRequires) {
     const CuttingTool bur = test::flatBur().cutting;
     const auto piece = blockOnTheBench();
     CutVolume other(blockOnTheBench()->volume().tooth(), test::kVoxel);
-    const double price = workFor(other.removable(bur.envelope, at(0, 0, -0.2), at(0, 0, -0.2)).volumes, {}, 1);
+    const double required = workFor(other.removable(bur.envelope, at(0, 0, -0.2), at(0, 0, -0.2)).volumes, {}, 1);
     piece->feed(bur, pressing(10, 0.5, 0), {});  // no work is left over
-    const double part = price / 200;
+    const double part = required / 200;
     int parts = 1;
     while (parts < 400 && !piece->feed(bur, pushedIn(10 + parts * part), {})) ++parts;
     EXPECT_NEAR(parts, 200, 2);

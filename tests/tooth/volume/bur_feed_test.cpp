@@ -71,7 +71,7 @@ TEST(BurFeed, SpendsTheWorkAndNeverMore) {
     }
 }
 
-TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
+TEST(BurFeed, AnEstimateOfTheFractionHardlyChangesTheCut) {
     for (const double work : {1.0, 5.0, 20.0, 1e3}) {
         CutVolume volume = blockOf(test::kEnamel);
         const FeedResult whole = push(volume, work);
@@ -85,20 +85,20 @@ TEST(BurFeed, AShareThoughtToBeEnoughChangesNoMoreThanTheTrials) {
     }
 }
 
-TEST(BurFeed, AnUnaffordableStepReturnsItsPrice) {
+TEST(BurFeed, ReturnsTheWorkThatAStepRequiresIfThereIsLess) {
     CutVolume volume = blockOf(test::kEnamel);
     const double hair = 1e-9;
     const FeedResult result = push(volume, hair);
     EXPECT_EQ(result.fraction, 0);
     EXPECT_EQ(result.work, 0);
-    EXPECT_GT(result.wanted, hair);
-    const FeedResult paid = push(volume, 1.05 * result.wanted);
-    EXPECT_GT(paid.fraction, 0);
-    EXPECT_LE(paid.work, 1.05 * result.wanted);
+    EXPECT_GT(result.requiredWork, hair);
+    const FeedResult enough = push(volume, 1.05 * result.requiredWork);
+    EXPECT_GT(enough.fraction, 0);
+    EXPECT_LE(enough.work, 1.05 * result.requiredWork);
 }
 
-/// What the hole of a bur at that depth costs, with its clearance, if the block was whole before.
-double priceInPlace(double depth) {
+/// The work that the hole of a bur at that depth requires, with its clearance, N*m, if the block was whole before.
+double workInPlace(double depth) {
     CutVolume volume = blockOf(test::kEnamel);
     return workFor(volume.removable(flatBur(), atDepth(depth), atDepth(depth)).volumes, {}, 1);
 }
@@ -107,34 +107,34 @@ FeedResult goDeeper(CutVolume& volume, double work) {
     return feedBur(volume, flatBur(), atDepth(0.2), atDepth(0.5), work, {}, 1);
 }
 
-TEST(BurFeed, ABurAtANewPlaceMustFirstPayForTheClearanceAroundIt) {
-    const double price = priceInPlace(0.2);
+TEST(BurFeed, ABurAtANewPlaceFirstCutsTheClearanceAroundIt) {
+    const double required = workInPlace(0.2);
     for (const double share : {1e-6, 0.5, 0.999}) {
         CutVolume volume = blockOf(test::kEnamel);
         const std::uint64_t whole = volume.hash();
-        const FeedResult result = goDeeper(volume, share * price);
+        const FeedResult result = goDeeper(volume, share * required);
         EXPECT_EQ(result.fraction, 0) << share;
-        EXPECT_NEAR(result.wanted, price, 1e-9 * price) << share;
+        EXPECT_NEAR(result.requiredWork, required, 1e-9 * required) << share;
         EXPECT_EQ(volume.hash(), whole) << share;
     }
     for (const double share : {1.001, 1.02, 1.1, 1.5, 2.0}) {
         CutVolume volume = blockOf(test::kEnamel);
-        const FeedResult result = goDeeper(volume, share * price);
-        EXPECT_LE(result.work, share * price) << share;
-        EXPECT_GE(result.work, 0.97 * share * price) << share;
+        const FeedResult result = goDeeper(volume, share * required);
+        EXPECT_LE(result.work, share * required) << share;
+        EXPECT_GE(result.work, 0.97 * share * required) << share;
     }
 }
 
-TEST(BurFeed, WhoHasPaidForTheClearancePaysOnlyForTheStepNext) {
+TEST(BurFeed, AfterTheClearanceIsCutOnlyTheStepRequiresWork) {
     CutVolume volume = blockOf(test::kEnamel);
-    const double price = priceInPlace(0.2);
-    const FeedResult first = goDeeper(volume, 1.0001 * price);
+    const double required = workInPlace(0.2);
+    const FeedResult first = goDeeper(volume, 1.0001 * required);
     EXPECT_EQ(first.fraction, 0);
-    EXPECT_NEAR(first.work, price, 1e-9 * price);
-    EXPECT_EQ(first.wanted, 0) << "no short step was tried";
-    const FeedResult second = goDeeper(volume, 0.1 * price);
+    EXPECT_NEAR(first.work, required, 1e-9 * required);
+    EXPECT_EQ(first.requiredWork, 0) << "no short step was tried";
+    const FeedResult second = goDeeper(volume, 0.1 * required);
     EXPECT_GT(second.fraction, 0);
-    EXPECT_GE(second.work, 0.097 * price);
+    EXPECT_GE(second.work, 0.097 * required);
 }
 
 TEST(BurFeed, TheDepthIsTheWorkTimesRemovalOverTheArea) {
