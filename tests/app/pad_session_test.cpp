@@ -385,7 +385,7 @@ void PadSessionTest::twoRecordingsAreComparedByThePad() {
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() != nullptr, kPatience);
     press(SDL_CONTROLLER_BUTTON_START);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
-    replay.comparison().open(QString::fromStdString(folder_ / "2.ttsession"), ReplayComparison::Way::SideBySide);
+    replay.comparison().open(QString::fromStdString(folder_ / "2.ttsession"), ReplayComparison::Mode::SideBySide);
     QTRY_VERIFY_WITH_TIMEOUT(replay.comparison().isSideBySide(), kLoadPatience);
     constexpr double kStart = 0.5;  // s
     replay.cursor().setPlaying(false);

@@ -193,7 +193,7 @@ void WindowReplayTest::aCommentIsPinnedToAMomentBesideTheRecording() {
 }
 
 void WindowReplayTest::anotherRecordingIsShownAsAGhost() {
-    replay().comparison().open(recording("b.ttsession"), ReplayComparison::Way::Ghost);
+    replay().comparison().open(recording("b.ttsession"), ReplayComparison::Mode::Ghost);
     QTRY_VERIFY_WITH_TIMEOUT(replay().comparison().isGhost(), kLoadPatience);
     QTRY_VERIFY_WITH_TIMEOUT(part<QToolButton>("replayCompare").isChecked(), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(replay().comparison().source()->track()->isFinished(), kLoadPatience);

@@ -29,32 +29,32 @@ void ReplayComparison::setFirst(std::shared_ptr<const SessionTrack> first) {
     close();
 }
 
-void ReplayComparison::open(const QString& file, Way way) {
+void ReplayComparison::open(const QString& file, Mode mode) {
     close();
-    way_ = way;
+    mode_ = mode;
     wasGhost_ = false;
     files_.enterFolderOf(file);
     opening_.start([path = std::filesystem::path(file.toStdString())] { return ReplaySource::open(path); });
 }
 
-void ReplayComparison::ask(Way way) {
+void ReplayComparison::ask(Mode mode) {
     showState();  // a button has checked itself, but nothing is there yet
     files_.open(tr("Compare with another recording"), tr("Recorded sessions (*.ttsession);;All files (*)"),
-                [this, way](const QString& file) {
+                [this, mode](const QString& file) {
                     if (first_ == nullptr) return;
-                    usualWay_ = way;
-                    open(file, way);
+                    usualMode_ = mode;
+                    open(file, mode);
                 });
 }
 
-void ReplayComparison::toggle() { source_ != nullptr ? close() : ask(usualWay_); }
+void ReplayComparison::toggle() { source_ != nullptr ? close() : ask(usualMode_); }
 
 void ReplayComparison::toggleSideBySide() {
-    if (source_ == nullptr) return ask(Way::SideBySide);
-    usualWay_ = isSideBySide() ? Way::Ghost : Way::SideBySide;
+    if (source_ == nullptr) return ask(Mode::SideBySide);
+    usualMode_ = isSideBySide() ? Mode::Ghost : Mode::SideBySide;
     if (isSideBySide() && !wasGhost_) return close();
     wasGhost_ = isGhost();
-    way_ = usualWay_;
+    mode_ = usualMode_;
     showState();
 }
 

@@ -22,7 +22,7 @@ class ReplayComparison final : public QObject {
     Q_OBJECT
 
 public:
-    enum class Way {
+    enum class Mode {
         Ghost,      ///< blue, in the picture of the first
         SideBySide  ///< in a picture of its own
     };
@@ -32,14 +32,14 @@ public:
     /// The entry of the menu and the button: shows both side by side; once more brings back what was before.
     [[nodiscard]] QAction& sideBySideAction() { return action_; }
     /// How the next other recording is shown; the window remembers it.
-    [[nodiscard]] Way usualWay() const { return usualWay_; }
-    void restore(const WindowSettings& settings) { usualWay_ = settings.sideBySide ? Way::SideBySide : Way::Ghost; }
-    void store(WindowSettings& settings) const { settings.sideBySide = usualWay_ == Way::SideBySide; }
+    [[nodiscard]] Mode usualMode() const { return usualMode_; }
+    void restore(const WindowSettings& settings) { usualMode_ = settings.sideBySide ? Mode::SideBySide : Mode::Ghost; }
+    void store(WindowSettings& settings) const { settings.sideBySide = usualMode_ == Mode::SideBySide; }
 
     /// The recording that others are compared with; null: none is shown. The other one is closed.
     void setFirst(std::shared_ptr<const SessionTrack> first);
-    /// Opens another recording in the background, to be shown this way.
-    void open(const QString& file, Way way);
+    /// Opens another recording in the background, to be shown in this mode.
+    void open(const QString& file, Mode mode);
     /// Opens one that the user chooses, or closes the one that is open.
     void toggle();
     void close();
@@ -51,8 +51,8 @@ public:
     [[nodiscard]] bool isOpening() const { return opening_.isBusy(); }
     /// Null: there is none.
     [[nodiscard]] const std::shared_ptr<ReplaySource>& source() const { return source_; }
-    [[nodiscard]] bool isGhost() const { return source_ != nullptr && way_ == Way::Ghost; }
-    [[nodiscard]] bool isSideBySide() const { return source_ != nullptr && way_ == Way::SideBySide; }
+    [[nodiscard]] bool isGhost() const { return source_ != nullptr && mode_ == Mode::Ghost; }
+    [[nodiscard]] bool isSideBySide() const { return source_ != nullptr && mode_ == Mode::SideBySide; }
     /// How much later than the first it begins on the time line, s.
     [[nodiscard]] double shift() const { return shift_; }
     /// Shifts it by hand.
@@ -65,7 +65,7 @@ signals:
     void changed();
 
 private:
-    void ask(Way way);
+    void ask(Mode mode);
     void toggleSideBySide();
     void followFirstTouch();
     void showState();
@@ -76,8 +76,8 @@ private:
     Task<std::shared_ptr<ReplaySource>> opening_;
     std::shared_ptr<const SessionTrack> first_;
     std::shared_ptr<ReplaySource> source_;
-    Way usualWay_ = Way::Ghost;
-    Way way_ = Way::Ghost;
+    Mode usualMode_ = Mode::Ghost;
+    Mode mode_ = Mode::Ghost;
     bool wasGhost_ = false;                              // before it was shown side by side
     double shift_ = 0;                                   // s
     std::optional<FirstTouch> firstTouch_, otherTouch_;  // while they are looked for

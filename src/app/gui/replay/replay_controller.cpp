@@ -95,7 +95,7 @@ void ReplayController::pollOpening() {
         if (*opened) {
             enter(std::move(**opened));
             const QString other = std::exchange(openingOther_, {});
-            if (!other.isEmpty()) comparison_.open(other, comparison_.usualWay());
+            if (!other.isEmpty()) comparison_.open(other, comparison_.usualMode());
         } else {
             messages_.setHint({});
             messages_.showError(opened->error());

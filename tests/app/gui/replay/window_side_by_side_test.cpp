@@ -98,7 +98,7 @@ private:
         replay().cursor().setPlaying(false);
     }
     void openBeside(const QString& file) {
-        comparison().open(file, ReplayComparison::Way::SideBySide);
+        comparison().open(file, ReplayComparison::Mode::SideBySide);
         waitForOther();
     }
     void waitForOther() const {
@@ -314,7 +314,7 @@ void WindowSideBySideTest::theChoiceIsRemembered() {
 }
 
 void WindowSideBySideTest::aGhostMovesIntoAPictureOfItsOwnAndBack() {
-    comparison().open(recording("student.ttsession"), ReplayComparison::Way::Ghost);
+    comparison().open(recording("student.ttsession"), ReplayComparison::Mode::Ghost);
     waitForOther();
     QVERIFY(comparison().isGhost() && other() == nullptr);
     const double shift = comparison().shift();
@@ -366,7 +366,7 @@ void WindowSideBySideTest::aFileThatIsNoRecordingChangesNothing() {
     std::ofstream(folder_ / "text.ttsession") << "no recording";
     click("replayOtherViewClose");
     QTRY_VERIFY_WITH_TIMEOUT(isUsualWindow(), kPatience);
-    comparison().open(recording("text.ttsession"), ReplayComparison::Way::SideBySide);
+    comparison().open(recording("text.ttsession"), ReplayComparison::Mode::SideBySide);
     QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
     QVERIFY(dismissMessage().contains("text.ttsession"));
     QVERIFY(isUsualWindow());
