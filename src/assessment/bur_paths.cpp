@@ -28,7 +28,7 @@ std::vector<BurPath> alongFissure(const PreparationPlan& plan, std::shared_ptr<c
     const FissureOutline& outline = *plan.fissure;
     const auto [middle, boxesAt] = fissureMiddle(plan, crown);
     if (middle.empty()) return {};
-    // The bur enters in the middle, where the passes beside take away the wider hole of its way in.
+    // The bur enters in the middle, where the passes beside remove the wider hole of its entry.
     BurPath along{{middle.begin() + static_cast<std::ptrdiff_t>(middle.size() / 2), middle.end()}, plan.depth};
     along.places.insert(along.places.end(), middle.rbegin(), middle.rend());
     std::vector<BurPath> paths = {along};

@@ -20,7 +20,7 @@ constexpr int kCoarse = 12;     // percent: the resolutions of the published 0.1
 constexpr int kRepeat = 3;      // for the time of a force
 constexpr double kStart = 0.1;  // mm: depth from which the hand moves on
 
-/// A moment of the standard path with the bur pressed in, not far from the middle of its way.
+/// A moment of the standard path with the bur pressed in, not far from the middle of the path.
 Pose pressedPose(std::span<const Pose> devicePath, std::span<const Tick> ticks) {
     for (std::size_t i = 2 * ticks.size() / 5; i < ticks.size(); ++i) {
         if (ticks[i].contact.triangles > 0 && ticks[i].contact.depth > kStart) return devicePath[i];

@@ -60,7 +60,7 @@ Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
     experiment.method =
         "The bur stands upright beside the crown and comes along y until it is pressed 0.5 mm beyond the first "
         "contact, "
-        "and goes back. The hand's way and the proxy's part where the tooth is met; the force follows the depth.";
+        "and goes back. Device and proxy separate where the bur meets the tooth; the force follows the depth.";
     const Vec3 start = nextToCrown(surface->base->tree().box(), *bur);
     const double contact = distanceToContact(surface, bur, start);
     double deepest = 0;
@@ -68,7 +68,7 @@ Expected<Experiment> measureSideways(TestTeeth& testTeeth) {
         const std::vector<Pose> devicePath = thereAndBack(start, contact, speed);
         const std::vector<Tick> ticks = touchPath(bur, surface, devicePath, 1);
         const std::string at = numberText(speed / 10) + " cm/s";
-        ExperimentPlot distance{"Way along y, " + at,
+        ExperimentPlot distance{"Displacement along y, " + at,
                                 "time, ms",
                                 "mm beyond the contact",
                                 false,

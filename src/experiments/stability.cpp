@@ -24,8 +24,8 @@ constexpr double kEnd = 2.7;        // s
 constexpr double kRest = 0.5;       // s at the end that are looked at
 constexpr double kPressure = 1.0;   // N: what a dentist presses with
 constexpr double kOverLimit = 1.2;  // of the device's peak
-constexpr double kQuick = 0.012;    // s for a tap's way down: 100 mm/s and more ...
-constexpr double kFastest = 500;    // mm/s: ... but no faster than a hand, on a spring so soft that the way is long
+constexpr double kQuick = 0.012;    // s for the downward part of a tap: 100 mm/s and more ...
+constexpr double kFastest = 500;    // mm/s: ... but no faster than a hand, on a spring so soft that the path is long
 constexpr double kFaint = 0.05;     // N: below, a ripple means nothing
 
 /// At the rate of the case, N/mm.

@@ -143,12 +143,13 @@ void HapticSimulation::countPullOut(Tick& tick) {
     TACTOOTH_ASSERT(std::isfinite(tick.contact.pullOutForce) && tick.contact.pullOutForce >= 0);
 }
 
-/// The work of a blade in this tick, N*m: of its force along the way of the hand, but for the way out of the tissue.
+/// The work of a blade in this tick, N*m: of its force along the path of the hand, less the part of the path out of the
+/// tissue.
 double HapticSimulation::bladeWork(const Tick& tick, double dt) const {
     if (tick.contact.triangles == 0) return 0;
-    Vec3 way = dt * velocity_;
-    way -= std::max(0.0, way.dot(tick.contact.normal)) * tick.contact.normal;
-    return 1e-3 * force_.normalForce() * way.norm();
+    Vec3 displacement = dt * velocity_;
+    displacement -= std::max(0.0, displacement.dot(tick.contact.normal)) * tick.contact.normal;
+    return 1e-3 * force_.normalForce() * displacement.norm();
 }
 
 /// Advances the spindle by one step under the load of the cut, and adds up the work that the cut may spend.
@@ -180,8 +181,8 @@ void HapticSimulation::stepBur(double dt, Tick& tick) {
 /// Of a proxy that has touched at both ends of the tick.
 double HapticSimulation::slideSpeed(const Tick::Contact& now, double dt) const {
     if (last_.contact.triangles == 0 || dt <= 0) return 0;
-    const Vec3 way = now.proxy.position - last_.contact.proxy.position;
-    return (way - way.dot(now.normal) * now.normal).norm() / dt;
+    const Vec3 displacement = now.proxy.position - last_.contact.proxy.position;
+    return (displacement - displacement.dot(now.normal) * now.normal).norm() / dt;
 }
 
 /// Moves the proxy toward the device and computes the force.

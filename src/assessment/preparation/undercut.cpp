@@ -108,9 +108,9 @@ double leastUndercut(const Surface& prepared, const CutSurfaces& surfaces, const
                 const Facet& facet = facets[i];
                 const double cosine = facet.normal.dot(direction);
                 // Along a wall that faces away by less than a degree, so that its ray does not run into it.
-                const Vec3 way = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
+                const Vec3 ray = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
                 isHidden[i] =
-                    cosine >= kFacingAway && Overhang(prepared, way).isHidden(facet.centre + kLift * facet.normal);
+                    cosine >= kFacingAway && Overhang(prepared, ray).isHidden(facet.centre + kLift * facet.normal);
             },
             kGrain);
         double area = facingAway;

@@ -71,16 +71,16 @@ private:
     std::vector<HandStation> route_;
 };
 
-/// Ends the route before the last `share` of its way through the tooth.
+/// Ends the route before the last `share` of its length in the tooth.
 void cutShort(std::vector<HandStation>& route, double share) {
     double left = lengthOf(route) * (1 - share);
     for (std::size_t i = 1; i < route.size(); ++i) {
         if (!route[i].isInTooth) continue;
-        const Vec3 way = route[i].tip - route[i - 1].tip;
-        const double length = way.norm();
+        const Vec3 displacement = route[i].tip - route[i - 1].tip;
+        const double length = displacement.norm();
         left -= length;
         if (left >= 0) continue;
-        route[i].tip += left / length * way;
+        route[i].tip += left / length * displacement;
         route.resize(i + 1);
         return;
     }
@@ -193,9 +193,9 @@ void SyntheticHand::press(const HandStation& goal, double elapsed) {
         if (eagerness < 0) aim = at_ + known_.lag;
         speed = kCutting * std::max(1.0, habits_.force / kUsualForce) * std::abs(eagerness);
     }
-    const Vec3 way = aim - at_;
-    const double needed = way.norm();
-    at_ = needed <= speed * elapsed ? aim : Vec3(at_ + way * (speed * elapsed / needed));
+    const Vec3 displacement = aim - at_;
+    const double needed = displacement.norm();
+    at_ = needed <= speed * elapsed ? aim : Vec3(at_ + displacement * (speed * elapsed / needed));
 }
 
 Pose SyntheticHand::move(double elapsed, const HandSense& now) {

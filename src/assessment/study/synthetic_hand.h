@@ -17,7 +17,7 @@ namespace tactooth {
 /// One place of the route of a hand.
 struct HandStation {
     Vec3 tip;                ///< of the bur, tooth frame, mm
-    bool isInTooth = false;  ///< the way to it goes through the tooth; false: the hand lifts the bur, or travels
+    bool isInTooth = false;  ///< the path to it goes through the tooth; false: the hand lifts the bur, or travels
 };
 
 /// What a hand works on.
@@ -27,19 +27,19 @@ struct HandTask {
     Vec3 outward = Vec3::UnitZ();             ///< direction of the shaft, unit
 };
 
-/// The way of a bur through a preparation in layers, from above; between two paths it is lifted. The habits `layer`,
+/// The route of a bur through a preparation in layers, from above; between two paths it is lifted. The habits `layer`,
 /// `deeper`, `wider` and `undone` shape it.
 [[nodiscard]] std::vector<HandStation> routeOf(const HandTask& task, const HandHabits& habits);
 
-/// What a hand feels and sees.
+/// What a hand senses: the force, and where the bur is.
 struct HandSense {
     double force = 0;  ///< N
     Vec3 bur;          ///< place of its tip as the tooth lets it be, tooth frame, mm
 };
 
 /// A hand that leads a bur along a route. It sees how far the bur stays behind, aims as far beyond, waits until the bur
-/// is where it should be, and holds back when it feels too much force. It feels and sees late, but knows its own
-/// movement, and it trembles. The same seed gives the same movement, bit for bit.
+/// is where it should be, and holds back when the force is too large. It senses with a delay, but knows its own
+/// movement, and has a tremor. The same seed gives the same movement, bit for bit.
 class SyntheticHand {
 public:
     /// `route`: not empty, as `routeOf` gives it.

@@ -142,7 +142,7 @@ bool ContactQuery::isFree(const Pose& toolInTooth) {
 }
 
 /// Directions to try: the mean normal of the touched triangles, from the tool's centre to the nearest point of the
-/// surface, single normals that differ, and back along the shaft (a bur leaves a narrow cavity that way).
+/// surface, single normals that differ, and back along the shaft (so a bur leaves a narrow cavity).
 std::vector<Vec3> ContactQuery::exitDirections(const Pose& toolInTooth, const Overlap& overlap) const {
     std::vector<Vec3> directions;
     Vec3 mean = Vec3::Zero();
@@ -163,7 +163,7 @@ std::vector<Vec3> ContactQuery::exitDirections(const Pose& toolInTooth, const Ov
 /// About how far the tool must be pulled along `direction` to be free, mm. None if that is beyond `limit`.
 std::optional<double> ContactQuery::exitDistance(const Pose& toolInTooth, const Vec3& direction, double limit) {
     constexpr double kStretch = 1.6;  // of a step over the one before
-    constexpr int kHalvings = 5;      // of the last step: a long way back to the tooth costs more than a few tests
+    constexpr int kHalvings = 5;      // of the last step: a long path back to the tooth takes longer than a few tests
     TACTOOTH_ASSERT(isUnit(direction));
     TACTOOTH_ASSERT(limit >= 0);
     const auto freeAt = [&](double distance) {
@@ -208,7 +208,7 @@ void ContactQuery::tryExitDirections(const Pose& toolInTooth, Contact& best) {
 /// Moves the tool from a free pose toward the query pose. Keeps where it settles as the best exit, if it is shallower.
 void ContactQuery::keepShallowerExit(const Pose& toolInTooth, const Pose& start, Contact& best) {
     constexpr double kApproachShare =
-        0.03;  // of the way: once the tool touches, it expects a short displacement and builds short lists
+        0.03;  // of the path: once the tool touches, it expects a short displacement and builds short lists
     proxy_.placeAt(start);
     MoveResult move =
         proxy_.moveToward({start.position + kApproachShare * (toolInTooth.position - start.position), start.rotation});
@@ -240,7 +240,7 @@ bool ContactQuery::leaves(const Pose& toolInTooth, const Vec3& direction, double
            isFree({toolInTooth.position + further * direction, toolInTooth.rotation});
 }
 
-/// The distance at which the tool, free at distance `clear`, first touches on its way back along `direction`, mm.
+/// The distance at which the tool, free at distance `clear`, first touches when it moves back along `direction`, mm.
 double ContactQuery::leastAlong(const Pose& toolInTooth, const Vec3& direction, double clear) {
     TACTOOTH_ASSERT(isUnit(direction) && clear > 0);
     const double little = kClearance * tool_->radius();

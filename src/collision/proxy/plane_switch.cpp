@@ -14,7 +14,7 @@ constexpr double kThinnest = 0.25;     // of the margin: what a plane must leave
 constexpr double kRelativeGap = 0.9;   // ... or of what the plane at hand leaves, if that is less
 constexpr double kTiltMargin = 0.6;    // ... if it is tilted over an edge: more than a check asks of other pairs
 constexpr double kTiltReach = 0.0625;  // a tilt is tried up to a quarter of the distance that it could pass
-constexpr double kWorthMargins = 20;   // a shorter way is none ...
+constexpr double kWorthMargins = 20;   // a shorter displacement is none ...
 constexpr double kWorthGain = 0.1;     // ... nor is one that comes no nearer to the goal than by so many margins
 
 }  // namespace
@@ -49,8 +49,8 @@ bool PlaneSwitch::run() {
     return false;
 }
 
-/// Whether half-spaces leave a way that brings the tool nearer to the goal by more than two planes of the same pair
-/// differ by: at an edge these may lead to and fro.
+/// Whether half-spaces leave a displacement that brings the tool nearer to the goal by more than two planes of the same
+/// pair differ by: at an edge these may lead to and fro.
 bool PlaneSwitch::allowsProgress(std::span<const HalfSpace> spaces) const {
     const double margin = context_.scene.margin;
     const Qp3Result answer = solveQp3(spaces, toGoal_, margin * kSolveTolerance);
@@ -70,8 +70,8 @@ bool PlaneSwitch::switchPlane(std::size_t contact) {
         if (other != contact) directions.add(candidates_[other].watched->plane.normal);
     }
     // At a distance d beside an edge that leads on, the tool stands at a minimum of d^2 / (2 depth): far less than the
-    // margin. A plane tilted over the edge leans by the loss of gap over d. So does the way along the plane, which
-    // passes the edge if d^2 < loss * depth.
+    // margin. A plane tilted over the edge leans by the loss of gap over d. So does the displacement along the plane,
+    // which passes the edge if d^2 < loss * depth.
     const double least = std::min(kTiltMargin * margin, kRelativeGap * own.gap);
     directions.addTilted(own.tooth, own.tool, least, kTiltReach * (own.gap - least) * toGoal_.norm());
     for (int i = 0; i < directions.count(); ++i) {

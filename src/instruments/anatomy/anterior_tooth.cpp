@@ -138,7 +138,7 @@ private:
         for (std::size_t left = order; left > 0; --left) {
             for (std::size_t i = 0; i < left; ++i) offsets[i] = std::lerp(offsets[i], offsets[i + 1], part);
         }
-        constexpr double kInner = 0.2, kOuter = 0.8;  // shares of the way from the axis: there it has no direction
+        constexpr double kInner = 0.2, kOuter = 0.8;  // shares of the distance from the axis: there it has no direction
         return smoothStep(kInner, kOuter, std::hypot(x, y)) * offsets[0];
     }
 

@@ -17,8 +17,8 @@ namespace {
 // marginal ridges up to 1 mm; some of it is size and wear.
 constexpr double kCuspHeight = 0.3, kRidgeHeight = 0.25;
 
-// mm: the way of a place of the table mesiodistally and buccolingually. Tips and grooves of those molars lie 0.3 to 0.9
-// mm from each other. The waves are so long that the way changes by less than 0.25 mm for each mm.
+// mm: the displacement of a place of the table mesiodistally and buccolingually. Tips and grooves of those molars lie
+// 0.3 to 0.9 mm from each other. The waves are so long that the displacement changes by less than 0.25 mm for each mm.
 constexpr double kShift = 0.40, kShortestShift = 10, kLongestShift = 20;
 
 // Shares of depth and width of grooves and pits; wavelengths in mm. Depths of the same groove differ by half.

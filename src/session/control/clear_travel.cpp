@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kSample = 0.8 * ClearTravel::kClearance;  // mm between two poses that are looked at on a way
+constexpr double kSample = 0.8 * ClearTravel::kClearance;  // mm between two poses that are checked on a path
 constexpr double kRiseStep = 0.25;                         // mm
 constexpr double kSamePlace = 1e-6;                        // mm, and rad
 constexpr double kTurnLength = 10;                         // mm for each rad: a turn takes as long as its far end
@@ -56,7 +56,7 @@ void ClearTravel::setTool(const std::shared_ptr<const ToolShape>& tool) {
 void ClearTravel::setSurface(const std::shared_ptr<const Surface>& touchable) {
     if (touchable == surface_) return;
     surface_ = touchable;
-    goal_.reset();  // the way may be blocked now
+    goal_.reset();  // the path may be blocked now
     if (query_ && surface_ != nullptr) {
         (void)query_->setSurface(surface_);
     } else {
@@ -78,8 +78,8 @@ std::optional<Pose> ClearTravel::risen(const Pose& pose) {
     return std::nullopt;
 }
 
-/// The poses on the way are so close to each other that the clearance covers what is between them.
-bool ClearTravel::isWayClear(const Pose& from, const Pose& to) {
+/// The poses on the path are so close to each other that the clearance covers what is between them.
+bool ClearTravel::isPathClear(const Pose& from, const Pose& to) {
     if (inflated_ == nullptr) return true;
     const double length = (to.position - from.position).norm() + from.rotation.angularDistance(to.rotation) *
                                                                      (inflated_->centre().norm() + inflated_->radius());
@@ -90,14 +90,14 @@ bool ClearTravel::isWayClear(const Pose& from, const Pose& to) {
     return true;
 }
 
-/// The places of the way from the last to the first; empty if there is no way.
-std::vector<Pose> ClearTravel::wayTo(const Pose& from, const Pose& goal) {
-    if (isWayClear(from, goal)) return {goal};
+/// The poses of the path from the last to the first; empty if there is no path.
+std::vector<Pose> ClearTravel::pathTo(const Pose& from, const Pose& goal) {
+    if (isPathClear(from, goal)) return {goal};
     constexpr std::array kHeights = {1.0, 2.0, 4.0, 7.0, 11.0, 16.0, kRise};  // mm
     for (const double height : kHeights) {
         const Pose above = shifted(from, height * alongShaft(from));
         const Pose aboveGoal = shifted(goal, height * alongShaft(goal));
-        if (isWayClear(from, above) && isWayClear(above, aboveGoal) && isWayClear(aboveGoal, goal)) {
+        if (isPathClear(from, above) && isPathClear(above, aboveGoal) && isPathClear(aboveGoal, goal)) {
             return {goal, aboveGoal, above};
         }
     }
@@ -107,43 +107,43 @@ std::vector<Pose> ClearTravel::wayTo(const Pose& from, const Pose& goal) {
 void ClearTravel::goTo(const Place& from, const Pose& goal) {
     if (goal_ && isSame(*goal_, goal)) return;
     goal_ = goal;
-    way_.clear();
+    path_.clear();
     const std::optional<Pose> clear = risen(goal);
     const std::optional<Pose> start = from.isHeld ? risen(from.tool) : risen(from.sent);
     if (!clear || !start) return;
-    way_ = wayTo(*start, *clear);
-    if (way_.empty()) return;
-    if (isSame(*start, from.sent) && isWayClear(from.tool, way_.back())) return;
-    if (!isSame(*start, from.sent)) way_.push_back(*start);
-    way_.push_back(from.isHeld ? from.tool : from.sent);
+    path_ = pathTo(*start, *clear);
+    if (path_.empty()) return;
+    if (isSame(*start, from.sent) && isPathClear(from.tool, path_.back())) return;
+    if (!isSame(*start, from.sent)) path_.push_back(*start);
+    path_.push_back(from.isHeld ? from.tool : from.sent);
 }
 
-/// Whether the tool has reached a corner of its way, or may cut it. It follows the device smoothly: it stays within the
-/// triangle between its place, the corner and the next place.
+/// Whether the tool has reached a corner of its path, or may cut it. It follows the device smoothly: it stays within
+/// the triangle between its place, the corner and the next place.
 bool ClearTravel::mayTurn(const Place& from, const Pose& corner) {
     constexpr double kReached = 0.1;  // mm
     if (!from.isHeld && (from.tool.position - corner.position).norm() < kReached) return true;
-    return !from.isHeld && isClear(from.tool) && isWayClear(from.tool, way_[way_.size() - 2]);
+    return !from.isHeld && isClear(from.tool) && isPathClear(from.tool, path_[path_.size() - 2]);
 }
 
 Pose ClearTravel::advance(const Place& from, double dt) {
     Pose at = from.sent;
     double left = kSpeed * dt;
-    while (!way_.empty()) {
-        const Pose& next = way_.back();
+    while (!path_.empty()) {
+        const Pose& next = path_.back();
         const double length =
             std::max((next.position - at.position).norm(), kTurnLength * at.rotation.angularDistance(next.rotation));
         if (length > left) return between(at, next, left / length);
         at = next;
         left -= length;
-        if (way_.size() > 1 && !mayTurn(from, next)) return at;
-        way_.pop_back();
+        if (path_.size() > 1 && !mayTurn(from, next)) return at;
+        path_.pop_back();
     }
     return at;
 }
 
 void ClearTravel::stop() {
-    way_.clear();
+    path_.clear();
     goal_.reset();
 }
 

@@ -12,7 +12,7 @@
 namespace tactooth {
 
 /// Moves a tool through free space. The whole tool keeps clear of everything that it could touch, at the goal and on
-/// the way: where the straight way is blocked it rises along its shaft, goes across, and comes down again. Poses are
+/// the path: where the straight path is blocked it rises along its shaft, goes across, and comes down again. Poses are
 /// those of the tool in the tooth's frame. One thread.
 class ClearTravel {
 public:
@@ -36,25 +36,25 @@ public:
         bool isHeld = false;  ///< something holds the tool away from the device
     };
     /// Goes to `goal`, or above it if the tool would not be clear there. A tool that is not clear yet first leaves
-    /// along its shaft. Keeps the way that it has if the goal has not moved.
+    /// along its shaft. Keeps its path if the goal has not moved.
     void goTo(const Place& from, const Pose& goal);
     /// Where to send the device for the next `dt` s. At a corner that the tool may not cut it waits for the tool.
-    /// Without a way it stays.
+    /// Without a path it stays.
     [[nodiscard]] Pose advance(const Place& from, double dt);
-    [[nodiscard]] bool hasArrived() const { return way_.empty(); }
+    [[nodiscard]] bool hasArrived() const { return path_.empty(); }
     void stop();
 
 private:
-    [[nodiscard]] bool isWayClear(const Pose& from, const Pose& to);
-    [[nodiscard]] std::vector<Pose> wayTo(const Pose& from, const Pose& goal);
+    [[nodiscard]] bool isPathClear(const Pose& from, const Pose& to);
+    [[nodiscard]] std::vector<Pose> pathTo(const Pose& from, const Pose& goal);
     [[nodiscard]] bool mayTurn(const Place& from, const Pose& corner);
 
     std::shared_ptr<const ToolShape> tool_;      // as it was given
     std::shared_ptr<const ToolShape> inflated_;  // by kClearance
     std::shared_ptr<const Surface> surface_;
     std::optional<ContactQuery> query_;  // of the inflated tool
-    std::vector<Pose> way_;              // from the last place to the first
-    std::optional<Pose> goal_;           // of the way
+    std::vector<Pose> path_;             // from the last place to the first
+    std::optional<Pose> goal_;           // of the path
 };
 
 }  // namespace tactooth

@@ -19,9 +19,9 @@ struct FixtureForce {
 };
 
 /// A gentle guide for a hand that feels force: a virtual fixture (L. B. Rosenberg 1993) along the walls of the ideal
-/// cavity. Where the bur goes beyond a wall, it is pushed back along the shortest way; it can be overcome. What is
-/// simulated and recorded is the tool of the hand: the guide changes what the hand feels, not what the bur cuts. Does
-/// not change; does not allocate or lock.
+/// cavity. Where the bur goes beyond a wall, it is pushed back along the shortest displacement. The push can be
+/// overcome. What is simulated and recorded is the tool of the hand: the guide changes what the hand feels, not what
+/// the bur cuts. Does not change; does not allocate or lock.
 class WallGuide {
 public:
     /// `walls`: distances to the ideal tooth, negative inside, around its cavity, tooth frame; not null. `bur`: of the

@@ -154,7 +154,7 @@ bool MouseManipulator::isOverLanding(const Vec3& toolTip) const {
 void MouseManipulator::travel(double dt, const Vec3& toolTip, double depth) {
     const bool isCaught = depth > kCaught;
     const bool leaves = std::exchange(leaving_, false);
-    if (leaves || (isCaught && !caught_)) travel_.stop();  // another way is needed
+    if (leaves || (isCaught && !caught_)) travel_.stop();  // another path is needed
     caught_ = isCaught;
     const ClearTravel::Place from{{tip_, grip_}, {toolTip, grip_}, leaves || isCaught};
     travel_.goTo(from, {aimedAt_, handle_});
@@ -226,7 +226,7 @@ void MouseManipulator::alignShaft(const Vec3& outward) {
     hold((shortestRotation(Vec3::UnitZ(), outward) * uprightGrip(mesialX_, kHandleRotation)).normalized());
 }
 
-/// A tool that stands still in known surroundings turns on its way, where it is clear.
+/// A tool that stands still in known surroundings turns on its path, where it is clear.
 void MouseManipulator::hold(const Quat& handle) {
     handle_ = handle;
     if (!knowsScene()) grip_ = handle_;

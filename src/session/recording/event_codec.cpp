@@ -28,7 +28,7 @@ constexpr double kMaxForceNumber = 1e3;  // far beyond any material, and no forc
 std::int64_t bitsOf(double value) { return std::bit_cast<std::int64_t>(value); }
 double numberOf(std::int64_t bits) { return std::bit_cast<double>(bits); }
 
-/// The numbers of a kind of event: how each column is stored, and the way there and back.
+/// The numbers of a kind of event: how each column is stored, and how it is encoded and decoded.
 template <class Event>
 struct Layout;
 

@@ -29,9 +29,9 @@ HapticSimulation explorerOn(MaterialId tissue) {
     return simulation;
 }
 
-/// Brings the tip down, keeps it `depth` mm in for some time, and draws it out along `way`. `pressed`: the force
+/// Brings the tip down, keeps it `depth` mm in for some time, and draws it out along `direction`. `pressed`: the force
 /// before, N. Returns the largest force against the hand.
-double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& way, double& pressed) {
+double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& direction, double& pressed) {
     constexpr double kDown = 20;  // mm/s
     for (double z = 0.1; z > -depth; z -= kDown * kTick) (void)simulation.step({at(0, 0, z), 0, false}, kTick);
     Tick tick;
@@ -40,16 +40,16 @@ double pullOut(HapticSimulation& simulation, double depth, double seconds, const
     double largest = 0;
     Vec3 hand(0, 0, -depth);
     for (int i = 0; i < 2000; ++i) {
-        hand += kSpeed * kTick * way;
+        hand += kSpeed * kTick * direction;
         tick = simulation.step({{hand, Quat::Identity()}, 0, false}, kTick);
-        largest = std::max(largest, -tick.force.wrench.force.dot(way));
+        largest = std::max(largest, -tick.force.wrench.force.dot(direction));
     }
     return largest;
 }
 
-double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& way) {
+double pullOut(HapticSimulation& simulation, double depth, double seconds, const Vec3& direction) {
     double pressed = 0;
-    return pullOut(simulation, depth, seconds, way, pressed);
+    return pullOut(simulation, depth, seconds, direction, pressed);
 }
 
 /// Brings the tip down at `x` and presses it 0.4 mm in for half a second. Returns the last tick.
