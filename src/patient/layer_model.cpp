@@ -76,11 +76,11 @@ public:
             exterior_ = std::make_unique<const SurfacePart>(std::move(exterior.exterior));
     }
 
-    [[nodiscard]] bool hasHollow() const { return exterior_ != nullptr; }
+    [[nodiscard]] bool hasVoid() const { return exterior_ != nullptr; }
     /// Depth below the enamel, mm, negated: negative in the dentin.
     [[nodiscard]] double above(const Vec3& point, double enamel) const {
         const double depth = depth_(point);
-        if (!hasHollow()) return enamel - depth;
+        if (!hasVoid()) return enamel - depth;
         return std::max(enamel - closestPoint(*exterior_, point)->distance, -depth - kBeyond);
     }
 
@@ -100,8 +100,8 @@ TriangleMesh dentinOf(const TriangleMesh& outer, const EnamelDepth& depth) {
     return isosurface(field, around, {.cellSize = kDentinTriangles, .lipschitzBound = 4});
 }
 
-std::vector<ImportNote> notesOn(double enamel, bool hasHollow, bool hasPulp) {
-    const MessageText& pulp = hasHollow ? msg::kNotePulpHollow : hasPulp ? msg::kNotePulpModelled : msg::kNoteNoPulp;
+std::vector<ImportNote> notesOn(double enamel, bool hasVoid, bool hasPulp) {
+    const MessageText& pulp = hasVoid ? msg::kNotePulpVoid : hasPulp ? msg::kNotePulpModelled : msg::kNoteNoPulp;
     return {{ImportNoteTopic::Layers, {msg::kNoteModelled, rounded(enamel, 1)}}, {ImportNoteTopic::Layers, pulp}};
 }
 
@@ -121,14 +121,14 @@ Expected<LayerModel> modelLayers(const TriangleMesh& outer, const Progress& prog
     if (!goesOn(0.3)) return unexpected(msg::kStopped);
     TriangleMesh dentin = dentinOf(outer, enamel);
     std::vector<PulpSegment> segments;
-    if (!enamel.hasHollow()) {
+    if (!enamel.hasVoid()) {
         segments = pulpSegments(depth, surface.tree().box(), [&](double part) { return goesOn(0.5 + 0.3 * part); });
     }
     if (!goesOn(0.8)) return unexpected(msg::kStopped);
     TriangleMesh pulp = pulpFrom(segments, depth);
     if (!goesOn(1)) return unexpected(msg::kStopped);
     LayerModel model;
-    model.how = notesOn(thickestEnamel(outer), enamel.hasHollow(), !pulp.empty());
+    model.how = notesOn(thickestEnamel(outer), enamel.hasVoid(), !pulp.empty());
     const auto add = [&](MaterialRole role, TriangleMesh mesh) {
         const MaterialId id = materials.withRole(role);
         if (!mesh.empty()) model.layers.push_back({materials.nameOf(id), id, std::move(mesh)});

@@ -77,8 +77,8 @@ inline constexpr MessageText kNotePulpModelled{
     "歯髄もモデルです。歯頸部の髄室と各歯根の根管からなります。"};
 inline constexpr MessageText kNoteNoPulp{"note_no_pulp", "There is no room for a pulp: the tooth has none.",
                                          "歯髄の入る余地がないため、この歯に歯髄はありません。"};
-inline constexpr MessageText kNotePulpHollow{
-    "note_pulp_hollow", "The surface encloses a hollow: it is taken as the pulp space, which is empty.",
+inline constexpr MessageText kNotePulpVoid{
+    "note_pulp_void", "The surface encloses a void: it is taken as the pulp space, which is empty.",
     "表面は空洞を囲んでいます。これを歯髄腔とみなし、空とします。"};
 
 // Import notes: orientation.
@@ -110,9 +110,7 @@ inline constexpr MessageText kNoteTurnedAbout{"note_turned_about",
 // Import notes: repair.
 inline constexpr MessageText kNoteDegenerate{"note_degenerate", "%1: %2 empty or doubled triangles were dropped.",
                                              "%1：面積のない、または重複した三角形 %2 個を取り除きました。"};
-inline constexpr MessageText kNoteCrumbs{"note_crumbs", "%1: %2 crumbs beside the surface were dropped.",
-                                         "%1：表面から離れた小片 %2 個を取り除きました。"};
-inline constexpr MessageText kNoteTurnedOutward{"note_turned_outward", "%1: %2 triangles were turned to look outward.",
+inline constexpr MessageText kNoteTurnedOutward{"note_turned_outward", "%1: %2 triangles were turned to face outward.",
                                                 "%1：三角形 %2 個を外向きに直しました。"};
 inline constexpr MessageText kNoteHolesFilled{"note_holes_filled",
                                               "%1: %2 holes were filled, the largest with a rim of %3 mm.",

@@ -99,7 +99,7 @@ private:
         }
         if (const std::size_t dropped = done.droppedDegenerate + done.droppedDuplicates; dropped > 0)
             importNote(msg::kNoteDegenerate, what, dropped);
-        if (done.droppedPieces > 0) importNote(msg::kNoteCrumbs, what, done.droppedPieces);
+        if (done.droppedPieces > 0) importNote(msg::kNoteSpecks, what, done.droppedPieces);
         if (done.flippedTriangles > 0) importNote(msg::kNoteTurnedOutward, what, done.flippedTriangles);
         if (done.filledHoles > 0) {
             importNote(msg::kNoteHolesFilled, what, done.filledHoles,

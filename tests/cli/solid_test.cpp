@@ -69,13 +69,13 @@ protected:
     }
 };
 
-const TriangleMesh kBlock = box(Vec3(-5, -5, -15), Vec3(5, 5, 5));   // 2000 mm^3
-const TriangleMesh kHollow = box(Vec3(-3, -3, -12), Vec3(3, 3, 0));  // 432 mm^3, its top 5 mm below the block's
+const TriangleMesh kBlock = box(Vec3(-5, -5, -15), Vec3(5, 5, 5));  // 2000 mm^3
+const TriangleMesh kVoid = box(Vec3(-3, -3, -12), Vec3(3, 3, 0));   // 432 mm^3, its top 5 mm below the block's
 
-TEST_F(Solids, AnInnerShellIsAHollowWhicheverWayItLooks) {
+TEST_F(Solids, AnInnerShellIsAVoidWhicheverWayItFaces) {
     for (const TriangleMesh& mesh :
-         {together(kBlock, kHollow), together(kBlock, turned(kHollow)), together(turned(kBlock), kHollow),
-          together(kHollow, turned(kBlock)), turned(together(kBlock, kHollow))}) {
+         {together(kBlock, kVoid), together(kBlock, turned(kVoid)), together(turned(kBlock), kVoid),
+          together(kVoid, turned(kBlock)), turned(together(kBlock, kVoid))}) {
         surface(mesh);
         const nlohmann::json facts = info();
         EXPECT_EQ(facts["closed"], true);
@@ -92,11 +92,11 @@ TEST_F(Solids, AnInnerShellIsAHollowWhicheverWayItLooks) {
 }
 
 TEST_F(Solids, BodiesThatReachIntoEachOtherAreRefusedByAll) {
-    const std::vector<TriangleMesh> bodies = {
-        together(kBlock, box(Vec3(2, 2, 2), Vec3(8, 8, 8))),
-        together(kBlock, turned(box(Vec3(2, 2, 2), Vec3(8, 8, 8)))), together(kBlock, sphere(Vec3(0, 0, 5), 3, 24, 16)),
-        together(kBlock, cylinder(Vec3(0.1, 0.2, -20), 1, 40, 24)),
-        together(together(kBlock, box(Vec3(4, -5, -15), Vec3(14, 5, 5))), kHollow)};
+    const std::vector<TriangleMesh> bodies = {together(kBlock, box(Vec3(2, 2, 2), Vec3(8, 8, 8))),
+                                              together(kBlock, turned(box(Vec3(2, 2, 2), Vec3(8, 8, 8)))),
+                                              together(kBlock, sphere(Vec3(0, 0, 5), 3, 24, 16)),
+                                              together(kBlock, cylinder(Vec3(0.1, 0.2, -20), 1, 40, 24)),
+                                              together(together(kBlock, box(Vec3(4, -5, -15), Vec3(14, 5, 5))), kVoid)};
     for (const TriangleMesh& mesh : bodies) {
         surface(mesh);
         expectRefusedByAll("reach into each other");
@@ -128,7 +128,7 @@ TEST_F(Solids, ASpeckFarAwayIsSaidAndChangesNothing) {
         EXPECT_EQ(info()["box"]["size"], nlohmann::json({10.0, 10.0, 20.0}));
         const ProgramRun run = runTactooth({"case", "new", file("case"), "--from", file("tooth.stl")});
         ASSERT_EQ(run.exitCode, 0) << run.err;
-        EXPECT_THAT(run.out, AllOf(HasSubstr("the longest side would be 20.0 mm"), HasSubstr("1 crumbs beside")));
+        EXPECT_THAT(run.out, AllOf(HasSubstr("the longest side would be 20.0 mm"), HasSubstr("1 specks beside")));
         std::filesystem::remove_all(file("case"));
         EXPECT_THAT(cut().err, HasSubstr("1 specks beside the surface were dropped"));
     }

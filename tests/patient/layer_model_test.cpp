@@ -99,7 +99,7 @@ TEST(LayerModel, AVoidIsThePulpSpaceAndHasNoEnamel) {
     ASSERT_TRUE(model);
     EXPECT_EQ(model->layers.size(), 2u);
     EXPECT_EQ(inWords(model->how.back()),
-              "The surface encloses a hollow: it is taken as the pulp space, which is empty.");
+              "The surface encloses a void: it is taken as the pulp space, which is empty.");
     const auto tooth = LayeredTooth::make(outer, model->layers);
     ASSERT_TRUE(tooth);
     EXPECT_EQ(tooth->materialAt(Vec3(1.7, 0, 3)), test::kDentin);

@@ -4,7 +4,7 @@
 
 #include "collision/narrow/simd8.h"
 
-// A flag tells in which of eight lanes a condition holds: 1 where it does, 0 elsewhere. The product of two flags is
+// A flag states in which of eight lanes a condition holds: 1 where it does, 0 elsewhere. The product of two flags is
 // "and", their difference "and not".
 
 namespace tactooth {

@@ -39,9 +39,9 @@ inline constexpr MessageText kNoteSpecks{"note_specks", "%1: %2 specks beside th
 inline constexpr MessageText kNoteTurned{"note_turned",
                                          "%1: %2 triangles were turned, so that all look at the outside.",
                                          "%1：すべてが外側を向くように三角形 %2 個の向きを直しました。"};
-inline constexpr MessageText kNoteHollows{"note_hollows",
-                                          "%1: %2 shells lie within another one and are taken as the walls of hollows.",
-                                          "%1：別の殻の内側にある殻 %2 個は空洞の壁とみなします。"};
+inline constexpr MessageText kNoteVoids{"note_voids",
+                                        "%1: %2 shells lie within another one and are taken as the walls of voids.",
+                                        "%1：別の殻の内側にある殻 %2 個は空洞の壁とみなします。"};
 inline constexpr MessageText kNoteCrossings{
     "note_crossings", "%1: %2 triangles cross others by %3 mm at most; they are left as they are.",
     "%1：三角形 %2 個が他と最大 %3 mm 交差していますが、そのままにします。"};

@@ -144,7 +144,7 @@ ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint
     for (Shell& shell : shells) {
         if (shell.crosses && volumeOfCrossing < 0) shell.isInward = !shell.isInward;
         const double volume = (shell.isInward ? -1 : 1) * volumeOf(mesh, shell, turned, middle);
-        result.hollows += volume < 0;
+        result.voids += volume < 0;
         result.volume += volume;
         for (const std::uint32_t t : shell.triangles) {
             if ((turned[t] != 0) == shell.isInward) continue;
@@ -152,7 +152,7 @@ ShellOrientation orientShells(const SurfacePart& part, std::span<const std::uint
             ++result.flippedTriangles;
         }
     }
-    TACTOOTH_ASSERT(result.hollows <= result.shells);
+    TACTOOTH_ASSERT(result.voids <= result.shells);
     TACTOOTH_ASSERT(result.flippedTriangles <= mesh.triangles.size());
     return result;
 }

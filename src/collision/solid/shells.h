@@ -15,8 +15,8 @@ struct ShellOrientation {
     bool isNonOrientable = false;      ///< a shell has only one side; no triangle was flipped
     std::size_t flippedTriangles = 0;  ///< that faced the wrong side
     std::size_t shells = 0;
-    std::size_t hollows = 0;  ///< shells that are the wall of a hollow
-    double volume = 0;        ///< of the inside, in the cube of the mesh's unit
+    std::size_t voids = 0;  ///< shells that are the wall of a void
+    double volume = 0;      ///< of the inside, in the cube of the mesh's unit
 };
 
 /// Flips triangles of `mesh` so that each faces the outside: the side from which a ray crosses the surface an even

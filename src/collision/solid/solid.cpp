@@ -93,9 +93,9 @@ private:
         if (turn.isNonOrientable) return SolidFlaw::NonOrientable;
         report().flippedTriangles = turn.flippedTriangles;
         report().shells = turn.shells;
-        report().hollows = turn.hollows;
+        report().voids = turn.voids;
         TACTOOTH_ASSERT(report().flippedTriangles <= mesh().triangles.size());
-        TACTOOTH_ASSERT(report().hollows <= report().shells);
+        TACTOOTH_ASSERT(report().voids <= report().shells);
         if (!crossing->empty()) {
             report().overlap = overlapOf(turn.flippedTriangles > 0 ? SurfacePart(mesh()) : part, *crossing);
             TACTOOTH_ASSERT(report().overlap >= 0);
@@ -131,7 +131,7 @@ std::vector<ImportNote> notesOn(const SolidReport& report, const Message& what) 
     add(report.droppedDuplicates, msg::kNoteDuplicates);
     add(report.droppedSpecks, msg::kNoteSpecks);
     add(report.flippedTriangles, msg::kNoteTurned);
-    add(report.flippedTriangles > 0 ? report.hollows : 0, msg::kNoteHollows);
+    add(report.flippedTriangles > 0 ? report.voids : 0, msg::kNoteVoids);
     constexpr double kMinReportedOverlap = 0.0005;  // mm: mere touching is not reported
     if (report.isSolid() && report.overlap > kMinReportedOverlap) {
         add(report.selfIntersectingTriangles, msg::kNoteCrossings, rounded(report.overlap, 3));

@@ -13,7 +13,7 @@ namespace tactooth {
 // The definition of a solid for every command and the window. A surface is closed if its triangles use each edge as
 // often in one direction as in the other (`EdgeBalance`). A point is inside if a ray from it crosses the surface an odd
 // number of times (`contains`). Shells are flipped so that their triangles face the outside in this sense: the outer
-// wall faces outward, the wall of a hollow faces into the hollow. Bodies that overlap bound no solid.
+// wall faces outward, the wall of a void faces into the void. Bodies that overlap bound no solid.
 
 /// Why a surface bounds no solid.
 enum class SolidFlaw {
@@ -33,7 +33,7 @@ struct SolidReport {
     std::size_t droppedSpecks = 0;      ///< small pieces beside the largest body
     std::size_t flippedTriangles = 0;   ///< that faced the wrong side
     std::size_t shells = 0;             ///< sets of triangles connected over edges of two triangles
-    std::size_t hollows = 0;            ///< shells that are the wall of a hollow
+    std::size_t voids = 0;              ///< shells that are the wall of a void
     std::size_t openEdges = 0;          ///< of an open surface
     std::size_t selfIntersectingTriangles =
         0;               ///< triangles that intersect others elsewhere than at common edges and corners

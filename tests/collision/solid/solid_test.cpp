@@ -57,7 +57,7 @@ TEST_P(NestedShells, AreOrientedByTheirNesting) {
         volume += (i % 2 == 0 ? 1 : -1) * std::pow(2 * kHalf[i], 3);
         append(mesh, (GetParam() >> i & 1) != 0 ? turned(cube(kHalf[i])) : cube(kHalf[i]));
     }
-    // Beside them another body with a hollow.
+    // Beside them another body with a void.
     append(mesh, test::box(Vec3(20, 0, 0), Vec3(30, 10, 10)));
     append(mesh, (GetParam() & 1) != 0 ? test::sphere(Vec3(25, 5, 5), 3, 24, 16)
                                        : turned(test::sphere(Vec3(25, 5, 5), 3, 24, 16)));
@@ -68,7 +68,7 @@ TEST_P(NestedShells, AreOrientedByTheirNesting) {
     const MeshReport report = reportOn(examined.mesh);
     EXPECT_TRUE(report.watertight());
     EXPECT_NEAR(report.signedVolume, volume, 1e-3);
-    EXPECT_EQ(examined.report.hollows, 3u);
+    EXPECT_EQ(examined.report.voids, 3u);
     const ExaminedSolid again = examineSolid(examined.mesh);
     EXPECT_EQ(again.mesh.triangles, examined.mesh.triangles);
     EXPECT_EQ(again.report.flippedTriangles, 0u);
