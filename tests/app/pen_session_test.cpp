@@ -82,7 +82,7 @@ void PenSessionTest::initTestCase() {
 
 QDoubleSpinBox& PenSessionTest::motionScaling() const {
     for (QDoubleSpinBox* box : window_->findChildren<QDoubleSpinBox*>()) {
-        if (box->accessibleName() == "Fineness") return *box;
+        if (box->accessibleName() == "Motion scaling") return *box;
     }
     qFatal("the window has no motion scaling");
 }

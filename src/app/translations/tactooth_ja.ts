@@ -2014,8 +2014,8 @@ It can be overcome, and is off in an examination.</source>
         <translation>教える…</translation>
     </message>
     <message>
-        <source>Fineness</source>
-        <translation>細かさ</translation>
+        <source>Motion scaling</source>
+        <translation>モーションスケーリング</translation>
     </message>
     <message>
         <source> : 1</source>

@@ -148,7 +148,7 @@ void DevicePanel::addHold(QGridLayout& grid) {
 
 void DevicePanel::addMotionScaling(QGridLayout& grid) {
     motionScaling_ = new NumberRow(
-        grid, tr("Fineness"), {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
+        grid, tr("Motion scaling"), {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
         tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
     fit_->setObjectName("fitMotionScaling");
     fit_->setToolTip(tr("As fine as possible while the device still reaches all of the tooth"));
