@@ -16,9 +16,9 @@ inline constexpr MessageText kUpperCanine{"upper_canine", "Upper canine (13)", "
 // The gum of a built-in mouth.
 inline constexpr MessageText kGingivaCrossesItself{
     "gingiva_crosses_itself",
-    "%1 crosses itself at each of the %2 finenesses that were tried; ask for another number of triangles or "
+    "%1 crosses itself at each of the %2 resolutions that were tried; ask for another number of triangles or "
     "another seed.",
-    "%1は、試した %2 通りの細かさのいずれでも自分自身と交差します。三角形の数かシードを変えてください。"};
+    "%1は、試した %2 通りの解像度のいずれでも自分自身と交差します。三角形の数かシードを変えてください。"};
 inline constexpr MessageText kUpperGingiva{"upper_gingiva",
                                            "The upper gum of the mouth with seed %1 and %2 triangles a tooth",
                                            "上顎の歯肉（シード %1、1歯あたり三角形 %2 個）"};

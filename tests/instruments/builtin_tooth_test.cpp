@@ -86,7 +86,7 @@ TEST_P(EveryTooth, LayersDoNotIntersectThemselves) {
     for (const TriangleMesh* layer : meshesOf(tooth_)) EXPECT_FALSE(test::selfIntersects(*layer));
 }
 
-TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherFinenesses) {
+TEST_P(EveryTooth, LayersDoNotIntersectThemselvesAtOtherResolutions) {
     for (const int triangles : {6000, 13000, 35000}) {
         const BuiltinTooth tooth = makeBuiltinTooth(average_.kind, triangles);
         for (const TriangleMesh* layer : meshesOf(tooth)) EXPECT_FALSE(test::selfIntersects(*layer)) << triangles;

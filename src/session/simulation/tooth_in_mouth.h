@@ -28,7 +28,7 @@ struct ToothInMouth {
     std::vector<Body> around = {};  ///< all other bodies
 };
 
-/// `fdi` is a tooth of the mouth that is not missing; its fineness and seed are those of the mouth. Takes as long as
+/// `fdi` is a tooth of the mouth that is not missing; its resolution and seed are those of the mouth. Takes as long as
 /// makeMouth, and fails where makeMouth does.
 [[nodiscard]] Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion,
                                                   const MouthRequest& mouth,
