@@ -3,7 +3,7 @@
 // What a walk over a heavily cut tooth saves by the tree from which the cut triangles were taken: a bur of 1.2 mm cuts
 // parallel slots 2.5 mm deep into a tooth of some 325,000 triangles. Then, at 400 places of the bur in its slots, a
 // walk looks for the tooth's own triangles near it: over the whole tree, asking the mask about each triangle ("mask"),
-// and over the thinned tree. Both must find the same ones. Times are the thread's processor time, the least of nine
+// and over the masked BVH. Both must find the same ones. Times are the thread's processor time, the least of nine
 // runs.
 #include <algorithm>
 #include <array>
@@ -83,21 +83,21 @@ std::size_t timeWalks(const char* way, double reach, const VisibleBase& base, co
     return sum.triangles;
 }
 
-/// What it costs to make the thinned tree: ready to take triangles out once a tooth, the tree once a cut.
-void timeThinning(const Surface& surface) {
+/// The time to make the masked BVH: its preparation once for each tooth, the tree once for each cut.
+void timeMasking(const Surface& surface) {
     const AabbTree& whole = surface.base->tree();
     const double start = wallMillis();
-    MaskedBvh thinner(whole);
+    MaskedBvh masked(whole);
     const double ready = wallMillis();
     for (std::uint32_t t = 0; t < surface.base->mesh().triangles.size(); ++t)
-        if (isHidden(*surface.hidden, t)) thinner.setHidden(t, true);
+        if (isHidden(*surface.hidden, t)) masked.setHidden(t, true);
     double least = std::numeric_limits<double>::infinity();
     for (int run = 0; run < kRuns; ++run) {
         const double begin = threadMicros();
-        const AabbTree tree = thinner.maskedTree();
+        const AabbTree tree = masked.maskedTree();
         least = std::min(least, threadMicros() - begin);
     }
-    std::printf("Thinner made in %.2f ms; a thinned tree in %.0f us, %zu KB of its own beside %zu KB shared.\n\n",
+    std::printf("Masked BVH prepared in %.2f ms; a masked tree in %.0f us, %zu KB of its own beside %zu KB shared.\n\n",
                 ready - start, least, (surface.maskedTree->bytes() - whole.bytes()) / 1024, whole.bytes() / 1024);
 }
 
@@ -120,7 +120,7 @@ int runBench(double voxel) {
     for (std::uint32_t t = 0; t < surface.base->mesh().triangles.size(); ++t) hidden += isHidden(*surface.hidden, t);
     std::printf("%zu patches, %zu of %zu triangles cut. ", surface.patches.size(), hidden,
                 surface.base->mesh().triangles.size());
-    timeThinning(surface);
+    timeMasking(surface);
     std::puts("| reach mm | walk | nodes | leaves | triangles found | us |\n|---:|---|---:|---:|---:|---:|");
     for (const double reach : {0.0, 0.02, 0.1, 0.3}) {
         const VisibleBase masked{surface.base->tree(), surface.hidden.get()};

@@ -19,13 +19,13 @@ public:
     /// The model is not null; it may already be cut. `materials`: those of the tooth.
     CarvingStage(std::shared_ptr<CutModel> model, const Instrument& instrument, MaterialTable materials);
 
-    /// Cuts toward the tick's device pose, or removes loose pieces once the bur was lifted. Returns true if the surface
-    /// has changed.
+    /// Cuts toward the tick's device pose, or removes detached pieces once the bur was lifted. Returns true if the
+    /// surface has changed.
     bool carve(const Tick& tick);
     /// Returns true if the surface has changed.
     bool edit(Edit edit);
-    /// The end of a run that is not live: loose pieces fall, if `dropsPieces`, and the surface is up to date. Returns
-    /// true if it has changed.
+    /// The end of a run that is not live: detached pieces fall, if `dropsPieces`, and the surface is up to date.
+    /// Returns true if it has changed.
     bool finish(bool dropsPieces);
 
     [[nodiscard]] const CutModel& model() const { return *model_; }

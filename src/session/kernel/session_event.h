@@ -89,7 +89,7 @@ struct ExactTickEvent {
 
 /// The end of a run that is not live.
 struct FinishEvent {
-    bool dropsPieces = false;  ///< whether loose pieces fall now
+    bool dropsPieces = false;  ///< whether detached pieces fall now
     bool published = false;    ///< whether the surface has changed
 };
 

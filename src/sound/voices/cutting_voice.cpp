@@ -62,7 +62,7 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
                          std::span<const double> turnsPerFrame) {
     const int frames = static_cast<int>(out.size());
     const float share = smoothingCoefficient(kLagSeconds, frames);
-    const double throb = modulationAt(turnsPerFrame.back() * kSoundRate);
+    const double rotation = modulationAt(turnsPerFrame.back() * kSoundRate);
     const double amplitude = amplitudeOf(state) * volume;
     if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
     const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
@@ -70,11 +70,11 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     if (bladeModulation_.isZero()) blades_ = state.blades;
     const double passes = blades_ == state.blades ? blades_ * turnsPerFrame.back() * kSoundRate : 0.0;
     const double blade = bladeModulationAt(passes);
-    const double swinging = 1.0 + 0.5 * throb * throb + 0.5 * (1.0 + kBladeTone * kBladeTone) * blade * blade;
+    const double swinging = 1.0 + 0.5 * rotation * rotation + 0.5 * (1.0 + kBladeTone * kBladeTone) * blade * blade;
     const double power = swinging * (1.0 + kStickSlipMeanSquare * chatter * chatter);
     gain_.aim(static_cast<float>((isRecorded ? 0.0 : amplitude) / std::sqrt(power)), share, frames);
     chatter_.aim(static_cast<float>(1.0 + chatter * static_cast<double>(stickSlip_.advance(frames))), 1.0f, frames);
-    rotationModulation_.aim(static_cast<float>(throb), share, frames);
+    rotationModulation_.aim(static_cast<float>(rotation), share, frames);
     bladeModulation_.aim(static_cast<float>(blade), share, frames);
     if (gain_.isZero()) return;
 

@@ -65,15 +65,15 @@ TEST(Gjk, SeparatesByASlabNearlyAsWideAsTheDistance) {
         Triangle3 b = randomTriangle(random, 1);
         for (Vec3& corner : b) corner += Vec3(0.3, 0.2, 0.1);
         const GjkResult exact = distanceBetween(a, b, b[0] - a[0]);
-        const GjkResult parted = separateConvex(a, b, b[0] - a[0], kLeast);
-        ASSERT_EQ(parted.separated, exact.separated) << i;
+        const GjkResult found = separateConvex(a, b, b[0] - a[0], kLeast);
+        ASSERT_EQ(found.separated, exact.separated) << i;
         if (!exact.separated) continue;
-        ASSERT_LE(parted.gap, lowestAlong(b, parted.normal) - highestAlong(a, parted.normal));
-        ASSERT_GE(parted.gap, 0.7 * exact.distance * (1 - 1e-12)) << i;
+        ASSERT_LE(found.gap, lowestAlong(b, found.normal) - highestAlong(a, found.normal));
+        ASSERT_GE(found.gap, 0.7 * exact.distance * (1 - 1e-12)) << i;
         if (exact.distance <= kLeast) {
-            ASSERT_EQ(parted.gap, exact.gap) << i;
+            ASSERT_EQ(found.gap, exact.gap) << i;
         }
-        sooner += parted.iterations < exact.iterations ? 1 : 0;
+        sooner += found.iterations < exact.iterations ? 1 : 0;
         ++wide;
     }
     EXPECT_GT(wide, 3000);

@@ -143,10 +143,10 @@ TEST(ContactQuery, AnOpenSurfaceHasNoInside) {
     ContactQuery open(test::toolOf(test::sphere(Vec3(0, 0, 0), 0.5, 12, 6)), test::surfaceOf(plate, false));
     ContactQuery closed(test::toolOf(test::sphere(Vec3(0, 0, 0), 0.5, 12, 6)), test::surfaceOf(plate, true));
     EXPECT_FALSE(open.at(at(Vec3(0, 0, -2))).touching);
-    const Contact swallowed = closed.at(at(Vec3(0, 0, -2)));
-    EXPECT_TRUE(swallowed.touching);
-    EXPECT_NEAR(swallowed.depth, 2.5, 1e-5);
-    EXPECT_EQ(swallowed.contacts, 0);
+    const Contact enclosed = closed.at(at(Vec3(0, 0, -2)));
+    EXPECT_TRUE(enclosed.touching);
+    EXPECT_NEAR(enclosed.depth, 2.5, 1e-5);
+    EXPECT_EQ(enclosed.contacts, 0);
 }
 
 TEST(ContactQuery, PenaltyFreesTheDeepestPairAlone) {
