@@ -3,7 +3,7 @@
 //
 // Plays a cut on the sound device in real time while one core is kept busy: does the sound ever run dry, how long is
 // the way from a parameter to its sample, and what of a core does all of it take (OpenAL's mixer included)? A virtual
-// machine may stand still as a whole: threads of real-time priority that only sleep tell when it did, and a gap
+// machine may stand still as a whole: threads of real-time priority that only sleep show when it did, and a gap
 // within 0.1 s of that is not the sound's own.
 //   sound_soak [SECONDS]      on the usual device; ALSOFT_DRIVERS=null for a machine without one
 // Prints one CSV line.

@@ -36,7 +36,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
 find_program(TACTOOTH_CCACHE ccache)
 if(TACTOOTH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Compiled headers are among what it may keep; it leaves them alone unless it is told so.
+  # Compiled headers are among what it may keep; it leaves them alone unless it is set to do so.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${TACTOOTH_CCACHE})
 endif()
 
@@ -58,7 +58,7 @@ if(TACTOOTH_SANITIZE)
 endif()
 
 # Of TBB's scheduler the thread sanitizer would see but the half that stands in headers: files that include its loops,
-# and be it by OpenVDB, are left out; geometry/util/parallel_for.h tells the order that these loops guarantee, there as well.
+# and be it by OpenVDB, are left out; geometry/util/parallel_for.h declares the order that these loops guarantee, there as well.
 function(tactooth_includes_tbb_loops)
   if(TACTOOTH_SANITIZE MATCHES thread)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fno-sanitize=thread SKIP_PRECOMPILE_HEADERS ON

@@ -19,7 +19,7 @@ ensure_packages() {
   fi
   local wanted missing sudo=()
   wanted=$(packages_of "$@")
-  # dpkg-query fails if one package is unknown, and still tells about the others.
+  # dpkg-query fails if one package is unknown, and still reports the others.
   missing=$(comm -23 <(sort <<<"$wanted") <(
     dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | awk '$2 == "installed" { print $1 }' | sort -u))
   if [ -z "$missing" ]; then return; fi

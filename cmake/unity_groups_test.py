@@ -46,8 +46,8 @@ class UnityGroups(unittest.TestCase):
         self.assertEqual(self.groups([uses, own]), [0, 1])
 
     def test_a_comment_mentions_nothing(self):
-        own, remark = in_anonymous_namespace("double place() {\n}"), "int x;  // not a place\n"
-        self.assertEqual(self.groups([own, remark]), [0, 0])
+        own, comment = in_anonymous_namespace("double place() {\n}"), "int x;  // not a place\n"
+        self.assertEqual(self.groups([own, comment]), [0, 0])
 
     def test_a_group_is_no_longer_than_the_limit_and_takes_later_files(self):
         self.assertEqual(self.groups(["int a;\n" * 60, "int b;\n" * 60, "int c;\n" * 40]), [0, 1, 0])

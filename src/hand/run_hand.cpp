@@ -190,7 +190,7 @@ private:
 int runHand(const HandArguments& arguments) {
     programId = arguments.program;
     installHandlers();
-    if (getppid() != programId) return kFailed;  // it has ended before the kernel would have told
+    if (getppid() != programId) return kFailed;  // it has ended before the kernel could notify this process
     const std::unique_ptr<HandMemory> memory = HandMemory::open(HandArguments::kLinkFile);
     if (memory == nullptr) return HandArguments::kOtherVersion;
     HandLink& link = memory->link();

@@ -194,7 +194,7 @@ void PadSessionTest::theWelcomeIsAnsweredByThePad() {
     QTRY_VERIFY2_WITH_TIMEOUT(hint().contains("Start: menus"), qPrintable(hint()), kPatience);
 }
 
-/// The processor time tells what the program would take with two cores of its own.
+/// The processor time shows what the program would take with two cores of its own.
 void PadSessionTest::theToothIsTouchedWithinHalfAMinute() {
     stick(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0.2);
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().log().newest().contact.triangles > 0, kPatience);

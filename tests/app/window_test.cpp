@@ -180,7 +180,7 @@ void WindowTest::aTouchingBurRemovesNothing() {
     QCOMPARE(removed(), 0.0);
 }
 
-/// Also checks the rate of surfaces: at least 20 a second on two cores. The processor time tells what the program would
+/// Also checks the rate of surfaces: at least 20 a second on two cores. The processor time shows what the program would
 /// reach with two cores of its own. A sanitizer takes more.
 void WindowTest::aCuttingBurRemovesEnamel() {
     key(Qt::Key_C);

@@ -350,7 +350,7 @@ TEST_F(AssessCommand, PutsTheTrialsOfAStudentTogether) {
     std::filesystem::remove_all(file("out") + "/ben");
     EXPECT_EQ(learned({"--adequate", "0.01", "--inadequate", "0.9", "--trials", "2"}).exitCode, 0);
     expectRefused(learned({"--trials", "1", "--adequate", "0.001", "--inadequate", "0.999"}), "give at least so many");
-    expectRefused(learned({"--adequate", "0.5", "--inadequate", "0.4"}), "cannot be told apart");
+    expectRefused(learned({"--adequate", "0.5", "--inadequate", "0.4"}), "cannot be distinguished");
     expectRefused(learned({"--acceptable", "0.5", "--unacceptable", "0.4"}), "are not in order");
     expectRefused(runTactooth({"learned", file("class"), "--out", file("learned")}), "there is no report.json");
 }

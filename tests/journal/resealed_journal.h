@@ -27,7 +27,7 @@ inline std::size_t resealHeader(std::span<std::byte> bytes) {
     return end;
 }
 
-/// Puts the CRCs of a damaged recording right, as far as its blocks can still be told: what lies behind them must not
+/// Puts the CRCs of a damaged recording right, as far as its blocks can still be found: what lies behind them must not
 /// rely on them.
 inline void reseal(std::span<std::byte> bytes) {
     std::size_t at = resealHeader(bytes);

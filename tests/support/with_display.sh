@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Tactooth authors
 # SPDX-License-Identifier: Apache-2.0
 # with_display.sh PROGRAM ARGUMENTS...: runs a program on a display of its own. xvfb-run waits for ever where a busy
-# machine lets the signal that the display is ready come before the shell waits for it; here the server tells the
+# machine lets the signal that the display is ready come before the shell waits for it; here the server notifies the
 # number of the display through a pipe.
 set -euo pipefail
 folder=$(mktemp -d)

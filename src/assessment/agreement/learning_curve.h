@@ -13,7 +13,7 @@ namespace tactooth {
 /// One trial of a student at an exercise.
 enum class Trial { Passed, Failed };
 
-/// What a CUSUM has to tell apart: rates of failed trials, 0..1, and the risks of a wrong decision.
+/// What a CUSUM has to distinguish: rates of failed trials, 0..1, and the risks of a wrong decision.
 struct CusumRates {
     double acceptable, unacceptable;  ///< shares of failed trials, the first less than the second
     double falseAlarm = 0.1;          ///< alpha: to call an acceptable student unacceptable

@@ -142,7 +142,7 @@ private:
         return sum;
     }
 
-    /// The cost once the sums have changed as told; weights and factors have changed already.
+    /// The cost once the sums have changed by these amounts; weights and factors have changed already.
     template <class Change, class JudgedChange>
     [[nodiscard]] double costAfter(const Change& change, const JudgedChange& judgedChange) const {
         double sum = penalty();

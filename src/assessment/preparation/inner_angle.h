@@ -7,7 +7,8 @@
 
 namespace tactooth {
 
-/// Radius of the ball that rolls in the angles between floor and walls, mm: a larger one is not told from it.
+/// Radius of the ball that rolls in the angles between floor and walls, mm: a larger radius is not distinguished from
+/// it.
 inline constexpr double kRollingBall = 0.3;
 
 /// Radius of the angles between the floor and the walls of the cut surface, mm: of the sharpest twentieth of them. At

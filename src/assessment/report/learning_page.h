@@ -11,7 +11,7 @@
 
 namespace tactooth {
 
-/// By what it is told whether an exercise has been learnt.
+/// The criteria by which an exercise counts as learnt.
 struct LearningTest {
     CusumRates rates;
     CusumPlan cusum;
@@ -36,7 +36,7 @@ struct StudentLearning {
 [[nodiscard]] std::vector<StudentLearning> learningOf(const std::vector<StoredReport>& reports,
                                                       const LearningTest& test);
 
-/// What the trials tell, in two sentences: by LC-CUSUM and by CUSUM.
+/// What the trials show, in two sentences: by LC-CUSUM and by CUSUM.
 [[nodiscard]] std::vector<std::string> learningTexts(const StudentLearning& student, const LearningTest& test,
                                                      Language language);
 

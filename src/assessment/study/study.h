@@ -36,7 +36,7 @@ struct StudyTrial {
     Mark mark;
 };
 
-/// How well a number tells the levels apart.
+/// How well a number separates the levels.
 struct LevelContrast {
     std::array<std::optional<double>, kHandLevels.size()> medians;  ///< of the hands for which it can be measured
     std::optional<double> area;        ///< areaUnderCurve of experts over beginners: 1 or 0 separates fully, 0.5 not

@@ -50,7 +50,7 @@ struct DeviceSample {
     bool isFresh = true;          ///< false: the same sample as at the last read
 };
 
-/// Is told of each new sample, by a thread of the device. It must not block.
+/// Is called at each new sample, by a thread of the device. It must not block.
 struct SampleListener {
     void (*call)(void* context) = nullptr;  ///< nullptr: nobody listens
     void* context = nullptr;
@@ -85,7 +85,7 @@ public:
     [[nodiscard]] virtual bool drivesServoRate() const { return false; }
     virtual void waitForTick(double /*longest*/) {}
     /// For a caller that waits for other events than samples, too. Set it before open(). A device without a thread of
-    /// its own, which is read at the pace of its caller, tells nobody.
+    /// its own, which is read at the pace of its caller, calls no listener.
     void setSampleListener(const SampleListener& listener) { sampleListener_ = listener; }
 
     /// While suspended, a device whose sticks and buttons also have another function treats them as released. Any

@@ -54,7 +54,7 @@ struct HandEnd {
 };
 
 /// A running tactooth-hand, as its parent sees it. The thread that starts it lives as long as the process, because the
-/// system tells a child of the end of that thread.
+/// system notifies a child of the end of that thread.
 class HandProcess {
 public:
     /// Fails with one sentence where there is no such program.

@@ -86,7 +86,7 @@ void HandProcessDevice::attach(HandLink* link) {
     rings_ = link->programBell.rings();
 }
 
-/// Keeps the calling thread, a servo with real-time priority, on its processor, and tells the hand process to come
+/// Keeps the calling thread, a servo with real-time priority, on its processor, and asks the hand process to come
 /// there. The two take turns, so neither loses by that. Once for each thread and link.
 void HandProcessDevice::shareProcessor() {
     const auto thread = std::this_thread::get_id();

@@ -15,7 +15,7 @@
 
 namespace tactooth {
 
-/// Tells the hand process of a device's samples: the device calls its listener, and the bell rings.
+/// Notifies the hand process of a device's samples: the device calls its listener, and the bell rings.
 class SampleSignal {
 public:
     explicit SampleSignal(Bell& bell) : bell_(bell) {}

@@ -11,8 +11,8 @@
 
 namespace tactooth {
 
-/// What one thread tells the recorder: each has a queue of its own, so that none waits. A queue that is full loses its
-/// newest event; then the record ends there.
+/// What one thread reports to the recorder: each has a queue of its own, so that none waits. A queue that is full loses
+/// its newest event; then the record ends there.
 class EventLanes {
 public:
     using ServoRecord = std::variant<TickEvent, ForceEvent, TickHashEvent>;

@@ -78,7 +78,7 @@ void SessionKernel::forgetOldTicks() {
     while (!ticks_.empty() && ticks_.front().number < oldest) ticks_.pop_front();
 }
 
-/// What a stage does is known; the record tells whether it was the same.
+/// What a stage does is known; the record shows whether it was the same.
 bool SessionKernel::publish(bool changed, bool recorded) {
     if (changed) published_.push_back({model_->contactSurface(), model_->reached()});
     return changed == recorded;

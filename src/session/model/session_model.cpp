@@ -49,7 +49,7 @@ void SessionModel::resetManipulator() {
     if (tooth_) mirror_.park(parkedMirror(tooth_->box(), toEye, handleX(*this)));
 }
 
-/// Tells the manipulator what is there now. A device in the hand needs none of it but the depth.
+/// Gives the manipulator what is there now. A device in the hand needs none of it but the depth.
 void SessionModel::showSurroundings() {
     if (devices_.first() != nullptr) return advanceDepthControl();
     const std::shared_ptr<const Surface> surface = runner_->feed().surface();

@@ -15,7 +15,7 @@
 namespace tactooth {
 
 /// Where the user's recordings are kept: $XDG_DATA_HOME/tactooth/recordings, else ~/.local/share/tactooth/recordings.
-/// Empty if neither can be told.
+/// Empty if neither is known.
 [[nodiscard]] std::filesystem::path defaultRecordingFolder();
 
 /// The name of a finished recording without its ending: date, local time and tooth. What no file system takes is left

@@ -20,7 +20,7 @@ struct StationKey {
 };
 
 /// Where the key is kept: $XDG_DATA_HOME/tactooth/station.key, else ~/.local/share/tactooth/station.key. Empty if
-/// neither can be told.
+/// neither is known.
 [[nodiscard]] std::filesystem::path stationKeyFile();
 
 /// Reads the key of the station, or makes it at its first use; several programs that do so at once get the same one.

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-/// A remark that someone has pinned to a moment of a recorded session.
+/// A comment that someone has pinned to a moment of a recorded session.
 struct ReplayComment {
     double time = 0;  ///< s since the session began
     std::string text;

@@ -61,7 +61,7 @@ public:
     [[nodiscard]] std::shared_ptr<const SurfacePart> ownOuter() const;
     /// In ascending nesting order: a later layer overrides an earlier one.
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
-    /// Whether bodies around the tooth overlap it or each other. Then the nearest triangle does not tell what is
+    /// Whether bodies around the tooth overlap it or each other. Then the nearest triangle does not show what is
     /// inside, and the region that two of them share counts as air.
     [[nodiscard]] bool bodiesOverlap() const { return bodiesOverlap_; }
     /// The material of a tooth without layers.

@@ -121,7 +121,7 @@ bool RevolutionEnvelope::isInside(double radius, double z) const {
     return radius < lower->radius + t * (upper->radius - lower->radius);
 }
 
-/// If the nearest point lies within a segment, the offset tells the side.
+/// If the nearest point lies within a segment, the sign of the offset is the side.
 bool RevolutionEnvelope::isInside(const Nearest& hit, double radius, double z) const {
     if (!hit.isWithin || hit.squaredDistance <= kOnSurface * kOnSurface) return isInside(radius, z);
     TACTOOTH_ASSERT(hit.segment < segments_.size());

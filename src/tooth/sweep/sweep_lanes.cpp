@@ -115,7 +115,7 @@ SweepLanes::Profile8 SweepLanes::sampleProfile(const Vec3x8& point) const {
         sides = whereLess(squared, best, Float8::all(piece.sides), sides);
         best = min(best, squared);
     }
-    // Within a segment, the offset tells the side, and the normal is that of the segment.
+    // Within a segment, the sign of the offset is the side, and the normal is that of the segment.
     Float8 distance = outside;
     Float8 slopeR = directionZ;
     Float8 slopeZ = zero8() - directionR;
@@ -162,7 +162,7 @@ struct SweepLanes::Search {
     Profile8 nearest;  ///< its distance is `limit` while nothing counts
 };
 
-// SweepStep::searchPart for eight lanes. A flag tells which lanes are still searching.
+// SweepStep::searchPart for eight lanes. A flag states which lanes are still searching.
 void SweepLanes::searchPart(const Vec3x8& start, const Vec3x8& end, float first, float last, Search& search) const {
     TACTOOTH_ASSERT(first >= 0 && first < last && last <= 1);
     const auto take = [&](const Profile8& profile, Float8 time, Float8 flag) {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kAirMargin = 3.95;
 /// Voxels. Band of a layer's distance: wide enough to find the nearest layer beside a narrow gap.
 constexpr double kLayerBand = 2.0;
-/// If the cosine between the offset from the nearest point and the normal of its face exceeds this, the normal tells
+/// If the cosine between the offset from the nearest point and the normal of its face exceeds this, the normal decides
 /// the side.
 constexpr double kAlongNormal = 1 - 1e-7;
 /// mm; a shorter offset from the surface has no direction.

@@ -69,7 +69,7 @@ void CutJournal::validate(const BrickMap& bricks) const {
         TACTOOTH_ASSERT(bricks.find(key) != nullptr);
         field.validate(spacing_);
     }
-    // The last step tells how the bricks were before it, the last undone step how they were after it.
+    // The last step states how the bricks were before it, the last undone step how they were after it.
     for (const std::vector<Step>* steps : {&undo_, &redo_}) {
         if (steps->empty()) continue;
         for (const auto& [key, change] : steps->back().changes) {

@@ -96,7 +96,7 @@ public:
     /// tooth are left out.
     std::vector<ChangedBrick> replace(const std::map<BrickKey, CutField>& fields);
 
-    /// From now on `takeTouched` tells which bricks have changed.
+    /// From now on `takeTouched` returns which bricks have changed.
     void noteTouched() { notesTouched_ = true; }
     /// The bricks whose fields may have changed since the last call, in ascending order of the keys.
     [[nodiscard]] std::vector<BrickKey> takeTouched();

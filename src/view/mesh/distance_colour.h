@@ -11,8 +11,8 @@ namespace tactooth {
 /// Which colours belong to which distances, mm: those of `distanceColour` from -range to range.
 struct DistanceScale {
     double range = 1;
-    /// Less than `range`. Up to it a distance has the colour of 0, and beyond it a colour that is easily told from
-    /// that; 0: there is no such band.
+    /// Less than `range`. Up to it a distance has the colour of 0, and beyond it a colour that is easily distinguished
+    /// from that; 0: there is no such band.
     double tolerance = 0;
 
     /// The place of a distance between the colours, -1..1.

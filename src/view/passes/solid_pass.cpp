@@ -26,7 +26,7 @@ constexpr int kBackgroundVertices = 6 * 40 * 25;  ///< the number of cells in ba
 /// Samples of the shadow lookup.
 struct ShadowTaps {
     int blockers;  ///< that look for what throws the shadow
-    int light;     ///< that tell how much light arrives
+    int light;     ///< that compute how much light arrives
 };
 // By Shadows. Twelve on a rotated spiral leave no visible noise at 1080p. A penumbra that widens is up to three and a
 // half times as wide and needs more. It is drawn only at rest, where thirty samples in all are cheap enough.

@@ -198,7 +198,8 @@ TEST_P(OpenHapticsLoss, MidPressGivesNoForceAndASentenceAndThePenComesBack) {
     if (device.faultMessage() != nullptr) {
         EXPECT_THAT(device.faultMessage()->in(Language::English), HasSubstr(GetParam().sentence));
     }
-    EXPECT_LE(standin().lastForceSinceFault(), kBadReading) << "its force is taken back in the tick that tells";
+    EXPECT_LE(standin().lastForceSinceFault(), kBadReading)
+        << "its force is taken back in the tick that reports the fault";
     RecordProperty("last_tick_with_force", std::to_string(standin().lastForceSinceFault()));
     set(HdFault::None);
     EXPECT_TRUE(soonSaysNothing(device));

@@ -115,7 +115,7 @@ TEST(ForceWatchdog, ALateTurnFindsTheFaultAsWell) {
     EXPECT_LE(bench.timeToZero(), kKnowable);
     const auto cut = bench.watchdog.fetchCut();
     ASSERT_TRUE(cut);
-    EXPECT_GT(cut->toZero, 0.04) << "the log tells the truth";
+    EXPECT_GT(cut->toZero, 0.04) << "the log states the true time";
 }
 
 TEST(ForceWatchdog, AForceAfterASilenceDoesNotPassBeforeTheProgramHasSentAZero) {
@@ -124,7 +124,7 @@ TEST(ForceWatchdog, AForceAfterASilenceDoesNotPassBeforeTheProgramHasSentAZero) 
     bench.now += 0.010;
     for (int i = 0; i < 100; ++i, bench.now += kTick) (void)bench.send(3);
     EXPECT_TRUE(bench.last.force().isZero(0));
-    EXPECT_EQ(bench.watchdog.fault(), HandFault::NoForce) << "the program has not noticed: it is told";
+    EXPECT_EQ(bench.watchdog.fault(), HandFault::NoForce) << "the program has not noticed: it is notified";
     bench.startAnew(3);
     EXPECT_EQ(bench.watchdog.fault(), HandFault::None);
 }

@@ -97,7 +97,7 @@ bool says(const HapticDevice& device, const std::string& part) {
 void leanAndLose(const std::string& library, const HdStandinControl& pen) {
     OpenHapticsDevice device("", library);
     expect(device.open().has_value(), "the pen opens");
-    expect(device.info().name == "Touch (stand-in)" && device.info().limits.force == 3.3, "it tells what it is");
+    expect(device.info().name == "Touch (stand-in)" && device.info().limits.force == 3.3, "it reports what it is");
     PlaneServo servo(device);
     pen.wantPosition(0, 5, 0);
     expect(servo.runUntil([&] { return device.read(0).hand.position.z() > 4; }), "its hand is read");

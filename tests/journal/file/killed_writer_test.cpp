@@ -74,7 +74,7 @@ JournalBlock stampedBlock(std::uint64_t tick, std::int64_t time, std::span<const
     }
 }
 
-/// Kills the recording when it has told of `reports` flushes; gives the blocks that it knew to be on the disk.
+/// Kills the recording when it has reported `reports` flushes; gives the blocks that it knew to be on the disk.
 std::uint64_t killAfter(const std::filesystem::path& path, unsigned reports, unsigned seed, Appended& appended) {
     int ends[2];
     EXPECT_EQ(::pipe(ends), 0);

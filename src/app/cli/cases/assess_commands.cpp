@@ -102,7 +102,7 @@ void addCalibrateCommand(CLI::App& program, CommandAction& chosen) {
 void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<LearnedOptions>();
     CLI::App* command = addCommand(program, chosen, "learned",
-                                   "Tells from the reports of a student's trials whether an exercise has been learnt.",
+                                   "Shows from the reports of a student's trials whether an exercise has been learnt.",
                                    options, runLearned);
     command->add_option("REPORTS", options->folder, "Folder with reports of 'assess', at any depth")
         ->required()

@@ -19,8 +19,8 @@ struct LearnedOptions {
     Language language = Language::English;          ///< of the page
 };
 
-/// Tells of each student and exercise whether it has been learnt, by CUSUM and LC-CUSUM, as a page and as JSON. Returns
-/// kExitOk if all have learnt it, and kExitNegative if one has not shown it yet.
+/// Shows for each student and exercise whether it has been learnt, by CUSUM and LC-CUSUM, as a page and as JSON.
+/// Returns kExitOk if all have learnt it, and kExitNegative if one has not shown it yet.
 [[nodiscard]] int runLearned(const LearnedOptions& options);
 
 }  // namespace tactooth

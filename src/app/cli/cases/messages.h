@@ -73,7 +73,8 @@ inline constexpr MessageText kTrialsExceedPlan{
     "%1 の結果は %2 回分ありますが、計画は %3 回です。--trials でそれ以上の回数を指定してください。"};
 inline constexpr MessageText kNotToldApart{
     "not_told_apart",
-    "rates of %1 and %2 cannot be told apart within %3 trials with a false alarm of %4; give rates farther apart with "
+    "rates of %1 and %2 cannot be distinguished within %3 trials with a false alarm of %4; give rates farther apart "
+    "with "
     "the lower one first, or more trials.",
     "%1 と %2 の率は、%3 回では誤警報 %4 で区別できません。低いほうを先にして差の大きい率を指定するか、"
     "回数を増やしてください。"};

@@ -124,11 +124,12 @@ void addTrim(CLI::App& session, CommandAction& chosen) {
 
 void addVerify(CLI::App& session, CommandAction& chosen) {
     const auto verify = std::make_shared<SessionVerifyOptions>();
-    CLI::App* command = addForOneSession(
-        session, chosen, "verify",
-        "Checks the signatures of a sealed recording; then replays it and tells whether it reaches the recorded tooth: "
-        "exit code 1 if not, if a byte was changed, or if the end of a sealed recording is missing.",
-        verify, runSessionVerify);
+    CLI::App* command =
+        addForOneSession(session, chosen, "verify",
+                         "Checks the signatures of a sealed recording; then replays it and checks whether it reaches "
+                         "the recorded tooth: "
+                         "exit code 1 if not, if a byte was changed, or if the end of a sealed recording is missing.",
+                         verify, runSessionVerify);
     command
         ->add_option("--key", verify->key,
                      "Public key that must have signed it, as 'session key' shows it on the station. Without it, any "

@@ -213,7 +213,7 @@ void ToothController::askForExport() {
                 [this](const QString& file) { exportTooth(file); });
 }
 
-/// While a recording is shown, there is no tooth on the bench to write. It tells the user.
+/// While a recording is shown, there is no tooth on the bench to write. Then it shows a message.
 bool ToothController::isReplaying() const {
     const bool shows = showsRecording_ && showsRecording_();
     if (shows) messages_.setHint(tr("A recording is shown. Leave the replay to save the tooth."));

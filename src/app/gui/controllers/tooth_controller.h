@@ -72,9 +72,9 @@ public:
     /// The files of the tooth that was opened last.
     [[nodiscard]] const ToothSource& source() const { return source_; }
     void setSource(ToothSource source) { source_ = std::move(source); }
-    /// Tells what the user is doing, for a saved tooth.
+    /// Returns what the user is doing, for a saved tooth.
     void setWork(std::function<SessionWork()> work) { work_ = std::move(work); }
-    /// Tells whether a recording is shown in place of the tooth.
+    /// Returns whether a recording is shown in place of the tooth.
     void setShowsRecording(std::function<bool()> shows) { showsRecording_ = std::move(shows); }
     /// Files that the user has opened before: a saved tooth may need one of them.
     void setKnownFiles(std::vector<std::filesystem::path> files) { knownFiles_ = std::move(files); }

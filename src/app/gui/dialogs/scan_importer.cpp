@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A single file is the surface of the tooth, whatever its name. Of several files the names tell the layers.
+/// A single file is the surface of the tooth, whatever its name. Of several files the names give the layers.
 Expected<Scan> readScan(const std::vector<fs::path>& files) {
     Scan scan{files.front().filename().string(), {}, {}};
     std::optional<Vec3> common;  // all surfaces stay in one frame

@@ -115,7 +115,7 @@ void EditorController::begin(const std::shared_ptr<const Exercise>& exercise, bo
     });
 }
 
-/// What was cut on the bench, in a trial or before, may be lost now: the user has agreed, or was told.
+/// What was cut on the bench, in a trial or before, may be lost now: the user has agreed, or was informed.
 void EditorController::load(const Exercise& exercise) {
     loaded_ = exercise;
     loadsOwn_ = true;

@@ -30,7 +30,7 @@ constexpr auto kRecordingName = "recording.ttsession";
 constexpr auto kToothName = "tooth.tactooth";
 constexpr double kReplayed = 0.5, kIdealMade = 0.6;  // about these shares of the time
 
-/// What the recording of a work tells.
+/// What the recording of a work shows.
 struct Recorded {
     std::shared_ptr<SessionTrack> track;  // null: not known
     std::string date;

@@ -26,7 +26,7 @@ class ReportDialog final : public QDialog {
 public:
     ReportDialog(std::shared_ptr<const WorkAssessment> assessment, QWidget* parent);
 
-    /// Tells that it was handed in.
+    /// Shows that it was handed in.
     void showHandedIn(const QString& folder);
     /// The criterion that is selected; null: none.
     [[nodiscard]] const LostPoint* selected() const;

@@ -17,9 +17,9 @@ namespace tactooth {
 [[nodiscard]] std::shared_ptr<const Exercise> exerciseOf(const SessionTooth& tooth);
 void setExercise(SessionTooth& tooth, std::shared_ptr<const Exercise> exercise);
 
-/// FDI number of the tooth that an exercise is for; 0: its files do not tell.
+/// FDI number of the tooth that an exercise is for; 0: unknown, as for files.
 [[nodiscard]] int fdiOf(const Exercise& exercise);
-/// FDI number of the tooth on the bench: by the mouth, its exercise, or its name; 0: none of them tells.
+/// FDI number of the tooth on the bench: by the mouth, its exercise, or its name; 0: unknown.
 [[nodiscard]] int fdiOf(const SessionTooth& tooth);
 
 }  // namespace tactooth

@@ -11,7 +11,7 @@
 namespace tactooth {
 
 /// Where the exercises that the user makes are kept: $XDG_DATA_HOME/tactooth/exercises, else
-/// ~/.local/share/tactooth/exercises. Empty if neither can be told.
+/// ~/.local/share/tactooth/exercises. Empty if neither is known.
 [[nodiscard]] std::filesystem::path ownExerciseFolder();
 
 struct OwnExercises {

@@ -6,8 +6,8 @@
 
 namespace tactooth {
 
-/// Of two recordings in the plots: orange and blue, which the colour-blind tell apart, too. The ghost of the other one
-/// is blue as well.
+/// Of two recordings in the plots: orange and blue, which the colour-blind can distinguish, too. The ghost of the other
+/// one is blue as well.
 inline constexpr QColor kFirstRecordingColour(213, 94, 0), kOtherRecordingColour(0, 114, 178);
 
 }  // namespace tactooth

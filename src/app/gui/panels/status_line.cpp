@@ -81,7 +81,7 @@ bool StatusLine::showBar(bool isLoading, const std::optional<double>& share, boo
     return true;
 }
 
-/// A lamp with words, so that nobody has to tell its colours apart.
+/// A lamp with words, so that nobody has to distinguish its colours.
 void StatusLine::showPace(double percentLate, const QString& details) {
     const bool isLate = percentLate > kNoticeableOverrun;
     const QString lamp = QString("<span style=\"color:%1\">●</span> ").arg(isLate ? "#d04030" : "#2f9e44");

@@ -77,7 +77,7 @@ bool EventBanner::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
-/// White on red for harm, black on amber else: both can be read on every picture, and told apart without colours.
+/// White on red for harm, black on amber else: both can be read on every picture, and distinguished without colours.
 void EventBanner::paintEvent(QPaintEvent*) {
     const bool isHarm = weight_ == Weight::Harm;
     QPainter painter(this);

@@ -181,7 +181,7 @@ int runWindow(const WindowOptions& options) {
         [&] { QMetaObject::invokeMethod(application.get(), closeAll, Qt::QueuedConnection); });
     if (const auto openGl = checkOpenGl(); !openGl) return reportError(openGl.error());
 
-    lockMemory();  // if the system allows it: the timing panel shows that, and 'tactooth doctor' tells how to get it
+    lockMemory();  // if the system allows it: the timing panel shows that, and 'tactooth doctor' says how to get it
     OpenAlOutput sound;
     WindowOwner holder(*application, sound);
     int exitCode = kExitOk;

@@ -176,7 +176,7 @@ void WindowSideBySideTest::thePicturesShowDifferentTeeth() {
     QVERIFY2(share > 0.01, qPrintable(QString::number(share)));
 }
 
-/// So the pixels of the test above tell teeth, not widgets, apart.
+/// So the pixels of the test above distinguish teeth, not widgets.
 void WindowSideBySideTest::theSameRecordingLooksTheSame() {
     openBeside(recording("expert.ttsession"));
     replay().cursor().jumpTo(2.5);
