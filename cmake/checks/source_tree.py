@@ -6,6 +6,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 
 FOLDERS = ["src", "include", "tests", "bench", "examples", "cmake", ".ci", ".github"]
+PAGES = ["*.md", "docs/**/*.md", "bench/**/*.md", "tests/**/*.md", "data/**/*.toml", "data/**/*.md"]
 ROOT_FILES = ["CMakeLists.txt", "run", "test", "benchmark"]
 SUFFIXES = {".h", ".cpp", ".in", ".glsl", ".vert", ".frag", ".cmake", ".py", ".sh", ".txt", ".supp", ".toml", ".yml"}
 CODE_FOLDERS = ("src/", "include/", "tests/", "bench/", "examples/")
@@ -55,6 +56,12 @@ class SourceTree:
         paths = [p for p in paths if (p.suffix in SUFFIXES or p.name in ROOT_FILES) and "corpus" not in p.parts]
         paths += map(self.root.joinpath, ROOT_FILES)
         return [SourceFile(self.root, p) for p in paths if p.is_file()]
+
+    @cached_property
+    def pages(self):
+        """What people read: pages, and the data files, which hold sentences."""
+        paths = sorted({p for pattern in PAGES for p in self.root.glob(pattern)})
+        return [SourceFile(self.root, p) for p in paths]
 
     @cached_property
     def cpp_files(self):

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from checks import assert_density, commit_subjects, house_rules, include_direction, retired_words, sizes
+from checks import assert_density, commit_subjects, house_rules, include_direction, retired_phrases, retired_words, sizes
 from checks.source_tree import SourceTree
 
 HEAD = "// SPDX-FileCopyrightText: 2026 The Tactooth authors\n// SPDX-License-Identifier: Apache-2.0\n"
@@ -56,7 +56,8 @@ class CheckTest(unittest.TestCase):
 class CleanTree(CheckTest):
     def test_a_clean_tree_passes(self):
         for check in (house_rules.check, sizes.folder_offences, sizes.file_offences, sizes.function_offences,
-                      include_direction.check, assert_density.check, retired_words.check):
+                      include_direction.check, assert_density.check, retired_words.check,
+                      retired_phrases.check):
             self.assertEqual(self.offences(check), [], check)
 
 
@@ -167,6 +168,27 @@ class RetiredWords(CheckTest):
     def test_what_is_no_identifier_or_another_word(self):
         for code in ("// PairList", 'say("likeness");', "lookAt();", "pairLists();", "repairList();", "LookAt x;"):
             self.assertEqual(self.find({"src/low/a/x.cpp": code + "\n"}), [], code)
+
+
+class RetiredPhrases(CheckTest):
+    WORDS = retired_phrases.RetiredPhrases("# list\npair list > neighbour list\ntells > reports\n")
+
+    def find(self, changes):
+        return self.offences(lambda t: retired_phrases.check(t, self.WORDS), changes)
+
+    def test_comments_strings_pages_and_data(self):
+        for name, text in (("src/low/a/x.cpp", "// Two pair  lists."), ("tests/low/x_test.cpp", 'say("Pair list");'),
+                           ("docs/user/x.md", "It tells you."), ("README.md", "a pair list"),
+                           ("data/x.toml", 'text = "Tells"'), ("bench/README.md", "pair lists")):
+            found = self.find({name: text + "\n"})
+            self.assertEqual(len(found), 1, name)
+            self.assertTrue(found[0].startswith(name + ":1: "), found[0])
+        self.assertIn("write neighbour list", self.find({"docs/x.md": "pair list"})[0])
+
+    def test_other_words_and_pages_that_may_name_them(self):
+        for name, text in (("docs/x.md", "a pair of lists, repair lists, to tell"), ("docs/glossary.md", "pair list"),
+                           ("bench/results/x.md", "pair list")):
+            self.assertEqual(self.find({name: text + "\n"}), [], name)
 
 
 class CommitSubjects(unittest.TestCase):
