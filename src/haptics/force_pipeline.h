@@ -18,7 +18,7 @@ struct ForceCommand {
     double age = 0;                ///< s since position and rotation were measured
     bool isFresh = true;           ///< false: the same reading as a tick before
     Vec3 driveForce =
-        Vec3::Zero();       ///< the part of the force that the drive pays for, N: it is not energy of the contact
+        Vec3::Zero();       ///< the part of the force whose energy comes from the drive, N, not from the contact
     double deflection = 0;  ///< deflection of the contact spring, inwards and against friction, mm; 0 without contact
     double stiffness = 0;   ///< stiffness of the contact spring, N/mm
     bool touching = false;

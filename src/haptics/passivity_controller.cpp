@@ -25,7 +25,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kMaxCredit = 0.02;       // N*mm: minutes of rubbing must not pay for a later oscillation
+constexpr double kMaxCredit = 0.02;       // N*mm: minutes of rubbing must not permit a later oscillation
 constexpr double kMaxDamping = 0.005;     // N*s/mm: ten times what sampling 1 N/mm at 1 kHz gives (k * T / 2)
 constexpr double kTrustedFriction = 0.5;  // share of the maker's figure: friction varies from place to place
 constexpr double kSpeedLag = 0.005;       // s, low-pass of the speed: a single encoder step is not a speed

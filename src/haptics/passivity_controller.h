@@ -22,8 +22,8 @@ struct SpringState {
 /// the next step of the hand could make it negative, the controller adds a damper that removes the difference.
 class PassivityController {
 public:
-    /// `friction` is that of the device's own mechanics, N, finite and not negative. The energy that it removes pays
-    /// for a part of the leak.
+    /// `friction` is that of the device's own mechanics, N, finite and not negative. The energy that it removes
+    /// makes up for a part of the leak.
     explicit PassivityController(double friction = 0);
 
     /// One tick in contact. `device` is the present position of the device, mm; `rendered` is the force since the last

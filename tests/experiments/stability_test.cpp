@@ -48,7 +48,7 @@ TEST(Stability, ACutPullsAsideAndShakes) {
     EXPECT_GT(cut.restForce, 1.05 * still.restForce) << "half of the normal force pulls along the rim";
     EXPECT_GT(cut.ripple, 0.005);
     EXPECT_LT(still.ripple, 1e-6);
-    EXPECT_GE(cut.minEnergy, 0) << "the drive pays for its pull";
+    EXPECT_GE(cut.minEnergy, 0) << "the energy of its pull comes from the drive";
 }
 
 // On an arm without friction, since friction would hide the effect.

@@ -57,7 +57,7 @@ TEST(PassivityController, DampsBeforeTheSumIsNegative) {
     PassivityController controller;
     double z = 0;
     (void)controller.damp(at(z), Vec3::Zero(), springAt(z), kTick);
-    z = -0.05;  // pays for 2.5 steps of 0.02 mm, each of which leaks 0.0002 N*mm
+    z = -0.05;  // energy for 2.5 steps of 0.02 mm, each of which leaks 0.0002 N*mm
     (void)controller.damp(at(z), at(0.5 * kStiffness * 0.05 + 0.01), springAt(z), kTick);
     EXPECT_NEAR(controller.energy(), 0.0005, 1e-12);
     for (int step = 1; step <= 2; ++step) {
@@ -70,7 +70,7 @@ TEST(PassivityController, DampsBeforeTheSumIsNegative) {
     z -= 0.005;
     const Vec3 added = controller.damp(at(z), held, springAt(z), kTick);
     EXPECT_GT(controller.energy(), 0);
-    EXPECT_GT(added.z(), 0) << "another step as before could not be paid for";
+    EXPECT_GT(added.z(), 0) << "there is not the energy for another step as before";
 }
 
 /// Work that the damper removes from a hand that moves an encoder by 0.05 mm every `pause` ticks, for each step, N*mm.

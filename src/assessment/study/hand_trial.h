@@ -36,7 +36,7 @@ inline constexpr double kLongestTrial = 900;  ///< s
 [[nodiscard]] std::shared_ptr<CutModel> uncutModel(const StudyScene& scene);
 
 /// Lets a hand work at `model` (uncutModel) in simulated time, with the default drive, and measures what it leaves.
-/// Equal calls give equal results. `sink` hears of the events of the session; it may be empty.
+/// Equal calls give equal results. `sink` receives the events of the session; it may be empty.
 [[nodiscard]] HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& model,
                                  const HandHabits& habits, std::uint64_t seed,
                                  const StepwiseSession::EventSink& sink = {});

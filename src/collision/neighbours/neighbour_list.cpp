@@ -13,7 +13,7 @@
 // each entry has a separating direction with its gap, so a motion along the surface, or away from it, does not use up
 // the gap. A rotation counts by its lever arm. And the levels below are filled in on demand. Within the list, a shorter
 // one serves a few steps, as in S. Pall et al., "Heterogeneous parallelization and acceleration of molecular dynamics
-// simulations in GROMACS", J. Chem. Phys. 153, 2020 (dual pair list).
+// simulations in GROMACS", J. Chem. Phys. 153, 2020 (a list in two levels).
 
 namespace tactooth {
 namespace {

@@ -20,7 +20,7 @@ class StepwiseSession {
 public:
     using EventSink = std::function<void(const SessionEvent&)>;
 
-    /// The model is not null. `begin` is the first event. Without `sink` nobody hears of the events.
+    /// The model is not null. `begin` is the first event. `sink` receives the events; without it they are lost.
     StepwiseSession(std::shared_ptr<CutModel> model, const BeginEvent& begin, EventSink sink = {});
 
     /// Moves the tool. `elapsed`: since the last tick, not negative; `time`: as the run counts it; s.

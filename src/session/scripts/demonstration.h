@@ -32,7 +32,7 @@ struct Demonstration {
 
 /// Plays a session without clock, device or display. A scripted hand touches the tooth from above (+z), strokes it,
 /// lifts, starts the turbine and cuts to and fro. `grip` is the orientation of the tool. Equal inputs give equal
-/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1. `sink` hears of the
+/// results. `box`: of the tooth in `piece` that is worked on, mm. `progress` is called with 0..1. `sink` receives the
 /// events of the session; it may be empty. Ends early when `stop` asks for it.
 [[nodiscard]] Demonstration playDemonstration(const std::shared_ptr<CutModel>& piece, const Box3& box,
                                               const Instrument& instrument, const HapticSettings& settings,
