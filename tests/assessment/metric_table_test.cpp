@@ -93,10 +93,13 @@ TEST(MetricTable, StatesTheBetterDirection) {
 }
 
 TEST(MetricTable, DocumentsEachMetric) {
-    const std::string page = metricsPage();
-    for (const Metric& each : metricTable()) {
-        EXPECT_THAT(page, HasSubstr("`" + std::string(each.key) + "`"));
-        EXPECT_THAT(page, HasSubstr(std::string(each.definition)));
+    for (const Language language : {Language::English, Language::Japanese}) {
+        const std::string page = metricsPage(language);
+        for (const Metric& each : metricTable()) {
+            EXPECT_NE(each.definitionIn(language), "") << each.key;
+            EXPECT_THAT(page, HasSubstr("`" + std::string(each.key) + "`"));
+            EXPECT_THAT(page, HasSubstr(std::string(each.definitionIn(language))));
+        }
     }
 }
 

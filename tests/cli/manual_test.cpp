@@ -35,6 +35,8 @@ TEST(Manual, PagesAreThoseOfTheProgram) {
         << "run: tactooth manual markdown > docs/user/commands.md";
     EXPECT_EQ(manual("metrics"), readText(pages + "/metrics.md"))
         << "run: tactooth manual metrics > docs/user/metrics.md";
+    EXPECT_EQ(manual("metrics-ja"), readText(pages + "/metrics.ja.md"))
+        << "run: tactooth manual metrics-ja > docs/user/metrics.ja.md";
     EXPECT_EQ(manual("keys"), readText(pages + "/keys.md")) << "run: tactooth manual keys > docs/user/keys.md";
     EXPECT_EQ(manual("keys-ja"), readText(pages + "/keys.ja.md"))
         << "run: tactooth manual keys-ja > docs/user/keys.ja.md";

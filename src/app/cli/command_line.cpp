@@ -331,12 +331,13 @@ struct ManualOptions {
 
 int runManual(const ManualOptions& options) {
     const CLI::App& program = *options.program;
-    print("{}", options.form == "metrics"    ? metricsPage()
-                : options.form == "keys"     ? keyPageFile(Language::English)
-                : options.form == "keys-ja"  ? keyPageFile(Language::Japanese)
-                : options.form == "bash"     ? bashCompletion(program)
-                : options.form == "markdown" ? commandsPage(program)
-                                             : manPage(program, TACTOOTH_VERSION));
+    print("{}", options.form == "metrics"      ? metricsPage(Language::English)
+                : options.form == "metrics-ja" ? metricsPage(Language::Japanese)
+                : options.form == "keys"       ? keyPageFile(Language::English)
+                : options.form == "keys-ja"    ? keyPageFile(Language::Japanese)
+                : options.form == "bash"       ? bashCompletion(program)
+                : options.form == "markdown"   ? commandsPage(program)
+                                               : manPage(program, TACTOOTH_VERSION));
     return kExitOk;
 }
 
@@ -347,10 +348,10 @@ void addManual(CLI::App& program, CommandAction& chosen) {
                runManual)
         ->add_option("FORM", options->form,
                      "man: a man page; bash: a completion script for bash; markdown: the page docs/user/commands.md; "
-                     "metrics: the page docs/user/metrics.md; keys and keys-ja: the pages docs/user/keys.md and "
-                     "keys.ja.md")
+                     "metrics and metrics-ja: the pages docs/user/metrics.md and metrics.ja.md; keys and keys-ja: the "
+                     "pages docs/user/keys.md and keys.ja.md")
         ->required()
-        ->check(CLI::IsMember({"man", "bash", "markdown", "metrics", "keys", "keys-ja"}))
+        ->check(CLI::IsMember({"man", "bash", "markdown", "metrics", "metrics-ja", "keys", "keys-ja"}))
         ->type_name("");
 }
 
