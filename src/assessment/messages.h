@@ -229,7 +229,7 @@ inline constexpr MessageText kNoIsthmus{"no_isthmus", "the cavity is not long en
                                         "窩洞が短く、峡部がありません"};
 inline constexpr MessageText kNoRidge{"no_ridge", "the tooth has no outside toward this side",
                                       "歯のこの側には外面がありません"};
-inline constexpr MessageText kNoOcclusalEnd{"no_occlusal_end", "the stump has no end wider than 0.6 mm that looks up",
+inline constexpr MessageText kNoOcclusalEnd{"no_occlusal_end", "the stump has no end wider than 0.6 mm that faces up",
                                             "支台歯に、上を向いた幅 0.6 mm を超える面がありません"};
 inline constexpr MessageText kNoInnerAngle{"no_inner_angle", "there is no angle between a floor and a wall",
                                            "窩底と側壁の間の隅角がありません"};

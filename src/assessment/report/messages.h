@@ -171,7 +171,7 @@ inline constexpr MessageText kCusumUnacceptable{"cusum_unacceptable",
                                                 "The rate of failures is not acceptable; trial %1 has decided it.",
                                                 "不合格率は許容できません（%1 回目に判定）。"};
 inline constexpr MessageText kCusumOpen{"cusum_open",
-                                        "The trials do not tell yet whether the rate of failures is acceptable.",
+                                        "The trials do not show yet whether the rate of failures is acceptable.",
                                         "不合格率が許容できるかどうかは、まだ判定できません。"};
 
 // Tables of a class.

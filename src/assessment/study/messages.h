@@ -48,7 +48,7 @@ inline constexpr MessageText kStudyLevels{"study_levels", "Levels", "段階"};
 inline constexpr MessageText kStudyLevelsNote{
     "study_levels_note",
     "Medians of the hands of each level. The last column is the share of pairs in which the expert's value is greater "
-    "than the beginner's, with its interval of 95 %: 1 and 0 tell them apart fully, 0.5 not at all.",
+    "than the beginner's, with its interval of 95 %: 1 and 0 separate them fully, 0.5 not at all.",
     "各段階の手の中央値です。最後の列は、熟練者の値が初心者より大きい組の割合とその 95 % 信頼区間です。1 と 0 "
     "は完全に区別でき、0.5 はまったく区別できません。"};
 inline constexpr MessageText kStudyHabits{"study_habits", "Habits", "癖"};

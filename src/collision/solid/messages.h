@@ -15,7 +15,7 @@ inline constexpr MessageText kSolidOpen{
     "solid_open", "%1 is open (%2 edges without a neighbour), so it has no inside: close its holes first",
     "%1が閉じておらず（隣のない辺 %2 本）、内部がありません。先に穴をふさいでください"};
 inline constexpr MessageText kSolidTwisted{"solid_twisted",
-                                           "%1 is twisted: it has no outside; mend it in a mesh program",
+                                           "%1 is twisted: it has no outside; repair it in a mesh program",
                                            "%1はねじれていて外側がありません。メッシュ編集ソフトで修復してください"};
 inline constexpr MessageText kSolidOverlapping{
     "solid_overlapping",
@@ -36,8 +36,7 @@ inline constexpr MessageText kNoteDuplicates{
     "%1：重複した、または背中合わせの三角形 %2 個を取り除きました。"};
 inline constexpr MessageText kNoteSpecks{"note_specks", "%1: %2 specks beside the surface were dropped.",
                                          "%1：表面から離れた微小な断片 %2 個を取り除きました。"};
-inline constexpr MessageText kNoteTurned{"note_turned",
-                                         "%1: %2 triangles were turned, so that all look at the outside.",
+inline constexpr MessageText kNoteTurned{"note_turned", "%1: %2 triangles were turned, so that all face outward.",
                                          "%1：すべてが外側を向くように三角形 %2 個の向きを直しました。"};
 inline constexpr MessageText kNoteVoids{"note_voids",
                                         "%1: %2 shells lie within another one and are taken as the walls of voids.",

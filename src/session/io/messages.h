@@ -181,7 +181,7 @@ inline constexpr MessageText kNoChoiceOfTooth{"no_choice_of_tooth",
 
 inline constexpr MessageText kNoteUnknownMaterial{
     "note_unknown_material",
-    "The material '%1' of this tooth is not known here: it is felt, cut, seen and heard as bone. Give the file of "
+    "The material '%1' of this tooth is not known here: it is touched, cut, drawn and heard as bone. Give the file of "
     "its materials (--materials).",
     "この歯の材料「%1」はここでは未知です。触感、切削、表示、音は骨として扱います。"
     "材料のファイルを指定してください（--materials）。"};

@@ -116,7 +116,7 @@ private:
         }
         version_ = in_.get<std::uint32_t>();
         if (in_.ok() && (version_ < 1 || version_ > kVersion)) {
-            failure_ = {msg::kSavedToothVersion, version_};
+            failure_ = {msg::kSavedToothVersion, version_, kVersion};
         } else {
             require(true, kDamaged);
         }

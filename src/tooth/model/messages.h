@@ -46,9 +46,9 @@ inline constexpr MessageText kNoSavedTooth{"no_saved_tooth",
                                            "保存された歯ではありません。Tactooth で保存したファイルを選んでください。"};
 inline constexpr MessageText kSavedToothVersion{
     "saved_tooth_version",
-    "the file has format version %1, and this program reads versions 1 to 4; open it with the program that "
+    "the file has format version %1, and this program reads versions 1 to %2; open it with the program that "
     "saved it.",
-    "ファイルの形式はバージョン %1 ですが、このプログラムが読めるのはバージョン 1 から 4 です。"
+    "ファイルの形式はバージョン %1 ですが、このプログラムが読めるのはバージョン 1 から %2 です。"
     "保存したプログラムで開いてください。"};
 inline constexpr MessageText kSavedToothMaterials{
     "saved_tooth_materials",

@@ -59,7 +59,7 @@ TEST(LearningPage, TellsWhetherTheRateOfFailuresIsAcceptable) {
     };
     EXPECT_THAT(texts(std::string(20, 'p')), HasSubstr("is acceptable; trial 20 has decided it"));
     EXPECT_THAT(texts("fff"), HasSubstr("is not acceptable; trial 2 has decided it"));
-    EXPECT_THAT(texts("pppf"), HasSubstr("do not tell yet"));
+    EXPECT_THAT(texts("pppf"), HasSubstr("do not show yet"));
 }
 
 TEST(LearningPage, HasAChartForEachStudentAndExercise) {
