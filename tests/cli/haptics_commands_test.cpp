@@ -75,7 +75,7 @@ TEST(HapticsCommands, RealtimeReportsHowTheMachineKeptTime) {
     }
     const ProgramRun table = runTactooth({"realtime", "--seconds", "1", "--rate", "2000", "--load"});
     EXPECT_THAT(table.out, AllOf(HasSubstr("2000 Hz, with all other cores busy"), HasSubstr("deadlines missed"),
-                                 HasSubstr("below, us  period off by"), HasSubstr("█")));
+                                 HasSubstr("below, us  period jitter"), HasSubstr("█")));
     std::istringstream lines(table.out.substr(table.out.find("below, us")));
     for (std::string line; std::getline(lines, line) && !line.empty();) EXPECT_LE(lettersOf(line), 100U) << line;
     EXPECT_EQ(runTactooth({"realtime", "--rate", "100"}).exitCode, 2);

@@ -308,7 +308,7 @@
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>Leaves the editor; what is not saved is asked about</source>
+        <source>Leaves the editor; asks first if changes are not saved</source>
         <translation>編集を終えます。保存していない変更があれば確かめます</translation>
     </message>
     <message>
@@ -1489,7 +1489,7 @@ It can be overcome, and is off in an examination.</source>
         <translation>視点キューブ(&amp;C)</translation>
     </message>
     <message>
-        <source>Shows from which side one looks; a click on a face looks from there</source>
+        <source>Shows the side of the view; a click on a face changes to that side</source>
         <translation>どの側から見ているかを示します。面をクリックすると、そちらから見ます</translation>
     </message>
 </context>
@@ -1703,7 +1703,7 @@ It can be overcome, and is off in an examination.</source>
         <translation>歯を開く</translation>
     </message>
     <message>
-        <source>The tooth&apos;s outer surface is felt and seen. Closed surfaces inside it say where each tissue is; without them the whole tooth is enamel. STL files in millimetres, or a case or a saved tooth, which have all of these.</source>
+        <source>The tooth&apos;s outer surface is touched and drawn. Closed surfaces inside it say where each tissue is; without them the whole tooth is enamel. STL files in millimetres, or a case or a saved tooth, which have all of these.</source>
         <translation>歯の外表面は触れて見える面です。内部の閉じた表面が各組織の場所を示します。なければ歯全体をエナメル質とします。ミリメートル単位の STL ファイル、またはこれらをすべて含む症例か保存した歯を指定してください。</translation>
     </message>
     <message>
@@ -1935,8 +1935,8 @@ It can be overcome, and is off in an examination.</source>
         <translation>自分の歯を開く</translation>
     </message>
     <message>
-        <source>A scan of your own, in whatever unit and position: you see first what it is taken for.</source>
-        <translation>自分のスキャン。単位や向きは問いません。どう解釈されたかを先に確かめられます。</translation>
+        <source>A scan of your own, in any unit and position: you first see what the program assumes.</source>
+        <translation>自分のスキャン。単位や向きは問いません。プログラムが何を仮定したかを先に確かめられます。</translation>
     </message>
     <message>
         <source>Watch the demonstration</source>
@@ -1962,7 +1962,7 @@ It can be overcome, and is off in an examination.</source>
         <translation>%1 Hz</translation>
     </message>
     <message>
-        <source>How often the force is made anew: 500 Hz for a slow machine, where walls are felt half as stiff; more than 1000 Hz for a smoother force, if the device&apos;s driver bears it</source>
+        <source>How often the force is computed: 500 Hz for a slow machine, where walls feel half as stiff; more than 1000 Hz for a smoother force, if the device&apos;s driver allows it</source>
         <translation>力を計算し直す頻度です。遅いコンピューターでは 500 Hz（壁の硬さは半分になります）、デバイスのドライバーが対応していれば 1000 Hz より高くすると力が滑らかになります</translation>
     </message>
     <message>
@@ -2022,7 +2022,7 @@ It can be overcome, and is off in an examination.</source>
         <translation> : 1</translation>
     </message>
     <message>
-        <source>How far a device&apos;s hand moves for each millimetre of the bur: 3 : 1 for fine work</source>
+        <source>How far the device moves for each millimetre of the bur: 3 : 1 for fine work</source>
         <translation>バーが1 mm動くごとに装置の手が動く距離。細かい作業には3 : 1</translation>
     </message>
     <message>
@@ -2046,7 +2046,7 @@ It can be overcome, and is off in an examination.</source>
         <translation>装置</translation>
     </message>
     <message>
-        <source>Handles leave to the other side, and a gamepad&apos;s halves change places</source>
+        <source>Handles point to the other side, and the two sides of a gamepad are swapped</source>
         <translation>ハンドルが反対側に出て、ゲームパッドの左右が入れ替わります</translation>
     </message>
     <message>
@@ -2352,19 +2352,19 @@ It can be overcome, and is off in an examination.</source>
         <translation>サーボの周期のヒストグラム</translation>
     </message>
     <message>
-        <source>How often the work of a tick, and its waking up, took so long. What reaches the dashed line costs the hand a tick.</source>
-        <translation>1 周期の計算と起床の遅れがそれぞれどれだけの時間を要したかの頻度です。破線に達すると、手は 1 周期ぶんの力を失います。</translation>
+        <source>Histograms of the computing time and of the wake-up latency of the ticks. A time at the dashed line or beyond it means a missed tick.</source>
+        <translation>周期の計算時間と起床の遅れのヒストグラムです。破線に達した時間は、1 周期を逃したことを示します。</translation>
     </message>
     <message>
-        <source>work of a tick, µs</source>
+        <source>tick duration, µs</source>
         <translation>1 周期の計算、µs</translation>
     </message>
     <message>
-        <source>woken late, µs</source>
+        <source>wake-up latency, µs</source>
         <translation>起床の遅れ、µs</translation>
     </message>
     <message>
-        <source>period off by, µs</source>
+        <source>period jitter, µs</source>
         <translation>周期のずれ、µs</translation>
     </message>
     <message>
@@ -2380,8 +2380,8 @@ It can be overcome, and is off in an examination.</source>
         <translation>数え直す</translation>
     </message>
     <message>
-        <source>Forgets all ticks so far, as those while the program started</source>
-        <translation>プログラムの起動時のものなど、これまでの周期を忘れます</translation>
+        <source>Clears all ticks so far, for example those of the program&apos;s start</source>
+        <translation>プログラムの起動時のものなど、これまでの周期の記録を消します</translation>
     </message>
     <message>
         <source>Ticks</source>
@@ -2420,11 +2420,11 @@ It can be overcome, and is off in an examination.</source>
         <translation>プロセッサーが深くスリープすることがあります（&apos;tactooth doctor&apos; を参照）</translation>
     </message>
     <message>
-        <source>work of a tick</source>
+        <source>tick duration</source>
         <translation>1 周期の計算</translation>
     </message>
     <message>
-        <source>woken late</source>
+        <source>wake-up latency</source>
         <translation>起床の遅れ</translation>
     </message>
 </context>

@@ -91,7 +91,7 @@ void printTable(const RealtimeOptions& options, const LiveRunner& runner, std::s
         print("{:<34} {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}\n", title, histogram->quantile(0.5),
               histogram->quantile(0.99), histogram->quantile(0.999), histogram->largest());
     }
-    print("\nHow often it was so long; the bars grow with the logarithm.\n{}", timingBars(bars));
+    print("\nHistograms: number of times in each octave, with bars on a logarithmic scale.\n{}", timingBars(bars));
     if (!linkBars.empty()) print("\n{}", timingBars(linkBars));
     const ServoTiming& timing = runner.feed().timing();
     const auto ticks = static_cast<double>(timing.ticks.load());
@@ -136,9 +136,9 @@ Json jsonOf(const RealtimeOptions& options, const LiveRunner& runner, std::span<
 
 std::vector<Line> linesOf(const LiveRunner& runner) {
     const ServoTiming& timing = runner.feed().timing();
-    return {{"period_jitter", "period: shorter or longer by", "period off by", &timing.jitter},
-            {"tick", "tick: time of its work", "work of a tick", &timing.tick},
-            {"lateness", "waking up: late by", "woken late by", &timing.lateness},
+    return {{"period_jitter", "jitter of the period", "period jitter", &timing.jitter},
+            {"tick", "computing time of a tick", "tick duration", &timing.tick},
+            {"lateness", "wake-up latency", "wake-up latency", &timing.lateness},
             {"device_to_force", "from the reading to its force", "reading to force", &runner.feed().deviceToForce()}};
 }
 

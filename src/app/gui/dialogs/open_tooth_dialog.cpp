@@ -18,7 +18,7 @@ OpenToothDialog::OpenToothDialog(QString folder, QWidget* parent) : QDialog(pare
     setAttribute(Qt::WA_DeleteOnClose);
     auto* grid = new QGridLayout(this);
     auto* intro =
-        new QLabel(tr("The tooth's outer surface is felt and seen. Closed surfaces inside it say where each "
+        new QLabel(tr("The tooth's outer surface is touched and drawn. Closed surfaces inside it say where each "
                       "tissue is; without them the whole tooth is enamel. STL files in millimetres, or a case or "
                       "a saved tooth, which have all of these."));
     intro->setWordWrap(true);

@@ -19,7 +19,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
     addChoice(tr("Practise"), tr("A lower molar with a carious lesion is ready: move the mouse over it and press."),
               "practise", nullptr);
     addChoice(tr("Open my tooth"),
-              tr("A scan of your own, in whatever unit and position: you see first what it is taken for."), "openMine",
+              tr("A scan of your own, in any unit and position: you first see what the program assumes."), "openMine",
               &WelcomeDialog::toothRequested);
     addChoice(tr("Watch the demonstration"), tr("Twenty seconds: touching, cutting, taking back."), "demonstration",
               &WelcomeDialog::demonstrationRequested);

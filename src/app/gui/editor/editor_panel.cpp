@@ -39,7 +39,7 @@ QWidget* EditorPanel::makeFields() {
     problem_->setObjectName("editProblem");
     problem_->setWordWrap(true);
     problem_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that the fields do not jump
-    auto* close = addButton(tr("Close"), "editClose", tr("Leaves the editor; what is not saved is asked about"));
+    auto* close = addButton(tr("Close"), "editClose", tr("Leaves the editor; asks first if changes are not saved"));
     connect(close, &QPushButton::clicked, this, &EditorPanel::closingWanted);
     auto* buttons = new QGridLayout;
     buttons->addWidget(undo_, 0, 0);

@@ -22,7 +22,7 @@ ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
     letters_ = add(*aids, tr("&Letters of the directions"), KeyId::Letters, "axisLetters", "letters",
                    tr("B buccal, L lingual, M mesial, D distal, O occlusal, A apical"));
     cube_ = add(*aids, tr("View &cube"), KeyId::Cube, "viewCubeSwitch", "cube",
-                tr("Shows from which side one looks; a click on a face looks from there"));
+                tr("Shows the side of the view; a click on a face changes to that side"));
     restore({});
 }
 

@@ -140,16 +140,16 @@ void DevicePanel::addHold(QGridLayout& grid) {
         tr("The bur stays while the hand goes back to a comfortable place; a key or a button of the "
            "device does the same"));
     leftHanded_->setObjectName("leftHanded");
-    leftHanded_->setToolTip(tr("Handles leave to the other side, and a gamepad's halves change places"));
+    leftHanded_->setToolTip(tr("Handles point to the other side, and the two sides of a gamepad are swapped"));
     const int row = grid.rowCount();
     grid.addWidget(clutch_, row, 1);
     grid.addWidget(leftHanded_, row, 2);
 }
 
 void DevicePanel::addMotionScaling(QGridLayout& grid) {
-    motionScaling_ = new NumberRow(
-        grid, tr("Motion scaling"), {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
-        tr("How far a device's hand moves for each millimetre of the bur: 3 : 1 for fine work"));
+    motionScaling_ = new NumberRow(grid, tr("Motion scaling"),
+                                   {kMinMotionScaling, kMaxMotionScaling, 0.1, 1, tr(" : 1")}, kMinMotionScaling,
+                                   tr("How far the device moves for each millimetre of the bur: 3 : 1 for fine work"));
     fit_->setObjectName("fitMotionScaling");
     fit_->setToolTip(tr("As fine as possible while the device still reaches all of the tooth"));
     fitNote_->setObjectName("fitNote");
@@ -173,8 +173,8 @@ void DevicePanel::showFit(const std::optional<WorkspaceFit>& fit) {
 void DevicePanel::addRate(QGridLayout& grid) {
     rate_->setObjectName("rate");
     rate_->setToolTip(
-        tr("How often the force is made anew: 500 Hz for a slow machine, where walls are felt half as stiff; more than "
-           "1000 Hz for a smoother force, if the device's driver bears it"));
+        tr("How often the force is computed: 500 Hz for a slow machine, where walls feel half as stiff; more than "
+           "1000 Hz for a smoother force, if the device's driver allows it"));
     for (const double rate : kRates) rate_->addItem(tr("%1 Hz").arg(rate), rate);
     const int row = grid.rowCount();
     grid.addWidget(new QLabel(tr("Rate")), row, 0);

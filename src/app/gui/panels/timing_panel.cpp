@@ -26,13 +26,13 @@ const QColor kWorkColour(0, 114, 178),
 TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new HistogramView), summary_(new ElidedLabel) {
     picture_->setAccessibleName(tr("Histogram of the servo's ticks"));
     picture_->setToolTip(
-        tr("How often the work of a tick, and its waking up, took so long. What reaches the dashed line "
-           "costs the hand a tick."));
+        tr("Histograms of the computing time and of the wake-up latency of the ticks. A time at the dashed line or "
+           "beyond it means a missed tick."));
     auto* numbers = new QGridLayout;
     numbers->setHorizontalSpacing(12);
     numbers->setVerticalSpacing(1);
-    const std::array<QString, kRows> names = {tr("work of a tick, µs"), tr("woken late, µs"), tr("period off by, µs"),
-                                              tr("reading to force, µs")};
+    const std::array<QString, kRows> names = {tr("tick duration, µs"), tr("wake-up latency, µs"),
+                                              tr("period jitter, µs"), tr("reading to force, µs")};
     const std::array<const char*, kColumns> heads = {"p50", "p99", "p99.9", QT_TR_NOOP("max")};
     for (std::size_t column = 0; column < kColumns; ++column) {
         numbers->addWidget(new QLabel(tr(heads[column])), 0, static_cast<int>(column) + 1, Qt::AlignRight);
@@ -49,7 +49,7 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     numbers->setRowStretch(static_cast<int>(kRows) + 1, 1);
     auto* anew = new QToolButton;
     anew->setText(tr("Count anew"));
-    anew->setToolTip(tr("Forgets all ticks so far, as those while the program started"));
+    anew->setToolTip(tr("Clears all ticks so far, for example those of the program's start"));
     anew->setObjectName("countAnew");
     connect(anew, &QToolButton::clicked, this, [this] { from_ = latest_; });
     summary_->setObjectName("timingFacts");
@@ -106,7 +106,7 @@ void TimingPanel::show(const LiveRunner& runner, const QString& device, double r
         runner.feed().limitsCpuLatency() ? tr("Processors kept from deep sleep")
                                          : tr("Processors may sleep deeply (see 'tactooth doctor')")};
     summary_->setText(facts.join("  ·  "));
-    picture_->show({{tr("work of a tick"), kWorkColour, counts[0]}, {tr("woken late"), kLateColour, counts[1]}},
+    picture_->show({{tr("tick duration"), kWorkColour, counts[0]}, {tr("wake-up latency"), kLateColour, counts[1]}},
                    1e6 / rateHz);
 }
 
