@@ -50,7 +50,8 @@ inline constexpr std::size_t kMostZones = 20;                        // where no
              {"distal", -mesialX * Vec3::UnitX()}}};
 }
 
-/// The nesting of what may be the rim of decay: it covers dentin, and neither pulp nor decay.
+/// The nesting orders that the material of a decay's rim may have: from `least` to below `above`. So the rim replaces
+/// dentin, but neither pulp nor decay.
 struct RimNesting {
     int least, above;
 };

@@ -178,8 +178,8 @@ TEST(HapticSurfaceBuilder, CoversTheSlideOfTheToolBesidesTheCut) {
     HapticSurfaceBuilder surfaces(tool, blockUpTo(0));
     constexpr double kPause = 0.004;  // s
     const Vec3 step(0.04, 0, 0);      // in each: 10 mm/s
-    for (int look = 0; look < 3; ++look) {
-        surfaces.watch(look * kPause, {at(0.01).position + look * step, Quat::Identity()});
+    for (int call = 0; call < 3; ++call) {
+        surfaces.watch(call * kPause, {at(0.01).position + call * step, Quat::Identity()});
     }
     const Pose now{at(0.01).position + 2 * step, Quat::Identity()};
     const Pose cut{now.position + Vec3(0, 0, -0.03), now.rotation};

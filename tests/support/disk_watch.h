@@ -15,11 +15,10 @@
 
 namespace tactooth::test {
 
-/// Watches how long this machine needs for a byte to be on the disk, whatever keeps it from that: no recording can be
-/// sooner.
+/// Measures how long this machine takes to write a byte to the disk. No recording can be on the disk sooner.
 class DiskWatch {
 public:
-    /// s: the longest time since the last call, also one that has not come to its end.
+    /// s: the longest such time since the last call. A write that has not ended counts, too.
     [[nodiscard]] double takeLongest() {
         const Clock::time_point now = Clock::now(), began = began_;
         const double unfinished = now > began ? std::chrono::duration<double>(now - began).count() : 0;

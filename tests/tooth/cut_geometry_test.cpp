@@ -62,7 +62,7 @@ struct Deviation {
 Deviation deviationOf(const Surface& surface, const std::function<double(const Vec3&)>& distance,
                       const std::function<bool(const Vec3&)>& counts) {
     Deviation deviation;
-    const auto look = [&](const Vec3& point) {
+    const auto measure = [&](const Vec3& point) {
         if (point.z() > -0.01 || !counts(point)) return;
         const double off = std::abs(distance(point));
         deviation.rms += off * off;
@@ -71,9 +71,9 @@ Deviation deviationOf(const Surface& surface, const std::function<double(const V
     };
     for (const auto& patch : surface.patches) {
         const TriangleMesh& mesh = patch->mesh();
-        for (const Vec3f& vertex : mesh.vertices) look(vertex.cast<double>());
+        for (const Vec3f& vertex : mesh.vertices) measure(vertex.cast<double>());
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            look((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+            measure((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
         }
     }
     deviation.rms = std::sqrt(deviation.rms / std::max(1, deviation.count));

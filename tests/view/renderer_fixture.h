@@ -36,10 +36,10 @@ private:
     static inline std::optional<OffscreenRenderer> renderer_;
 };
 
-inline SceneObject objectOf(TriangleMesh mesh, const Appearance& look = appearances::enamel()) {
+inline SceneObject objectOf(TriangleMesh mesh, const Appearance& appearance = appearances::enamel()) {
     SceneObject object;
     object.shape = std::make_shared<const TriangleMesh>(std::move(mesh));
-    object.appearances = {look};
+    object.appearances = {appearance};
     return object;
 }
 

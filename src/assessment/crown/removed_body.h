@@ -33,9 +33,9 @@ public:
     static constexpr double kSteepest = 1.6;
 };
 
-/// How deep a place lies in two regions together. An edge that stands between them is rounded as that of two planes,
-/// with the radius `wanted`, mm; 0: it is sharp. An edge below a right angle has a smaller radius, the smaller the
-/// sharper it is: a thin blade stays. The gradients of the two are about 1.
+/// How deep a place lies in the union of two regions. The edge of tooth that stays between them is rounded with the
+/// radius `wanted`, mm; 0: it is sharp. An edge below a right angle has a smaller radius, the sharper the smaller, so
+/// that a thin blade stays. Both gradients have a length of about 1.
 [[nodiscard]] RemovedBody::Depth unitedRound(const RemovedBody::Depth& a, const RemovedBody::Depth& b, double wanted);
 
 /// The cut of a volume of this lattice that removes the body from the tooth `outer` (closed, uncut), as

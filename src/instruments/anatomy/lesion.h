@@ -20,7 +20,8 @@ struct LesionOrigin {
 /// All places where a lesion begins give one body, with fillets between them.
 [[nodiscard]] ScalarField lesionBody(const ToothShape& shape, const Lesion& lesion);
 
-/// The part of the dentin that is within the lesion or no farther from it than its rim is wide. There is a rim.
+/// A lesion together with its rim: all dentin in the lesion, or nearer to it than the width of the rim. `lesion` has a
+/// rim.
 [[nodiscard]] ScalarField lesionRimBody(const ToothShape& shape, const Lesion& lesion);
 
 }  // namespace tactooth

@@ -80,7 +80,7 @@ public:
     /// Number of calls of `undo`, `redo` and `reset`. Between two of them the removed region only grows.
     [[nodiscard]] std::uint64_t restorations() const { return restorations_; }
 
-    /// Number of changes of the removed region. As long as it stays, a move removes the same.
+    /// Number of changes of the removed region. As long as it is the same, equal moves remove the same.
     [[nodiscard]] std::uint64_t edits() const { return carves_; }
 
     /// Restores the whole tooth. The journal takes it for a change like any other.

@@ -30,8 +30,8 @@ struct HandPlace {
 };
 
 /// A careful beginner at the mouse: goes slowly to and fro within the outline that the picture shows, then along it, so
-/// that the ring touches it, waits for the depth that was set, and lets go at the end. Sees everything a reaction time
-/// late and trembles by a pixel.
+/// that the ring touches it, waits for the depth that was set, and lets go at the end. Sees everything with
+/// a delay, the reaction time, and has a tremor of a pixel.
 class BeginnerHand {
 public:
     struct Habits {

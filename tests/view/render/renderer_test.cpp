@@ -35,7 +35,9 @@ TEST_F(RendererTest, SilhouetteOfABallIsItsProjectedCircle) {
 }
 
 TEST_F(RendererTest, MaterialsHaveTheirColours) {
-    const auto colourOf = [](const Appearance& look) { return meanColour(draw(sceneOf({objectOf(ball(), look)}))); };
+    const auto colourOf = [](const Appearance& appearance) {
+        return meanColour(draw(sceneOf({objectOf(ball(), appearance)})));
+    };
     const Vec3 enamel = colourOf(appearances::enamel());
     const Vec3 dentin = colourOf(appearances::dentin());
     const Vec3 pulp = colourOf(appearances::pulp());

@@ -29,8 +29,8 @@ HueAndSaturation hueOf(const Vec3& colour) {
 }
 
 TEST_F(TissueLight, ShadedTissueKeepsItsHue) {
-    for (const Appearance& look : {appearances::enamel(), appearances::dentin(), appearances::gingiva()}) {
-        Scene scene = sceneOf({objectOf(test::sphere(Vec3::Zero(), 3, 96, 48), look)});
+    for (const Appearance& appearance : {appearances::enamel(), appearances::dentin(), appearances::gingiva()}) {
+        Scene scene = sceneOf({objectOf(test::sphere(Vec3::Zero(), 3, 96, 48), appearance)});
         scene.lighting = operatingLight(scene.camera);
         const HueAndSaturation lit = hueOf(meanColour(draw(scene, kFine)));
         scene.lighting.keyColour = Vec3f::Zero();  // as in the shadow of an instrument

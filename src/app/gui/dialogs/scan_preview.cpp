@@ -56,17 +56,17 @@ void ScanPreview::show(std::shared_ptr<const Surface> surface) {
     }
     eye_.fit(surface_->base->tree().box(), pictureSize(*this).aspect());
     if (!wasHeld_) turning_.start();
-    look();
+    applyCamera();
 }
 
 void ScanPreview::turnOn() {
     constexpr double kHalfHeights = 4;  // pictures' half heights in a turn: see OrbitCamera::orbit
     const double share = kFrameMs / (1000 * kTurnSeconds);
     eye_.orbit(Vec2(-share * kHalfHeights * pictureSize(*this).height / 2.0, 0), pictureSize(*this));
-    look();
+    applyCamera();
 }
 
-void ScanPreview::look() {
+void ScanPreview::applyCamera() {
     overlays_->follow(eye_, pictureSize(*this), kMesial);
     update();
 }
@@ -87,7 +87,7 @@ void ScanPreview::paintGL() {
 
 void ScanPreview::resizeEvent(QResizeEvent* event) {
     QOpenGLWidget::resizeEvent(event);
-    look();
+    applyCamera();
 }
 
 void ScanPreview::mousePressEvent(QMouseEvent* event) {
@@ -103,7 +103,7 @@ void ScanPreview::mouseMoveEvent(QMouseEvent* event) {
     isDrag_ = isDrag_ || (now - pressed_).norm() > kClick * devicePixelRatioF();
     if (!isDrag_) return;
     eye_.orbit(now - std::exchange(last_, now), pictureSize(*this));
-    look();
+    applyCamera();
 }
 
 void ScanPreview::mouseReleaseEvent(QMouseEvent* event) {
@@ -118,7 +118,7 @@ void ScanPreview::mouseReleaseEvent(QMouseEvent* event) {
 void ScanPreview::wheelEvent(QWheelEvent* event) {
     const double notches = notchesOf(*event);
     eye_.zoom(std::pow(kZoomStep, notches), pixelAt(*this, event->position()), pictureSize(*this));
-    look();
+    applyCamera();
     event->accept();
 }
 

@@ -43,7 +43,7 @@ protected:
 
 private:
     void turnOn();
-    void look();
+    void applyCamera();
     void forgetRenderer();
 
     std::shared_ptr<const Surface> surface_;

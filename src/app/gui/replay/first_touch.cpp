@@ -4,14 +4,14 @@
 
 namespace tactooth {
 
-bool FirstTouch::look() {
+bool FirstTouch::search() {
     if (time_) return true;
     const bool isFinished = track_->isFinished();  // before the ticks: none comes after it
     const std::uint64_t ready = track_->ticks();
-    while (looked_ < ready && !time_) {
-        const std::shared_ptr<const TrackChunk> chunk = track_->chunkAt(looked_ / TrackChunk::kTicks);
-        for (auto i = static_cast<std::size_t>(looked_ % TrackChunk::kTicks); i < chunk->ticks.size(); ++i) {
-            ++looked_;
+    while (searched_ < ready && !time_) {
+        const std::shared_ptr<const TrackChunk> chunk = track_->chunkAt(searched_ / TrackChunk::kTicks);
+        for (auto i = static_cast<std::size_t>(searched_ % TrackChunk::kTicks); i < chunk->ticks.size(); ++i) {
+            ++searched_;
             if (chunk->ticks[i].contacts == 0) continue;
             time_ = chunk->ticks[i].time;
             break;

@@ -14,15 +14,15 @@ class FirstTouch {
 public:
     explicit FirstTouch(std::shared_ptr<const SessionTrack> track) : track_(std::move(track)) {}
 
-    /// Looks at what has come since the last call. Returns whether the answer is known: when the touch is there, or the
-    /// track is finished without one.
-    bool look();
+    /// Searches the ticks that have come since the last call. Returns whether the answer is known: when the touch is
+    /// there, or the track is finished without one.
+    bool search();
     /// s since the session began; none: not known yet, or there is no touch.
     [[nodiscard]] std::optional<double> time() const { return time_; }
 
 private:
     std::shared_ptr<const SessionTrack> track_;
-    std::uint64_t looked_ = 0;  // ticks
+    std::uint64_t searched_ = 0;  // ticks
     std::optional<double> time_;
 };
 

@@ -97,7 +97,7 @@ void ReplayComparison::align() {
 /// Without a touch in one of them there is nothing to align.
 void ReplayComparison::followFirstTouch() {
     if (!firstTouch_ || !otherTouch_) return;
-    const bool isFirstKnown = firstTouch_->look(), isOtherKnown = otherTouch_->look();
+    const bool isFirstKnown = firstTouch_->search(), isOtherKnown = otherTouch_->search();
     if (!isFirstKnown || !isOtherKnown) return;
     const auto first = std::exchange(firstTouch_, std::nullopt)->time();
     const auto other = std::exchange(otherTouch_, std::nullopt)->time();

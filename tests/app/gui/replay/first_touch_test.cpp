@@ -15,7 +15,7 @@ using test::trackOf;
 TEST(FirstTouch, IsThatOfTheFirstTickWithAContact) {
     for (const std::uint64_t touch : {1U, 2U, 999U, 1000U, 1001U, 2500U}) {
         FirstTouch first(trackOf(3000, 3, touch));
-        EXPECT_TRUE(first.look());
+        EXPECT_TRUE(first.search());
         EXPECT_EQ(first.time(), kTick * static_cast<double>(touch)) << touch;
     }
 }
@@ -23,11 +23,11 @@ TEST(FirstTouch, IsThatOfTheFirstTickWithAContact) {
 TEST(FirstTouch, IsUnknownUntilTheTrackHasIt) {
     const auto track = trackOf(1000, 3);
     FirstTouch first(track);
-    EXPECT_FALSE(first.look());
-    EXPECT_FALSE(first.look());
+    EXPECT_FALSE(first.search());
+    EXPECT_FALSE(first.search());
     EXPECT_FALSE(first.time());
     track->append(TrackChunk(*trackOf(2000, 2, 1500)->chunkAt(1)));
-    EXPECT_TRUE(first.look());
+    EXPECT_TRUE(first.search());
     EXPECT_EQ(first.time(), kTick * 1500);
 }
 
@@ -35,7 +35,7 @@ TEST(FirstTouch, IsMissingInAFinishedTrackWithoutOne) {
     const auto track = trackOf(1500, 2);
     track->finish({}, {});
     FirstTouch first(track);
-    EXPECT_TRUE(first.look());
+    EXPECT_TRUE(first.search());
     EXPECT_FALSE(first.time());
 }
 
