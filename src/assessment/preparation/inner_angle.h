@@ -11,8 +11,8 @@ namespace tactooth {
 /// it.
 inline constexpr double kRollingBall = 0.3;
 
-/// Radius of the angles between the floor and the walls of the cut surface, mm: of the sharpest twentieth of them. At
-/// most kRollingBall.
+/// Radius of the angles between the floor and the walls of the cut surface, mm: the 5th percentile, of the sharpest
+/// ones. At most kRollingBall.
 [[nodiscard]] Measured innerAngleRadius(const Preparation& preparation, const CutSurfaces& surfaces);
 
 }  // namespace tactooth

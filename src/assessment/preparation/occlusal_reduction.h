@@ -11,7 +11,7 @@ namespace tactooth {
 /// axis, mm. The end is what looks up within 40 degrees and lies above the middle of the axial wall, without a strip of
 /// 0.1 mm along its border.
 struct OcclusalReduction {
-    Measured least, median;  ///< by area: twentieth, and half
+    Measured least, median;  ///< by area: 5th percentile, and median
 };
 
 [[nodiscard]] OcclusalReduction occlusalReduction(const Preparation& preparation, const CutSurfaces& surfaces);

@@ -132,20 +132,20 @@ constexpr std::array kMetrics = {
     PreparationMetric{"occlusal_reduction_min", "Occlusal reduction, least", "mm", Better::Neither,
                       [](All m) { return m.occlusal.least; },
                       "Of a crown preparation: distance along the axis from its occlusal or incisal end to the uncut "
-                      "surface, which a twentieth of the end falls short of.",
+                      "surface; its 5th percentile by area.",
                       "咬合面の削除量（最小）",
-                      "支台歯形成の咬合面または切縁側の面から、削る前の面まで、軸に沿った距離。面の 20 分の 1 "
-                      "がこれを下回る。"},
+                      "支台歯形成の咬合面または切縁側の面から、削る前の面まで、軸に沿った距離。"
+                      "面積についての 5 パーセンタイル。"},
     PreparationMetric{"occlusal_reduction_median", "Occlusal reduction (median)", "mm", Better::Neither,
                       [](All m) { return m.occlusal.median; }, "Median of that distance, by area.",
                       "咬合面の削除量（中央値）", "その距離の、面積についての中央値。"},
     PreparationMetric{"inner_angle_radius", "Radius of the inner angles", "mm", Better::Neither,
                       [](All m) { return m.innerAngle; },
-                      "Radius of the sharpest twentieth of the angles between floor and walls, in which a ball of 0.3 "
-                      "mm rolls; 0.3 where all are as round.",
+                      "Radius of the angles between floor and walls, in which a ball of 0.3 mm rolls: its 5th "
+                      "percentile, the sharpest angles. 0.3 where all angles are as round or rounder.",
                       "内側の隅角の半径",
-                      "窩底と側壁の間の隅角に 0.3 mm の球を転がして測る、最も鋭い 20 分の 1 "
-                      "の半径。どこもそれ以上に丸ければ 0.3。"},
+                      "窩底と側壁の間の隅角に 0.3 mm の球を転がして測る半径の 5 パーセンタイル（最も鋭い隅角）。"
+                      "どこもそれ以上に丸ければ 0.3。"},
     PreparationMetric{"remaining_dentin_min", "Dentin left over the pulp", "mm", Better::Higher,
                       [](All m) { return m.damage.remainingDentin; },
                       "Smallest distance from the cut surface to the pulp; 0 where it is open.", "歯髄までの残存象牙質",
