@@ -54,7 +54,7 @@ TEST(CavityWalls, OfABlockWithABoxAreItsWallsAndFloor) {
     }
 }
 
-TEST(CavityWalls, LookIntoTheCavity) {
+TEST(CavityWalls, FaceIntoTheCavity) {
     const Vec3 middle(0, 0, 4);
     const CavityWalls walls = wallsOf(blockWithCavity(Vec3(-2, -1.5, 3), Vec3(2, 1.5, 5)));
     for (std::size_t i = 0; i < walls.mesh.triangles.size(); ++i) {

@@ -57,7 +57,7 @@ DetectedDevice penWith(const char* library) {
     return named("pen", devices);
 }
 
-TEST_F(DeviceEnumeration, TellsWhatAPenCanDo) {
+TEST_F(DeviceEnumeration, ReportsWhatAPenCanDo) {
     const DetectedDevice pen = penWith(TACTOOTH_STANDIN_HD);
     EXPECT_EQ(pen.state, DeviceState::Ready);
     EXPECT_EQ(pen.capabilities.force, 3.3);

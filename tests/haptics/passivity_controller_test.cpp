@@ -114,7 +114,7 @@ TEST(PassivityController, TheDamperIsBounded) {
     EXPECT_NEAR(added.norm(), (1 - std::exp(-kTick / 0.005)) * 0.005 * 0.02 / kTick, 1e-12);
 }
 
-TEST(PassivityController, TheDevicesFrictionPaysForSmallSteps) {
+TEST(PassivityController, TheDevicesFrictionDissipatesTheEnergyOfSmallSteps) {
     PassivityController controller(0.06);
     double z = 0;
     (void)controller.damp(at(z), Vec3::Zero(), springAt(z), kTick);

@@ -12,7 +12,7 @@
 namespace tactooth {
 namespace {
 
-TEST(ExteriorSurface, WallsOfAHollowAreTold) {
+TEST(ExteriorSurface, WallsOfAVoidAreReported) {
     TriangleMesh mesh = test::sphere(Vec3(1, 2, 3), 6, 32, 24);
     const std::size_t outside = mesh.triangles.size();
     TriangleMesh hollow = test::sphere(Vec3(1, 2, 3), 2, 24, 16);

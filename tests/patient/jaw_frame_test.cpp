@@ -35,14 +35,14 @@ TEST(JawFrame, TheTeethShareOneUnitWhichIsExplained) {
     EXPECT_EQ(jaw->why[0].topic, ImportNoteTopic::Units);
 }
 
-TEST(JawFrame, AUnitThatIsToldNeedsNoReason) {
+TEST(JawFrame, AUnitThatIsGivenNeedsNoReason) {
     const auto jaw = findJawFrame(arch(3, 10), 25.4);
     ASSERT_TRUE(jaw);
     EXPECT_EQ(jaw->mmPerUnit, 25.4);
     EXPECT_TRUE(jaw->why.empty());
 }
 
-TEST(JawFrame, CheeksLookAwayFromTheMiddleOfTheArch) {
+TEST(JawFrame, CheeksFaceAwayFromTheMiddleOfTheArch) {
     const auto jaw = findJawFrame(arch(5, 10), std::nullopt);
     ASSERT_TRUE(jaw);
     ASSERT_EQ(jaw->buccalDirections.size(), 5u);

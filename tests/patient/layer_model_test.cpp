@@ -71,7 +71,7 @@ TEST_P(LayerModelOf, RootIsDentinAndTheBitingEdgeEnamel) {
 INSTANTIATE_TEST_SUITE_P(Teeth, LayerModelOf, ::testing::Values(11, 36, 24),
                          [](const auto& instance) { return "Fdi" + std::to_string(instance.param); });
 
-TEST(LayerModel, StopsWhenTold) {
+TEST(LayerModel, StopsOnRequest) {
     const auto model = modelLayers(builtIn(11).outer, [](double part) { return part < 0.5; });
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().message(), "stopped");

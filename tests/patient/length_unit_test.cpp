@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-TEST(LengthUnit, TheLongestSideTellsTheUnit) {
+TEST(LengthUnit, TheLongestSideDecidesTheUnit) {
     for (const auto& [longest, mm] : {std::pair(21.0, 1.0),
                                       {17.9, 1.0},
                                       {8.0, 1.0},

@@ -39,7 +39,7 @@ TEST(ToothFrame, AToothThatLiesIsTurnedCrownUp) {
     }
 }
 
-TEST(ToothFrame, TheEnamelTellsTheCrown) {
+TEST(ToothFrame, TheEnamelDecidesTheCrown) {
     // For a body that is the same at both ends only the hint says which one is up.
     FrameHints hints;
     hints.crown = Vec3(0, 0, -1);
@@ -55,7 +55,7 @@ TEST(ToothFrame, TheCheekIsWhereTheArchSaysIt) {
     EXPECT_GT((guess.toothInFile.rotation * Vec3::UnitZ()).z(), 0.95);
 }
 
-TEST(ToothFrame, ACheekAlongTheLongAxisTellsNothing) {
+TEST(ToothFrame, ACheekAlongTheLongAxisDecidesNothing) {
     const FrameGuess plain = guessToothFrame(molar());
     FrameHints hints;
     for (const Vec3& along : {Vec3(plain.toothInFile.rotation * Vec3::UnitZ()), Vec3(Vec3::Zero())}) {

@@ -93,7 +93,7 @@ private:
     Eigen::Matrix<double, kBands, kBands> precision_;
 };
 
-TEST(MaterialClassifier, TellsTheMaterialFromATenthOfASecondUnderLoadsItHasNeverHeard) {
+TEST(MaterialClassifier, FindsTheMaterialInATenthOfASecondUnderLoadsItHasNeverHeard) {
     const Classifier classifier(examples(20261, 120));
     const std::vector<Example> exam = examples(90417, 200);
     int right = 0;

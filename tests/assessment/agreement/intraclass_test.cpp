@@ -39,7 +39,7 @@ TEST(Intraclass, GivesThePublishedIntervalOfTheClassicTable) {
     EXPECT_NEAR(icc->agreementInterval->high, 0.761, 0.0005);
 }
 
-TEST(Intraclass, ToldApartARaterWhoIsStricterAndOneWhoDiffers) {
+TEST(Intraclass, DistinguishesARaterWhoIsStricterFromOneWhoDiffers) {
     const std::vector<double> stricter = {2, 4, 4, 6, 6, 8};
     const auto icc = intraclassCorrelation(stricter, 2);
     ASSERT_TRUE(icc);
@@ -47,7 +47,7 @@ TEST(Intraclass, ToldApartARaterWhoIsStricterAndOneWhoDiffers) {
     EXPECT_NEAR(*icc->agreement, 2.0 / 3, 1e-12);
 }
 
-TEST(Intraclass, AgreesWithSumsOfSquaresByAnotherWay) {
+TEST(Intraclass, AgreesWithIndependentSumsOfSquares) {
     SeededRandom random(1);
     for (int trial = 0; trial < 200; ++trial) {
         const std::size_t works = 2 + random.below(20), raters = 2 + random.below(5);

@@ -63,7 +63,7 @@ TEST(Cusum, DecidesWhereALimitIsReachedExactly) {
     EXPECT_EQ(cusumOf(*plan, trials("ff"))[1].decision, CusumDecision::Unacceptable);
 }
 
-TEST(Cusum, RefusesRatesThatCannotBeToldApart) {
+TEST(Cusum, RefusesRatesThatCannotBeDistinguished) {
     EXPECT_FALSE(planCusum({0.15, 0.05}));
     EXPECT_FALSE(planCusum({0.1, 0.1}));
     EXPECT_FALSE(planCusum({0, 0.1}));

@@ -37,7 +37,7 @@ std::vector<StoredReport> trials(const std::string& name, const std::string& res
     return reports;
 }
 
-TEST(LearningPage, TellsWhoHasLearntIt) {
+TEST(LearningPage, ShowsWhoHasLearntIt) {
     const LearningTest test = usual();
     const std::size_t clean = test.learning.cleanTrials();
     const auto learnt = learningOf(trials("Ann", std::string(clean, 'p')), test);
@@ -52,7 +52,7 @@ TEST(LearningPage, TellsWhoHasLearntIt) {
                 HasSubstr("(0 of 6 trials passed): it needs at least " + std::to_string(clean) + " more"));
 }
 
-TEST(LearningPage, TellsWhetherTheRateOfFailuresIsAcceptable) {
+TEST(LearningPage, ShowsWhetherTheRateOfFailuresIsAcceptable) {
     const LearningTest test = usual();  // 20 clean trials say acceptable, two failures at once do not
     const auto texts = [&](const std::string& results) {
         return learningTexts(learningOf(trials("Ann", results), test)[0], test, Language::English)[1];

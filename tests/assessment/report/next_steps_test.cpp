@@ -51,7 +51,7 @@ TEST_F(NextSteps, SayWhatCostsMostFirst) {
                                      HasSubstr("you went 0.40 mm beyond the ideal wall")));
 }
 
-TEST_F(NextSteps, SayWhichWayAValueIsOff) {
+TEST_F(NextSteps, SayWhetherAValueIsTooLowOrTooHigh) {
     add("floor_depth_median", 1.2, {{{1.5, 2}, {1.3, 2.1}, {1, 2.3}, {0.75, 2.5}}});
     EXPECT_THAT(steps(), ElementsAre("Cut the floor deeper: it lies at 1.20 mm."));
     results_[0].measured.value = 2.4;

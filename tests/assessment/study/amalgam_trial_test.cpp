@@ -58,7 +58,7 @@ TEST_F(AmalgamTrial, ItIsNoMaterialOfOtherTeeth) {
     EXPECT_GT(2 * inFilling, places);
 }
 
-TEST_F(AmalgamTrial, IsFeltCutCountedSavedAndReplayed) {
+TEST_F(AmalgamTrial, IsTouchedCutCountedSavedAndReplayed) {
     const test::TemporaryFolder folder;
     const auto model = uncutModel(*scene_);
     auto recorder = SessionRecorder::create(folder / "s.ttsession", *model, "amalgam");

@@ -64,7 +64,7 @@ TEST(ContactQuery, ABallInAPlateIsAsDeepAsItsLowestPoint) {
     }
 }
 
-TEST(ContactQuery, ABallOnAnEdgeAndOnACornerLeavesAlongTheShortestWay) {
+TEST(ContactQuery, ABallOnAnEdgeAndOnACornerLeavesByTheShortestTranslation) {
     const TriangleMesh block = test::box(Vec3(-9, -9, -9), Vec3(0, 0, 0));
     ContactQuery query(test::toolOf(test::sphere(Vec3(0, 0, 0), 1, 96, 48)), test::surfaceOf(block));
     const Vec3 edge = Vec3(1, 0, 1).normalized();

@@ -58,13 +58,13 @@ TEST(NeighbourHorizon, CoversPosesRotatedWithinTheTrustedPartOfTheMargin) {
     EXPECT_FALSE(context.horizon.covers({start + Vec3(0.2, 0, 0), turnedBy(0.001)}, 0));
 }
 
-TEST(NeighbourHorizon, TellsTheRotationLeftAsAChord) {
+TEST(NeighbourHorizon, ReturnsTheRotationLeftAsAChord) {
     const ProxyContext context = listedContext();
     for (const double angle : {0.0, 0.005, 0.3, 3.0})
         EXPECT_NEAR(context.horizon.rotationLeft(turnedBy(angle)), kTrusted * kTurn - 2 * std::sin(angle / 2), 1e-12);
 }
 
-TEST(NeighbourHorizon, TellsTheShareOfAStepThatTheListCovers) {
+TEST(NeighbourHorizon, ReturnsTheShareOfAStepThatTheListCovers) {
     const ProxyContext context = listedContext();
     EXPECT_EQ(context.horizon.coveredShare(context.scene, Vec3(0.05, 0, 0)), 1);
     for (const double length : {0.12, 0.19, 0.95}) {

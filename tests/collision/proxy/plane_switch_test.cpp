@@ -91,7 +91,7 @@ TEST(PlaneSwitch, KeepsThePlanesIfNoneLeadsTowardTheGoal) {
     EXPECT_EQ(fixture.watched[0].plane.normal, Vec3::UnitZ());
 }
 
-TEST(PlaneSwitch, DoesNotSwitchForAShorterWayThanTwentyMargins) {
+TEST(PlaneSwitch, DoesNotSwitchForADisplacementBelowTwentyMargins) {
     EdgeFixture fixture;
     fixture.addUpright(0);
     EXPECT_FALSE(fixture.run(Vec3(-19 * kMargin, 0, 0)));

@@ -105,7 +105,7 @@ TEST(TranslationConstraints, AlwaysAllowToStayWithoutRotation) {
     EXPECT_NEAR(constraints.set().spaces()[1].offset, kHeight, 1e-9);
 }
 
-TEST(TranslationConstraints, AreStationaryIfTheActivePlanesLeaveNoWay) {
+TEST(TranslationConstraints, AreStationaryIfTheActivePlanesLeaveNoDisplacement) {
     ProxyContext context = overFloor();
     context.scene.pose = test::poseAt(0, 0, test::kMargin);
     CandidateStep step = test::stepBy(context, Vec3(0, 0, -0.3));

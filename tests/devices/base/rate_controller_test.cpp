@@ -49,7 +49,7 @@ TEST(RateController, PushingFurtherPressesHarderAndTheForceStaysWithTheStick) {
     EXPECT_NEAR(pressOnFloor(light, 8, 1, 1), lightly, 1e-6);
 }
 
-TEST(RateController, WhoLetsGoIsSoonOutOfTheTooth) {
+TEST(RateController, ReleasingTheStickLeavesTheToothSoon) {
     RateController hand;
     ASSERT_GT(pressOnFloor(hand, 24, 1, 2), 2.9);
     EXPECT_LT(pressOnFloor(hand, 0, 1, 1), 0.01);

@@ -85,7 +85,7 @@ TEST(HaplyDevice, TouchesAPlaneAndStops) {
         EXPECT_TRUE(soonSaysNothing(device));
     }
     EXPECT_TRUE(soon([&] { return service.connections() == 0; }));
-    EXPECT_EQ(service.lastTold(), 0);
+    EXPECT_EQ(service.lastForceReceived(), 0);
     EXPECT_EQ(service.force(), 0);
 }
 
@@ -219,7 +219,7 @@ TEST(HaplyDevice, ClosedMidPressItsLastMessageIsAForceOfZero) {
     const long before = service.messages();
     device.close();
     EXPECT_TRUE(soon([&] { return service.messages() > before && service.connections() == 0; }));
-    EXPECT_EQ(service.lastTold(), 0);
+    EXPECT_EQ(service.lastForceReceived(), 0);
 }
 
 TEST(HaplyDevice, AGripThatIsGoneKeepsItsDirection) {

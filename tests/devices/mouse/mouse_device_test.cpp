@@ -32,7 +32,7 @@ TEST(MouseDevice, FollowsAJumpAsACriticallyDampedSpring) {
     }
 }
 
-TEST(MouseDevice, TheWayDoesNotDependOnTheTicks) {
+TEST(MouseDevice, ThePathDoesNotDependOnTheTicks) {
     MouseDevice fine{Pose{}};
     MouseDevice coarse{Pose{}};
     fine.moveTo(target(5));

@@ -129,7 +129,7 @@ TEST(ForceWatchdog, AForceAfterASilenceDoesNotPassBeforeTheProgramHasSentAZero) 
     EXPECT_EQ(bench.watchdog.fault(), HandFault::None);
 }
 
-TEST(ForceWatchdog, AProgramThatStartsAnewByItselfIsToldNothing) {
+TEST(ForceWatchdog, AProgramThatStartsAnewByItselfIsNotNotified) {
     Bench bench;
     bench.press(3);
     bench.now += 0.010;
@@ -163,7 +163,7 @@ struct Nonsense {
 
 class ForceWatchdogNonsense : public ::testing::TestWithParam<Nonsense> {};
 
-TEST_P(ForceWatchdogNonsense, FadesToZeroHoldsItAndIsTold) {
+TEST_P(ForceWatchdogNonsense, FadesToZeroHoldsItAndIsReported) {
     Bench bench;
     bench.published = 1000;
     bench.press(3);

@@ -181,7 +181,7 @@ TEST(HandServo, AProgramThatStopsMidPressLeavesNoForceWithinFiveMilliseconds) {
     }
 }
 
-TEST(HandServo, TellsTheProgramOfANonsenseForce) {
+TEST(HandServo, ReportsANonsenseForceToTheProgram) {
     Bench bench(true);
     for (int i = 0; i < 700; ++i) bench.tick(3);
     bench.send(std::nan(""));

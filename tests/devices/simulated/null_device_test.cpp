@@ -7,7 +7,7 @@
 namespace tactooth {
 namespace {
 
-TEST(NullDevice, RestsWhereItWasPutAndFeelsNothing) {
+TEST(NullDevice, RestsWhereItWasPutAndRendersNoForce) {
     const Pose rest{Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.5, Vec3::UnitX()))};
     NullDevice device(rest);
     EXPECT_FALSE(device.info().rendersForce);

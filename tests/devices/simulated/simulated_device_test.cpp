@@ -127,7 +127,7 @@ TEST(SimulatedDevice, EqualScriptsGiveEqualBitsAndOpeningStartsAnew) {
     EXPECT_EQ(run(), first);
 }
 
-TEST(SimulatedDevice, TellsTheLimitsOfItsDevice) {
+TEST(SimulatedDevice, ReportsTheLimitsOfItsDevice) {
     const SimulatedDevice hand(*findDevicePreset("omni"), *findHandImpedance("loose"), {moment(0, 0)});
     EXPECT_EQ(hand.info().limits.force, 3.3);
     EXPECT_EQ(hand.info().limits.continuousForce, 0.88);

@@ -32,7 +32,7 @@ TEST(SimulatedDriver, SetsThePaceOfItsServoAndTimesItsAnswers) {
     EXPECT_LT(driver.responseTime().quantile(0.5), 1000);
 }
 
-TEST(SimulatedDriver, TellsItsListenerOfEachSample) {
+TEST(SimulatedDriver, NotifiesItsListenerOfEachSample) {
     SimulatedDriver driver(1000);
     std::atomic<int> samples{0};
     driver.setSampleListener({[](void* count) { ++*static_cast<std::atomic<int>*>(count); }, &samples});

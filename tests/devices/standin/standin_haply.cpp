@@ -147,7 +147,7 @@ void StandinHaply::take(const std::string& message) {
         ++messages_;
         ++sinceFault_;
         if (hand.force != std::array<double, 3>{}) lastForce_ = sinceFault_;
-        lastTold_ = std::hypot(hand.force[0], hand.force[1], hand.force[2]);
+        lastForceReceived_ = std::hypot(hand.force[0], hand.force[1], hand.force[2]);
     }
 }
 
@@ -271,9 +271,9 @@ double StandinHaply::zeroAt() const {
     return zeroAt_;
 }
 
-double StandinHaply::lastTold() const {
+double StandinHaply::lastForceReceived() const {
     const std::lock_guard lock(mutex_);
-    return lastTold_;
+    return lastForceReceived_;
 }
 
 long StandinHaply::messagesSinceFault() const {

@@ -67,8 +67,8 @@ public:
     [[nodiscard]] double force() const;
     /// When that force became zero, s of the monotonic clock; 0 while there is one.
     [[nodiscard]] double zeroAt() const;
-    /// The same, even if the connection is closed.
-    [[nodiscard]] double lastTold() const;
+    /// Magnitude of the last force that the first device received, N, also after the connection was closed.
+    [[nodiscard]] double lastForceReceived() const;
     /// Number of messages to the first device since the fault was set.
     [[nodiscard]] long messagesSinceFault() const;
     /// Number of the last of these messages with a force; 0: none. The answer before the first message was still
@@ -106,7 +106,7 @@ private:
     std::string firstMessage_;
     bool foreign_ = false;
     long messages_ = 0, sinceFault_ = 0, lastForce_ = 0;
-    double lastTold_ = 0;
+    double lastForceReceived_ = 0;
     double zeroAt_ = 0;
     int connections_ = 0;
     std::vector<std::jthread> servers_;

@@ -95,7 +95,7 @@ TEST(LoadMesh, HandsRemarksOn) {
     EXPECT_TRUE(loadMesh(folder / "a.obj"));
 }
 
-TEST(LoadMesh, AMissingFileIsToldBeforeItsFormat) {
+TEST(LoadMesh, AMissingFileIsReportedBeforeItsFormat) {
     EXPECT_THAT(loadMesh("/nowhere/a.obj").error().message(), HasSubstr("there is no such file"));
 }
 

@@ -137,7 +137,7 @@ TEST(MeshReport, SeparatePiecesAreShellsLargestFirst) {
     EXPECT_EQ(report.genus(), 0);
 }
 
-TEST(MeshReport, AHollowHasNegativeVolume) {
+TEST(MeshReport, AVoidHasNegativeVolume) {
     TriangleMesh mesh = test::box(Vec3(0, 0, 0), Vec3(4, 4, 4));
     TriangleMesh hollow = test::box(Vec3(1, 1, 1), Vec3(3, 3, 3));
     for (Triangle& triangle : hollow.triangles) std::swap(triangle[1], triangle[2]);

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-TEST(IndexBitset, TellsItsNumbersInAscendingOrderAndTheirPlaces) {
+TEST(IndexBitset, ReturnsItsNumbersInAscendingOrderAndTheirPlaces) {
     std::mt19937 random(7);
     for (const std::size_t bound : {1U, 63U, 64U, 65U, 1000U, 100'000U}) {
         IndexBitset set(bound);

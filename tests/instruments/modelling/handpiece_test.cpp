@@ -48,7 +48,7 @@ TEST(Handpiece, TheFilletFillsTheCornerBelowItsEndAlone) {
     EXPECT_NEAR(handpiece(2)(above, 0), handpiece(0.01)(above, 0), 1e-9);
 }
 
-TEST(Handpiece, TellsWhereTheHandleIs) { EXPECT_NEAR(handpiece().handleMiddle(30), 15, 1e-12); }
+TEST(Handpiece, ReturnsWhereTheHandleIs) { EXPECT_NEAR(handpiece().handleMiddle(30), 15, 1e-12); }
 
 }  // namespace
 }  // namespace tactooth

@@ -122,7 +122,7 @@ TEST(JournalAppender, DoesNotBeginWithoutAHeader) {
     EXPECT_TRUE(taken.error().contains(msg::kJournalExists));
 }
 
-TEST(JournalAppender, TheEndTellsWhereTheKeyframesAre) {
+TEST(JournalAppender, TheEndStatesWhereTheKeyframesAre) {
     const std::vector<JournalBlock> blocks = test::sampleBlocks(14, 5);
     const std::vector<std::byte> bytes = test::journalBytes(blocks, true);
     const auto journal = JournalReader::parse(bytes, "sample");

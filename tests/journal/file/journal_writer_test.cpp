@@ -132,7 +132,7 @@ TEST(JournalWriter, WhatIsLostLastIsSaidAtTheEnd) {
     EXPECT_EQ(typesIn(disk->bytes()), std::vector<BlockType>({Note, Note, Lost, Index, Closed}));
 }
 
-TEST(JournalWriter, WaitsForRoomWhereItIsTold) {
+TEST(JournalWriter, WaitsForRoomOnRequest) {
     const auto disk = std::make_shared<FakeDisk>();
     const auto writer = writerOn(disk, {.queue = {.blocks = 2, .bytes = 1000}});
     for (int i = 0; i < 500; ++i) EXPECT_TRUE(writer->appendWhenRoom(noteAt(i)));

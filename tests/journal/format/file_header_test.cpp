@@ -32,7 +32,7 @@ TEST(FileHeader, StatesVersionAndLength) {
     EXPECT_EQ(start.jsonBytes, 7U);
 }
 
-TEST(FileHeader, TellsWhatItIsNot) {
+TEST(FileHeader, ReportsWhatItIsNot) {
     EXPECT_EQ(parsed("").kind, Kind::NoJournal);
     EXPECT_EQ(parsed("{").kind, Kind::NoJournal);
     EXPECT_EQ(parsed("solid tooth, not a session").kind, Kind::NoJournal);

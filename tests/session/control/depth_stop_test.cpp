@@ -47,7 +47,7 @@ TEST_F(DepthStopTest, TheToolStopsAtTheFloorHoweverFastTheHandIs) {
     }
 }
 
-TEST_F(DepthStopTest, TheHandFeelsASpringAlongTheShaft) {
+TEST_F(DepthStopTest, ASpringAlongTheShaftActsOnTheHand) {
     (void)move(at(0, 2), at(0, -1.8), 20);
     for (int i = 0; i < 3; ++i) (void)stop_.hold(at(0, -1.8), &control_, kTick);
     EXPECT_LT((stop_.force() - 0.8 * DepthStop::kStiffness * Vec3::UnitZ()).norm(), 1e-9);
@@ -55,7 +55,7 @@ TEST_F(DepthStopTest, TheHandFeelsASpringAlongTheShaft) {
     EXPECT_NEAR(stop_.force().z(), 0.81 * DepthStop::kStiffness + 10 * DepthStop::kDamping, 1e-9);
 }
 
-TEST_F(DepthStopTest, NothingIsFeltAboveTheFloorAndOnTheWayOut) {
+TEST_F(DepthStopTest, ThereIsNoForceAboveTheFloorAndOnTheWayOut) {
     EXPECT_NEAR(move(at(0, 2), at(0, -0.99), 20).position.z(), -0.99, 1e-12);
     EXPECT_EQ(stop_.force(), Vec3::Zero());
     (void)move(at(0, -0.99), at(0, -2), 20);

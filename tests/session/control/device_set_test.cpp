@@ -304,7 +304,7 @@ TEST(DeviceSet, ASingleHandLaysTheTurbineDownAndTakesItUpAgainWithoutAJump) {
     EXPECT_LT((rig.hands.turbine().position - Vec3(0.5, 0, 0.5)).norm(), 1e-12);
 }
 
-TEST(DeviceSet, ASwapMidPressFadesTheForceAndTheOtherHandFeelsNothingBeforeTheBurIsFree) {
+TEST(DeviceSet, ASwapMidPressFadesTheForceAndTheOtherHandGetsNoneBeforeTheBurIsFree) {
     Rig rig;
     rig.press(rig.first);
     ASSERT_GT(rig.first.force.norm(), 1);
@@ -368,7 +368,7 @@ TEST(DeviceSet, ABurWhoseDeviceIsLostStaysAtTheSurfaceAndCutsNoMore) {
     EXPECT_NEAR(rig.tick.spindle.cutWork, work, 1e-6);
 }
 
-TEST(DeviceSet, TheSecondDeviceCanBeLostWithoutTheFirstFeelingIt) {
+TEST(DeviceSet, TheLossOfTheSecondDeviceLeavesTheForceOfTheFirst) {
     Rig rig;
     rig.press(rig.first);
     const Vec3 force = rig.first.force;

@@ -108,7 +108,7 @@ TEST(SurfaceRay, ARayAlongTheSideOfABoxMeetsWhatIsThere) {
     }
 }
 
-TEST(SurfaceRay, DepthInsideABallIsTheWayOut) {
+TEST(SurfaceRay, DepthInsideABallIsTheDistanceToItsSurface) {
     const Surface surface = ball();
     std::mt19937 random(8);
     std::uniform_real_distribution<double> uniform(-1, 1);

@@ -77,7 +77,7 @@ TEST(SessionModel, WithoutAToothNothingFitsAndMesialIsAtPlusX) {
     EXPECT_TRUE(model.log().ticks().empty());
 }
 
-TEST_F(SessionModelTest, SendsItsTicksWhereItIsTold) {
+TEST_F(SessionModelTest, SendsItsTicksToTheGivenStream) {
     const test::UdpListener listener;
     auto stream = LiveStream::open(listener.url());
     ASSERT_TRUE(stream) << stream.error().message();

@@ -174,7 +174,7 @@ TEST(EventCodec, RefusesExactTicksThatAreNotFinite) {
     EXPECT_FALSE(decodeEvents(encodeEvents(std::vector<SessionEvent>{backwards})));
 }
 
-TEST(EventCodec, RefusesForcesThatNoHandMayFeel) {
+TEST(EventCodec, RefusesForcesBeyondTheLimits) {
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         ForceEvent event;
         event.parameters.overrides.stiffness = bad;

@@ -270,7 +270,7 @@ TEST(CutModel, WorkThatFindsNothingToCutIsNotSavedUp) {
     EXPECT_LE(total(piece->removed()) - removed, 0.31 * MaterialTable{}[test::kDentin].removal);
 }
 
-TEST(CutModel, TheNextCutGoesOnWhereTheLastOneEndsWhileTheBurIsOnItsWayThere) {
+TEST(CutModel, TheNextCutBeginsAtTheEndOfTheLastOneWhileTheBurMovesThere) {
     const auto piece = blockOnTheBench();
     const CuttingTool bur = test::flatBur().cutting;
     EXPECT_FALSE(piece->reached());

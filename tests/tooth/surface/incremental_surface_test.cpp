@@ -316,7 +316,7 @@ TEST(IncrementalSurface, ABurAtRestInTheSlotThatItMilledDoesNotTouchTheWall) {
     }
 }
 
-TEST(IncrementalSurface, ATurningBurLeavesLessThanHalfAVoxelInItsWay) {
+TEST(IncrementalSurface, ATurningBurLeavesLessThanHalfAVoxelOnItsPath) {
     CutTooth patient(fineSphere());
     const auto bur = flatBur(0.5);
     Pose pose = at(0, 0, 0.3);

@@ -163,7 +163,7 @@ TEST(BurFeed, AWornBurCutsInProportionToItsSharpness) {
     EXPECT_NEAR(total(push(worn, 10, 0.5).carve.removed), 0.5 * total(push(sharp, 10).carve.removed), 0.003);
 }
 
-TEST(BurFeed, GoesAllTheWayWhereTheWorkIsEnough) {
+TEST(BurFeed, CutsTheWholePathWhereTheWorkSuffices) {
     CutVolume volume = blockOf(test::kCaries);
     const FeedResult result = push(volume, 1e6);
     EXPECT_EQ(result.fraction, 1);

@@ -10,7 +10,7 @@
 namespace tactooth {
 namespace {
 
-TEST(EglContext, TellsSoftwareFromGraphicsCards) {
+TEST(EglContext, DistinguishesSoftwareFromGraphicsCards) {
     for (const char* const software : {"llvmpipe (LLVM 15.0.6, 256 bits)", "softpipe", "Software Rasterizer"}) {
         EXPECT_TRUE(isSoftwareRenderer(software)) << software;
     }

@@ -79,7 +79,7 @@ TEST_F(GlassTest, OnlyThePartAboveItsHeightTurnsToGlass) {
     EXPECT_EQ(draw(scene).pixels, low.pixels);
 }
 
-TEST_F(GlassTest, AnIdPictureNumbersTheObjectsAndTellsHowMuchLightTheGlassLetsThrough) {
+TEST_F(GlassTest, AnIdPictureHoldsTheObjectsNumbersAndTheTransmissionOfTheGlass) {
     Scene scene = ballUnderPlate();
     const auto ids = renderer().identify(scene, kTestSize, {Vec3(0, 0, 3), 1});
     ASSERT_TRUE(ids) << ids.error().message();

@@ -23,11 +23,10 @@ constexpr double kFalseAlarm = 0.05;
 Expected<LearningTest> testOf(const LearnedOptions& options) {
     const CusumRates rates{options.acceptable, options.unacceptable};
     const std::optional<CusumPlan> cusum = planCusum(rates);
-    if (!cusum)
-        return unexpected(msg::kCusumNotToldApart, numberText(rates.acceptable), numberText(rates.unacceptable));
+    if (!cusum) return unexpected(msg::kRatesNotInOrder, numberText(rates.acceptable), numberText(rates.unacceptable));
     const auto learning = planLearning(options.adequate, options.inadequate, options.trials, kFalseAlarm);
     if (!learning) {
-        return unexpected(msg::kNotToldApart, numberText(options.adequate), numberText(options.inadequate),
+        return unexpected(msg::kRatesTooClose, numberText(options.adequate), numberText(options.inadequate),
                           options.trials, numberText(kFalseAlarm));
     }
     return LearningTest{rates, *cusum, options.adequate, *learning};

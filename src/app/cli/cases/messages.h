@@ -71,15 +71,14 @@ inline constexpr MessageText kNoReportsInFolder{
 inline constexpr MessageText kTrialsExceedPlan{
     "trials_exceed_plan", "%1 has %2 trials, but %3 are planned; give at least so many by --trials.",
     "%1 の結果は %2 回分ありますが、計画は %3 回です。--trials でそれ以上の回数を指定してください。"};
-inline constexpr MessageText kNotToldApart{
-    "not_told_apart",
+inline constexpr MessageText kRatesTooClose{
+    "rates_too_close",
     "rates of %1 and %2 cannot be distinguished within %3 trials with a false alarm of %4; give rates farther apart "
-    "with "
-    "the lower one first, or more trials.",
+    "with the lower one first, or more trials.",
     "%1 と %2 の率は、%3 回では誤警報 %4 で区別できません。低いほうを先にして差の大きい率を指定するか、"
     "回数を増やしてください。"};
-inline constexpr MessageText kCusumNotToldApart{
-    "cusum_not_told_apart",
+inline constexpr MessageText kRatesNotInOrder{
+    "rates_not_in_order",
     "rates of %1 and %2 are not in order; the acceptable one must be less than the unacceptable one.",
     "%1 と %2 の率の順序が逆です。許容できる率は、許容できない率より小さくしてください。"};
 
