@@ -48,7 +48,7 @@ struct CutSurfaces {
     CavityWalls cut, idealCut;
     std::vector<Facet> facets;  ///< of `cut`, in the order of its triangles
     Vec3 middle;                ///< of `cut`, or of `idealCut` if nothing was cut, mm
-    /// Whether the walls look away from the middle, as those of a crown preparation do.
+    /// Whether the walls face away from the middle, as those of a crown preparation do.
     bool isCrown = false;
 };
 
