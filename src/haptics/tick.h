@@ -38,7 +38,7 @@ struct Tick {
     };
     struct Force {
         Wrench wrench;              ///< computed; the force pipeline comes after it
-        Vec3 drive = Vec3::Zero();  ///< the part with which the spinning bur pulls: the drive pays for it
+        Vec3 drive = Vec3::Zero();  ///< the pull of the spinning bur: its energy comes from the drive
         double stiffness = 0;       ///< of the contact spring, N/mm; 0 without contact
         double deflection = 0;      ///< of the contact spring, inwards and against friction, mm
         double tipHold = 0;         ///< what draws an explorer's tip out of soft decay; 0: nothing holds it
@@ -48,7 +48,7 @@ struct Tick {
         double load = 0;          ///< torque on the bur, N*mm
         double removalPower = 0;  ///< tangential force times rim speed, W
         double cutWork = 0;       ///< normal force times rim travel since the start, N*m: what the removal law spends;
-                                  ///< of an excavator, normal force times the way of the hand
+                                  ///< of an excavator, normal force times the path of the hand
     };
     struct Diagnostics {
         std::uint32_t ownListRebuilds = 0;  ///< number of ticks that had to rebuild the neighbour list themselves

@@ -12,11 +12,11 @@ constexpr float kMistWidth = 2.2F;        // a drop of mist stands for a little 
 constexpr float kPowder = 0.6F;           // share of white in the colour of a chip: fine grains scatter light
 constexpr float kPaling = 0.45F;          // share of the water in the colour of a wet chip
 
-/// The way of a particle while a picture is taken, as far as it is drawn.
+/// The path of a particle while a picture is taken, as far as it is drawn.
 Vec3f streakOf(const SprayParticle& source, float longest) {
     constexpr float kExposure = 1.0F / 60;  // s
-    const Vec3f way = kExposure * source.velocity;
-    return way * std::min(1.0F, longest / std::max(way.norm(), 1e-6F));
+    const Vec3f path = kExposure * source.velocity;
+    return path * std::min(1.0F, longest / std::max(path.norm(), 1e-6F));
 }
 
 constexpr float kLongestJet = 2.5F, kLongestMist = 1.6F, kLongestChip = 0.5F;  // mm
