@@ -45,7 +45,7 @@ endfunction()
 # for programs that hold a real-time pace: one of them at a time, and no other test beside it under a sanitizer, which
 # makes their threads too slow for one core. SPARE is for programs that lower their own priority and take a fixed time: one
 # of them after the other from the beginning on, beside all others. Under a sanitizer the long programs are left out, but for
-# those that are SANITIZED.
+# those that are SANITIZED; without TACTOOTH_LONG_TESTS all of them.
 #
 # What a test does itself is little beside what it tests: compiled with less care it takes a quarter less time to compile.
 set(tactooth_test_options $<$<CONFIG:Release>:-O1>)
@@ -68,7 +68,8 @@ function(tactooth_tests)
   if(NOT ARG_LABELS)
     set(ARG_LABELS ${ARG_NAME})
   endif()
-  if("long" IN_LIST ARG_LABELS AND TACTOOTH_SANITIZE AND NOT ARG_SANITIZED)
+  if("long" IN_LIST ARG_LABELS AND (NOT TACTOOTH_LONG_TESTS OR (TACTOOTH_SANITIZE AND NOT ARG_SANITIZED)))
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
 

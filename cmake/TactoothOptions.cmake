@@ -3,6 +3,7 @@
 # Build options and the compiler settings that every target shares (through one interface target).
 
 option(TACTOOTH_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(TACTOOTH_LONG_TESTS "Build and run the tests with the label 'long', too" ON)
 option(TACTOOTH_BENCHMARKS "Build the benchmarks" ${PROJECT_IS_TOP_LEVEL})
 option(TACTOOTH_WERROR "Treat warnings as errors" OFF)
 option(TACTOOTH_LIBRARY_ONLY "Build the layers that know no screen, sound or device (Eigen, TBB and Boost headers only)" OFF)
