@@ -7,7 +7,8 @@
 
 FILES has one line 'TARGET PATH' for each file, those of a target in a row. Prints 'TARGET GROUP PATH' for each. A group
 holds at most LINES lines of code. Two files of a group never disagree about a name: what one of them declares for itself
-(in an anonymous namespace, static, or by a macro), the other does not mention at all.
+(in an anonymous namespace, static, or by a macro), the other does not mention at all, or declares as the same alias of a
+type.
 """
 import re
 import sys
@@ -17,6 +18,7 @@ OPEN_GROUPS = 8  # groups that can still take a file
 # What cmake/check_format.sh keeps: a declaration of a namespace begins at the left margin, its parts do not.
 ANONYMOUS = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", flags=re.M | re.S)
 TEST = re.compile(r"(TEST\w*|TYPED_TEST\w*|INSTANTIATE_\w+|BENCHMARK\w*)\(\s*(\w+)\s*,?\s*(\w*)")
+ALIAS = re.compile(r"^(using (\w+) = [^;\n]*;)$", flags=re.M)
 TYPE = re.compile(r"(?:template .*)?(?:struct|class|enum class|enum|union|using)\s+(\w+)\s*(?:[:;={]|final|$)")
 OTHER = re.compile(r"(\w+)\s*(?:\(|=|\{|\[|;|$)")
 WORD = re.compile(r"\w+")
@@ -26,7 +28,7 @@ def declared_name(line):
     test = TEST.match(line)
     if test:
         return "_".join(test.groups())
-    if re.match(r"using (namespace|\w+::)|namespace|static_assert|INSTANTIATE|template <[^>]*>$", line):
+    if re.match(r"using (namespace|(::)?\w+::)|namespace|static_assert|INSTANTIATE|template <[^>]*>$", line):
         return None  # may be said twice, has its name from a test, or stands in the next line
     kind = TYPE.match(line)
     if kind:
@@ -47,18 +49,37 @@ def own_names(text):
     return names
 
 
+def own_aliases(text):
+    """Name: declaration in one line, of the aliases that the file declares for itself."""
+    blocks = ANONYMOUS.findall(text)
+    return {name: declaration for block in blocks for declaration, name in ALIAS.findall(block)}
+
+
+class File:
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            text = re.sub(r"//(?! namespace$)[^\n]*", "", file.read(), flags=re.M)
+        self.lines, self.mentioned = text.count("\n"), set(WORD.findall(text))
+        self.own, self.aliases = own_names(text), own_aliases(text)
+
+
 class Group:
     def __init__(self, number):
-        self.number, self.lines, self.own, self.mentioned = number, 0, set(), set()
+        self.number, self.lines, self.own, self.mentioned, self.aliases = number, 0, set(), set(), {}
 
-    def takes(self, lines, own, mentioned, limit):
-        fits = self.lines == 0 or self.lines + lines <= limit
-        return fits and not (self.own & mentioned) and not (self.mentioned & own)
+    def takes(self, file, limit):
+        fits = self.lines == 0 or self.lines + file.lines <= limit
+        return fits and not self.disagrees(file)
 
-    def add(self, lines, own, mentioned):
-        self.lines += lines
-        self.own |= own
-        self.mentioned |= mentioned
+    def disagrees(self, file):
+        names = (self.own & file.mentioned) | (self.mentioned & file.own)
+        return any(name not in self.aliases or self.aliases[name] != file.aliases.get(name) for name in names)
+
+    def add(self, file):
+        self.lines += file.lines
+        self.own |= file.own
+        self.mentioned |= file.mentioned
+        self.aliases |= file.aliases
 
 
 def chosen_groups(entries, limit):
@@ -67,15 +88,13 @@ def chosen_groups(entries, limit):
         target, path = entry.split(" ", 1)
         if target != target_before:
             target_before, groups, count = target, [], 0
-        with open(path, encoding="utf-8") as file:
-            text = re.sub(r"//(?! namespace$)[^\n]*", "", file.read(), flags=re.M)
-        lines, own, mentioned = text.count("\n"), own_names(text), set(WORD.findall(text))
-        group = next((g for g in groups if g.takes(lines, own, mentioned, limit)), None)
+        file = File(path)
+        group = next((g for g in groups if g.takes(file, limit)), None)
         if group is None:
             group = Group(count)
             count += 1
             groups = (groups + [group])[-OPEN_GROUPS:]
-        group.add(lines, own, mentioned)
+        group.add(file)
         yield target, group.number, path
 
 

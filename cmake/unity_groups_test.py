@@ -45,6 +45,22 @@ class UnityGroups(unittest.TestCase):
         self.assertEqual(self.groups([own, uses]), [0, 1])
         self.assertEqual(self.groups([uses, own]), [0, 1])
 
+    def test_files_that_give_one_alias_stand_together(self):
+        json, other = (in_anonymous_namespace(f"using Json = {name};") for name in ("one::Json", "other::Json"))
+        uses = in_anonymous_namespace("Json x;")
+        self.assertEqual(self.groups([json, json, json]), [0, 0, 0])
+        self.assertEqual(self.groups([json, other, json, other]), [0, 1, 0, 1])
+        self.assertEqual(self.groups([json, uses]), [0, 1])
+        self.assertEqual(self.groups([uses, json]), [0, 1])
+        self.assertEqual(self.groups([in_anonymous_namespace("struct Json {\n};"), json]), [0, 1])
+        self.assertEqual(self.groups([json, in_anonymous_namespace("struct Json {\n};")]), [0, 1])
+
+    def test_names_of_other_namespaces_may_be_taken_in_twice(self):
+        for name in ("testing::HasSubstr", "::testing::HasSubstr"):
+            text = in_anonymous_namespace(f"using {name};")
+            self.assertEqual(own_names(text), set())
+            self.assertEqual(self.groups([text, text]), [0, 0])
+
     def test_a_comment_mentions_nothing(self):
         own, comment = in_anonymous_namespace("double place() {\n}"), "int x;  // not a place\n"
         self.assertEqual(self.groups([own, comment]), [0, 0])
