@@ -14,6 +14,7 @@
 #include "session/io/material_file.h"
 #include "session/simulation/tooth_file.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/test_data.h"
 #include "tooth/file/remaining_layers.h"
 
@@ -39,7 +40,7 @@ sound_centre = 8200
 sound_level = 1.0
 )";
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 /// A block of enamel with two fillings in its top, side by side: composite on the left, amalgam on the right.
 class NewMaterials : public ::testing::Test {

@@ -8,13 +8,13 @@
 #include "collision/proxy/proxy_solver.h"
 #include "instruments/ten_patches.h"
 #include "instruments/tool_trajectory.h"
+#include "support/servo_tick.h"
 
 // The depth of the proxy under fast motion, tick by tick, compared with the exact depth.
 namespace tactooth::test {
 
 inline constexpr double kExactEnough = 5e-4;                           // mm
 inline constexpr double kTipSpeeds[] = {10, 66, 100, 250, 500, 1000};  // mm/s
-inline constexpr double kTick = 1e-3;                                  // s
 
 /// Errors along a path.
 struct SpeedReport {

@@ -13,13 +13,14 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/bur_shape.h"
 #include "session/scripts/cut_run.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
 constexpr std::uint64_t kGolden = 0xf96fcc1abf2c4b85ULL;
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kVoxel = 0.05;
 constexpr std::uint32_t kCutButton = 2;
 

@@ -12,6 +12,7 @@
 #include "scene.h"
 #include "support/heap_counter.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "tooth/surface/incremental_surface.h"
 
 namespace tactooth {
@@ -20,7 +21,7 @@ namespace {
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
 constexpr int kSteps = 10000;
-constexpr double kTick = 0.001;
+using test::kTick;
 
 Bur roundBur() { return makeBur(*findBur("4")); }
 

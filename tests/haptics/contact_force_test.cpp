@@ -8,6 +8,7 @@
 #include <random>
 
 #include "support/materials.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
@@ -182,7 +183,7 @@ TEST(ContactForce, EqualContactsOnBothSidesDoNotTurnTheTool) {
 }
 
 TEST(ContactForce, ChangesByAtMost50MillinewtonAMillisecondAtABorder) {
-    constexpr double kTick = 0.001;
+    using test::kTick;
     for (const double depth : {0.1, 1.0, 3.0}) {
         for (const double travel : {0.001, 0.01, 0.1}) {
             ContactForce law;

@@ -8,10 +8,12 @@
 #include <numbers>
 #include <vector>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kTurbine = 300'000;  // rev/min
 
 CuttingContact cutting(double normalForce, double speedRpm = kTurbine, const Vec3& normal = Vec3::UnitX()) {

@@ -6,10 +6,12 @@
 
 #include <cmath>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 
 Pose at(const Vec3& position) { return {position, Quat::Identity()}; }
 

@@ -9,11 +9,12 @@
 #include <random>
 
 #include "adversary.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kStep = 0.3;  // N: the largest change of a force in a tick
 constexpr double kRounding = 1e-9;
 const double kNan = std::nan("");

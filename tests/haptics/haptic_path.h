@@ -7,10 +7,9 @@
 #include "collision/contact_oracle.h"
 #include "haptics/haptic_simulation.h"
 #include "instruments/tool_trajectory.h"
+#include "support/servo_tick.h"
 
 namespace tactooth::test {
-
-inline constexpr double kServoTick = 1e-3;  // s
 
 [[nodiscard]] inline HapticSimulation simulationOn(const TriangleMesh& tooth, const TriangleMesh& tool,
                                                    bool closed = true) {
@@ -33,7 +32,7 @@ struct ForceStats {
     ForceStats hapticSurface;
     const std::vector<Pose> path = toolTrajectory(ground, how);
     for (const Pose& hand : path) {
-        const double force = simulation.step({hand, 0, false}, kServoTick).force.wrench.force.norm();
+        const double force = simulation.step({hand, 0, false}, kTick).force.wrench.force.norm();
         hapticSurface.mean += force / static_cast<double>(path.size());
         hapticSurface.peak = std::max(hapticSurface.peak, force);
     }

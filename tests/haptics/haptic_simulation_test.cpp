@@ -13,6 +13,7 @@
 
 #include "scene.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -20,7 +21,7 @@ namespace {
 
 using test::at;
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kRounding = 1e-6;
 const MaterialTable kMaterials;
 

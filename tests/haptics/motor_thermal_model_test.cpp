@@ -8,12 +8,14 @@
 #include <cmath>
 #include <limits>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
 constexpr double kPeak = 3.3;
 constexpr double kContinuous = 0.88;
-constexpr double kTick = 0.001;
+using test::kTick;
 
 TEST(MotorThermalModel, ColdMotorsMayRenderThePeakForce) {
     const MotorThermalModel heat(kPeak, kContinuous);

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kStiffness = 1;  // N/mm
 constexpr double kBound = 100;    // N: never reached
 

@@ -10,10 +10,12 @@
 #include <numbers>
 #include <random>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr int kFaultHoldTicks = 101;  // of valid readings until a device counts as valid again
 const double kNan = std::nan("");
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -17,11 +17,12 @@
 #include "haptics/tool_proxy.h"
 #include "scene.h"
 #include "support/expect_assert.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 const double kNan = std::nan("");
 
 HapticSimulation simulation() { return {test::ball(), test::kBallRadius, test::block(), HapticSettings{}}; }

@@ -21,6 +21,7 @@
 #include "geometry/util/fnv1a.h"
 #include "haptics/haptic_simulation.h"
 #include "haptics/safety_limiter.h"
+#include "support/servo_tick.h"
 
 namespace {
 
@@ -52,8 +53,8 @@ extern "C" int pthread_rwlock_wrlock(pthread_rwlock_t* lock) noexcept {
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 1e-3;  // s
-constexpr int kNoSeccomp = 3;   // exit status
+using test::kTick;
+constexpr int kNoSeccomp = 3;  // exit status
 
 struct Report {
     std::uint64_t hash;

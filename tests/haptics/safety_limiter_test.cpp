@@ -9,11 +9,12 @@
 #include <limits>
 
 #include "adversary.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kNan = std::nan("");
 

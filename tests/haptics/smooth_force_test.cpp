@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTick = test::kServoTick;
+using test::kTick;
 
 /// A part of a ball of 5 mm around its top at the origin: 9 degrees wide, one facet is 0.05 degrees.
 TriangleMesh ballTop(double radius) {

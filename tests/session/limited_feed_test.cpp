@@ -11,6 +11,7 @@
 #include "session/cut_outcome.h"
 #include "session/scripts/cut_run.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -21,8 +22,8 @@ using test::CutOutcome;
 constexpr double kSpeed = 300'000;  // rev/min
 constexpr double kRadius = 0.5;     // mm
 constexpr double kVoxel = 0.025;    // mm
-constexpr double kTick = 1e-3;      // s
-constexpr double kRest = 0.1;       // s at the end
+using test::kTick;
+constexpr double kRest = 0.1;  // s at the end
 
 struct HeldBack {
     std::string name;

@@ -12,12 +12,13 @@
 
 #include "session/scripts/cut_run.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;     // s
+using test::kTick;
 constexpr double kVoxel = 0.05;     // mm
 constexpr double kFeed = 0.5;       // mm/s
 constexpr double kSpeed = 300'000;  // rev/min

@@ -16,6 +16,7 @@
 #include "session/model/session_bur.h"
 #include "session/model/session_tooth.h"
 #include "session/simulation/cut_events.h"
+#include "support/servo_tick.h"
 #include "view/camera/orbit_camera.h"
 
 namespace tactooth {
@@ -23,7 +24,7 @@ namespace {
 
 constexpr ImageSize kPicture{900, 700};
 constexpr double kFrame = 1.0 / 60;  // s
-constexpr double kTick = 0.001;      // s
+using test::kTick;
 
 class ClearHovering : public testing::TestWithParam<int> {};
 

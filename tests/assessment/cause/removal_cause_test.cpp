@@ -15,13 +15,14 @@
 #include "session/recording/session_recorder.h"
 #include "session/track/make_track.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;      // s
+using test::kTick;
 constexpr double kTilt = 0.2;        // rad
 constexpr double kSecondHole = 4.0;  // s
 

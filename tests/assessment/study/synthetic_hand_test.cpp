@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 /// A straight groove along x, 4 mm long and 1 mm deep, in a block with its top at z = 0.
 HandTask groove() {

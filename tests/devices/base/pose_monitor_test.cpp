@@ -8,13 +8,15 @@
 #include <set>
 #include <string>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 TEST(PoseMonitor, AValidPoseIsNoFault) {
     PoseMonitor monitor;

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 RateCommand along(const Vec3& speed) { return {speed, Vec3::Zero()}; }
 

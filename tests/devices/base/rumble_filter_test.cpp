@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 TEST(RumbleFilter, ASteadyForceShakesNothing) {
     RumbleFilter sense;

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <thread>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 constexpr double kFollowRate = 60;  // 1/s
 
 DeviceSample target(double x, double turn = 0) {

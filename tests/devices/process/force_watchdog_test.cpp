@@ -10,10 +10,12 @@
 #include <limits>
 #include <random>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;      // s
+using test::kTick;
 constexpr double kKnowable = 0.005;  // s from the moment a fault can be known to zero force
 const double kNan = std::nan("");
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

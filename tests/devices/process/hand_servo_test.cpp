@@ -10,11 +10,12 @@
 
 #include "haptics/force_pipeline.h"
 #include "support/heap_counter.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 /// A device that the test moves, and that remembers the order of its calls.
 class TestDevice final : public HapticDevice {

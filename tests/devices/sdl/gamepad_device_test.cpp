@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "haptics/force_pipeline.h"
+#include "support/servo_tick.h"
 #include "virtual_pad.h"
 
 namespace tactooth {
@@ -20,7 +21,7 @@ using namespace std::chrono_literals;
 using test::VirtualPad;
 using ::testing::HasSubstr;
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 /// Runs the device at a thousand ticks a second until `done`; false after a minute.
 template <class Done>

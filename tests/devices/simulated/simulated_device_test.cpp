@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/servo_tick.h"
+
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;
+using test::kTick;
 
 DeviceKeyframe moment(double time, double x) { return {time, {{Vec3(x, 0, 0), Quat::Identity()}, 0, 0, true}}; }
 

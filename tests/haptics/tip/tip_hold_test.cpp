@@ -10,14 +10,15 @@
 #include "haptics/haptic_simulation.h"
 #include "haptics/scene.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 
 namespace tactooth {
 namespace {
 
 using test::at;
 
-constexpr double kTick = 0.001;  // s
-constexpr double kSpeed = 5;     // mm/s, of the hand
+using test::kTick;
+constexpr double kSpeed = 5;  // mm/s, of the hand
 constexpr double kGrip = 4, kSinking = 0.15;
 
 HapticSimulation explorerOn(MaterialId tissue) {

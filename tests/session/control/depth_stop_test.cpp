@@ -8,12 +8,13 @@
 #include <limits>
 #include <numbers>
 
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+using test::kTick;
 
 Pose at(double x, double z) { return {Vec3(x, 0, z), Quat::Identity()}; }
 

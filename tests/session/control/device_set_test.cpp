@@ -11,12 +11,13 @@
 
 #include "haptics/haptic_simulation.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;   // s
+using test::kTick;
 constexpr double kMaxStep = 0.3;  // N in a millisecond
 constexpr unsigned kSwap = 1, kCut = 2, kClutch = 4;
 constexpr double kWide = 5;        // mm, half the block

@@ -11,6 +11,7 @@
 #include "session/cut_outcome.h"
 #include "session/scripts/softened_materials.h"
 #include "support/materials.h"
+#include "support/servo_tick.h"
 #include "support/shapes.h"
 
 namespace tactooth {
@@ -22,7 +23,7 @@ constexpr double kSpeed = 300'000;  // rev/min
 constexpr double kRadius = 0.5;     // mm
 constexpr double kFeed = 5;         // mm/s
 constexpr double kSlot = 1;         // mm
-constexpr double kTick = 1e-3;      // s
+using test::kTick;
 
 struct Slot {
     TriangleMesh bur;
