@@ -5,31 +5,13 @@
 #include <QMainWindow>
 #include <optional>
 
-#include "app/gui/controllers/device_controller.h"
-#include "app/gui/controllers/dock_layout.h"
-#include "app/gui/controllers/examination_controller.h"
-#include "app/gui/controllers/exercise_controller.h"
-#include "app/gui/controllers/file_dialogs.h"
-#include "app/gui/controllers/instrument_controller.h"
-#include "app/gui/controllers/key_controller.h"
-#include "app/gui/controllers/manual_controller.h"
-#include "app/gui/controllers/panel_updater.h"
-#include "app/gui/controllers/record_exports.h"
-#include "app/gui/controllers/recording_controller.h"
-#include "app/gui/controllers/restore_controller.h"
-#include "app/gui/controllers/sound_controller.h"
 #include "app/gui/controllers/step_loop.h"
-#include "app/gui/controllers/tooth_controller.h"
-#include "app/gui/controllers/unsaved_work.h"
-#include "app/gui/controllers/window_hints.h"
-#include "app/gui/controllers/window_messages.h"
-#include "app/gui/editor/editor_controller.h"
-#include "app/gui/finish/finish_controller.h"
 #include "app/gui/menus/history_actions.h"
 #include "app/gui/menus/window_menus.h"
 #include "app/gui/model/examination_mode.h"
 #include "app/gui/panels/inspection_panel.h"
-#include "app/gui/replay/replay_controller.h"
+#include "app/gui/window/settings_binding.h"
+#include "app/gui/window/window_parts.h"
 
 namespace tactooth {
 
@@ -43,23 +25,23 @@ public:
     ~MainWindow() override;
 
     [[nodiscard]] SessionModel& model() { return model_; }
-    [[nodiscard]] ToothController& teeth() { return teeth_; }
-    [[nodiscard]] ExerciseController& exercise() { return exercise_; }
-    [[nodiscard]] DeviceController& devices() { return devices_; }
-    [[nodiscard]] SoundController& sounds() { return sounds_; }
-    [[nodiscard]] RecordExports& records() { return records_; }
-    [[nodiscard]] RecordingController& recordings() { return recordings_; }
+    [[nodiscard]] ToothController& teeth() { return work_.teeth; }
+    [[nodiscard]] ExerciseController& exercise() { return work_.exercise; }
+    [[nodiscard]] DeviceController& devices() { return input_.devices; }
+    [[nodiscard]] SoundController& sounds() { return output_.sounds; }
+    [[nodiscard]] RecordExports& records() { return output_.records; }
+    [[nodiscard]] RecordingController& recordings() { return work_.recordings; }
     [[nodiscard]] ExaminationMode& examination() { return examination_; }
-    [[nodiscard]] RestoreController& restorer() { return restorer_; }
-    [[nodiscard]] ReplayController& replay() { return replay_; }
-    [[nodiscard]] FinishController& finish() { return finish_; }
-    [[nodiscard]] EditorController& editor() { return editor_; }
-    [[nodiscard]] WindowMessages& messages() { return messages_; }
-    [[nodiscard]] ManualController& manual() { return manual_; }
+    [[nodiscard]] RestoreController& restorer() { return work_.restorer; }
+    [[nodiscard]] ReplayController& replay() { return tools_.replay; }
+    [[nodiscard]] FinishController& finish() { return tools_.finish; }
+    [[nodiscard]] EditorController& editor() { return tools_.editor; }
+    [[nodiscard]] WindowMessages& messages() { return frame_.messages; }
+    [[nodiscard]] ManualController& manual() { return help_.manual; }
     [[nodiscard]] const StepLoop& loop() const { return loop_; }
     /// A tooth, a bur or the instruments are being made.
     [[nodiscard]] bool isBusy() const {
-        return teeth_.isBusy() || model_.instruments().isBusy() || model_.isPreparing();
+        return work_.teeth.isBusy() || model_.instruments().isBusy() || model_.isPreparing();
     }
     /// Shows three ways to begin.
     void welcome() { menus_.welcome(); }
@@ -122,30 +104,16 @@ private:
 
     SessionModel model_;
     ExaminationMode examination_;
-    WindowPanels panels_;
-    WindowMessages messages_;
-    FileDialogs files_;
-    DockLayout docks_;
-    UnsavedWork unsaved_;
-    ToothController teeth_;
-    ExerciseController exercise_;
-    RecordingController recordings_;
-    ExaminationController examinations_;
-    RestoreController restorer_;
-    DeviceController devices_;
-    InstrumentController instruments_;
-    KeyController keys_;
-    ManualController manual_;
-    WindowHints hints_;
-    SoundController sounds_;
-    RecordExports records_;
+    WindowFrame frame_;
+    WorkControllers work_;
+    InputControllers input_;
+    HelpControllers help_;
+    OutputControllers output_;
     WindowMenus menus_;
     HistoryActions history_;
-    PanelUpdater updater_;
     StepLoop loop_;
-    ReplayController replay_;
-    FinishController finish_;
-    EditorController editor_;
+    WorkTools tools_;
+    SettingsBinding settings_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
     bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet
