@@ -20,7 +20,6 @@ constexpr double kLayer = 0.75;    // of a bur's head: how far apart two depths 
 constexpr double kMargin = 0.1;    // mm that the bur goes beyond the body: no column is narrower than its pitch
 constexpr double kLedge = 1.2;     // mm: a lower ledge over a flat floor is cut, too, so that the walls are even
 constexpr double kSkin = 1e-3;     // mm below a surface: there a ray does not meet it again
-constexpr double kFarAway = 60;    // mm
 constexpr double kNowhere = -1e9;  // mm: the height of a column beside the body
 
 /// A body as columns along the direction of the shaft: for each column, how deep the tip goes.

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "collision/contact_checks.h"
 #include "collision/proxy/proxy_fixture.h"
+#include "geometry/util/degree.h"
 #include "support/heap_counter.h"
 #include "support/shapes.h"
 
@@ -15,8 +15,6 @@ namespace tactooth {
 namespace {
 
 using test::settle;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 ProxySolver rotatingProxy(const TriangleMesh& tool, const TriangleMesh& tooth) {
     ProxySolver solver(test::toolOf(tool), Freedom::TranslationAndRotation);

@@ -4,14 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "geometry/util/degree.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 const TriangleMesh& molar() {
     static const TriangleMesh mesh = makeTooth({.fdi = 36, .triangles = 4000, .seed = 0, .lesion = {}}).outer;

@@ -3,14 +3,13 @@
 #include "assessment/crown/axial_walls.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "assessment/crown/finish_profile.h"
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kSides = 0.6, kBuccal = 0.9;  // sine of the angle round the axis: there the buccal wall begins, is all
 
 }  // namespace
@@ -18,8 +17,8 @@ constexpr double kSides = 0.6, kBuccal = 0.9;  // sine of the angle round the ax
 AxialWalls::AxialWalls(const CrownOutline& crown, const FinishLine& line)
     : width_(crown.width),
       tipRadius_(crown.tipRadius),
-      taper_(crown.taper * kRadians),
-      buccalTaper_(crown.buccalTaper * kRadians),
+      taper_(crown.taper * kDegree),
+      buccalTaper_(crown.buccalTaper * kDegree),
       axis_(line.axis()),
       aside_(line.aside()),
       middle_(line.middle()) {}

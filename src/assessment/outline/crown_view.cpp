@@ -10,7 +10,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kContact = 0.15;  // mm: what is so near to the farthest point is the contact area
-constexpr double kFarAway = 60;    // mm
 
 }  // namespace
 

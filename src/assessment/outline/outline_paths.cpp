@@ -23,7 +23,6 @@ constexpr double kLayer = 0.75;     // of a bur's head: how far apart two depths
 constexpr double kWallStep = 0.15;  // mm of depth between two passes along a wall that leans
 constexpr double kGap = 2.5;        // times kStep: what is farther apart is no line
 constexpr double kRounding = 1e-6;  // mm
-constexpr double kFarAway = 60;     // mm
 constexpr double kArc = 0.2;        // rad between two places around a corner
 
 /// Square to the edge from a to b, into an outline that runs counter-clockwise; unit.

@@ -13,7 +13,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kCorner = 1.2;     // mm between two corners along the fissure: few enough to be moved by hand
-constexpr double kFarAway = 60;     // mm
 constexpr double kHalfNeck = 0.25;  // of the crown's width: half of the length of an outline at the neck
 constexpr double kLower = 0.9, kUpper = 2.9;           // mm over the cervical line, in the middle of the outline
 constexpr double kLowerBend = 0.35, kUpperBend = 0.1;  // mm by which it rises toward its ends, as the gum does

@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "assessment/messages.h"
+#include "geometry/util/degree.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 const double kFloorCosine = std::cos(30 * kDegree);  // a floor faces the axis within 30 degrees
 const double kWallCosine = std::sin(45 * kDegree);   // a wall is nearer to the axis than to its normal plane
 constexpr double kAxialCosine = 0.5;                 // of a crown preparation: steeper than a cusp's bevel

@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "assessment/messages.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/parallel_for.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
-const double kFacingAway = -std::sin(std::numbers::pi / 180);  // cosine: a degree is more than the noise of a cut
+const double kFacingAway = -std::sin(kDegree);  // cosine: a degree is more than the noise of a cut
 constexpr double kLift = 0.01;        // mm: start of a ray off the surface, so that it does not meet its own triangle
 constexpr double kStep = 0.05;        // mm: of the search for the end of an overhang
 constexpr double kDeepest = 3;        // mm: more than any wall hangs over
@@ -56,13 +56,12 @@ private:
 /// The directions within 10 degrees of the axis, on a grid of one degree.
 std::vector<Vec3> directionsAround(const Vec3& axis) {
     constexpr int kMostTilt = 10;  // degrees
-    constexpr double kRadian = std::numbers::pi / 180;
     const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
     std::vector<Vec3> directions;
     for (int i = -kMostTilt; i <= kMostTilt; ++i) {
         for (int j = -kMostTilt; j <= kMostTilt; ++j) {
-            const double tilt = std::hypot(i, j) * kRadian;
-            if (tilt > kMostTilt * kRadian + 1e-9 || tilt == 0) continue;
+            const double tilt = std::hypot(i, j) * kDegree;
+            if (tilt > kMostTilt * kDegree + 1e-9 || tilt == 0) continue;
             const Vec3 aside = (i * u + j * v).normalized();
             directions.emplace_back(std::cos(tilt) * axis + std::sin(tilt) * aside);
         }

@@ -17,7 +17,6 @@ namespace {
 constexpr double kVoxel = 0.05;  // mm, as for a student's tooth
 constexpr double kTick = 0.001;  // s
 constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 ms
-constexpr double kFarAway = 60;  // mm
 
 Expected<Instrument> instrumentOf(const Exercise& exercise) {
     const auto* number = std::get_if<std::string>(&exercise.bur);

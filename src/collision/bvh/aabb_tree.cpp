@@ -10,6 +10,7 @@
 
 #include "collision/bvh/binned_sah.h"
 #include "collision/bvh/hilbert_order.h"
+#include "collision/narrow/round_up.h"
 #include "geometry/util/assert.h"
 #include "geometry/util/parallel_for.h"
 
@@ -127,7 +128,6 @@ void fillLeaf(AabbTree::Leaf& leaf, const TriangleMesh& mesh, std::span<const Tr
 }
 
 constexpr std::uint32_t kMaxLeavesOfDisc = 512;  // a larger sub-tree is not flat
-constexpr float kRoundUp = 1.00001F;             // of a length: more than single precision may lose
 
 /// The mean normal of leaves: the direction of the sum of their triangles' area vectors. A nearly flat surface is
 /// thinnest along it. Zero if there is none.

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "collision/narrow/round_up.h"
 #include "collision/narrow/simd8.h"
 #include "geometry/util/pose.h"
 
@@ -25,7 +26,6 @@ constexpr int kAround = 5;  // directions along the edge of a cube
 constexpr double kTooSimilar[] = {0.9962, 0.9903, 0.9781};
 constexpr std::size_t kMaxPlanes = 512;
 constexpr std::size_t kMaxFaces = 4096;  // the largest of a tool that has more
-constexpr float kRoundUp = 1.00001F;     // of a length: more than single precision may lose
 
 /// Inward normals of the triangles, that of the largest triangle first.
 std::vector<Vec3> acrossFaces(const TriangleMesh& mesh) {

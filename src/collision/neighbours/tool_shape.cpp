@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "collision/narrow/round_up.h"
+
 namespace tactooth {
 namespace {
-
-constexpr float kRoundUp = 1.00001F;  // of a length: more than single precision may lose
 
 ToolShape::Ball ballOf(const std::array<Vec3f, 3>& corners) {
     const Vec3f centre = (corners[0] + corners[1] + corners[2]) / 3;

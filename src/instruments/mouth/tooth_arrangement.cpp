@@ -8,19 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <utility>
 
 #include "collision/bvh/closest_point.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/parallel_for.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Inclination of a tooth in the arch: degrees, mm.
 struct ToothInclination {

@@ -9,6 +9,7 @@
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/assert.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/pose.h"
 #include "session/control/surface_ray.h"
 
@@ -20,7 +21,6 @@ constexpr double kLeastFacing = 0.1;  // cosine: the rays hardly meet what is st
 constexpr int kRounds = 2;            // the second one looks along the mean normal of the first
 constexpr double kFloor = 60;         // degrees: what leans more from the axis is no wall
 constexpr double kOpposite = 135;     // degrees between walls, seen along the axis: those of a rounded box are 180
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The sum of area times normal, as rays along -`axis` meet the surface.
 Vec3 areaSum(const Surface& surface, const Vec3& point, const Vec3& axis, double radius) {

@@ -9,6 +9,9 @@
 
 namespace tactooth {
 
+/// Outside any tooth whose frame's origin lies in it, mm: where a ray toward its surface begins.
+inline constexpr double kFarAway = 60;
+
 /// Distance along `ray` (mm) to the first triangle of `surface` that it meets, from either side; none if it meets no
 /// triangle.
 [[nodiscard]] std::optional<double> firstHit(const Surface& surface, const Ray& ray);

@@ -6,12 +6,11 @@
 #include <numbers>
 
 #include "geometry/util/assert.h"
+#include "geometry/util/degree.h"
 #include "instruments/builtin_tooth.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// One row for each part of the mouth.
 struct Row {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/util/degree.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 // The places on the shaft that are to be seen, mm above the tip: a bur's head, and where it meets the tooth.
 constexpr std::array kHeights = {0.2, 0.7, 1.2, 2.0, 3.0};
 constexpr std::array kDistances = {11.0, 9.0, 13.0, 16.0};  // mm from tip to glass: as it is held, first choice first

@@ -5,15 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
 
 using Vec2d = Eigen::Vector2d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 TEST(FinishProfile, OfAFlatBurIsAFloorAndAWall) {
     const FinishProfile shoulder(1, 6 * kDegree, 0);

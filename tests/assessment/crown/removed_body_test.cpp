@@ -5,13 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
+
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// What lies over the plane through the origin with this normal.
 RemovedBody::Depth over(const Vec3& normal, const Vec3& place) { return {normal.dot(place), normal}; }

@@ -11,12 +11,11 @@
 #include "assessment/outline/outline_templates.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
+#include "geometry/util/degree.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A block of enamel, 10 mm wide, with its top at z = 5.
 std::shared_ptr<const LayeredTooth> block() {

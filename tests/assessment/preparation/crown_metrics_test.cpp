@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "assessment/preparation/prepared_blocks.h"
+#include "geometry/util/degree.h"
 #include "support/shapes.h"
 
 // Stumps of known taper, room and height.
@@ -16,7 +16,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLength = 0.02, kAngle = 0.5;  // what has to be reached: mm, degrees
 
 const TriangleMesh kCavity = blockWithBox(-2, 2, -1.5, 1.5, 3);

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "assessment/preparation/prepared_blocks.h"
 #include "geometry/mesh/subdivide.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/parallel_for.h"
 #include "support/shapes.h"
 
@@ -19,7 +19,6 @@ namespace {
 
 using namespace test;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLength = 0.02, kAngle = 0.5, kShare = 0.01;  // what has to be reached: mm, degrees, of a volume
 
 const TriangleMesh kIdeal = blockWithBox(-2, 2, -1.5, 1.5, 3);  // 4 x 3 mm, 2 mm deep

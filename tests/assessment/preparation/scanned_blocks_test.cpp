@@ -5,18 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "assessment/preparation/prepared_blocks.h"
 #include "geometry/mesh/subdivide.h"
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
 
 using namespace test;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kLength = 0.05, kAngle = 1, kShare = 0.02;  // what has to be reached: mm, degrees, of a volume
 constexpr double kNoise = 0.013;                             // mm
 constexpr int kLevels = 5;                                   // 1,024 triangles for each: edges of 0.1 to 0.3 mm

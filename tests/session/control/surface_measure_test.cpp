@@ -6,16 +6,14 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "geometry/util/degree.h"
 #include "support/materials.h"
 #include "support/shapes.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Surface surfaceOf(TriangleMesh mesh) {
     Surface surface;

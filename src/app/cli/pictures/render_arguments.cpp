@@ -6,17 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "app/cli/terminal/messages.h"
 #include "app/common/inspection.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMaxPixels = 4096.0 * 4096;  // of a picture: about 50 bytes each while it is drawn
 constexpr double kMaxTurn = 3600;             // degrees
 constexpr double kFarthest = 1000;            // mm from the tooth

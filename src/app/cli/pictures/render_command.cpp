@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/pictures/render_command.h"
 
-#include <numbers>
-
 #include "app/cli/pictures/render_arguments.h"
 #include "app/cli/pictures/render_mouth.h"
 #include "app/cli/terminal/messages.h"
@@ -19,6 +17,7 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
+#include "geometry/util/degree.h"
 #include "geometry/util/number_text.h"
 #include "instruments/mirror.h"
 #include "session/io/material_file.h"
@@ -28,7 +27,6 @@
 namespace tactooth {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kEyesPerFocus = 1.0 / 30;  // eye separation as a share of the focus distance: easy to fuse
 
 Expected<SessionTooth> toothOf(const RenderOptions& options, const MaterialRegistry& materials) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string_view>
 
 #include "app/cli/pictures/render_arguments.h"
@@ -12,12 +11,11 @@
 #include "app/cli/terminal/output.h"
 #include "app/common/mouth_scene.h"
 #include "geometry/files/file_bytes.h"
+#include "geometry/util/degree.h"
 #include "view/render/offscreen.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The shown part of a mouth and the side it is seen from.
 struct MouthView {

@@ -8,12 +8,11 @@
 #include <numbers>
 #include <vector>
 
+#include "geometry/util/degree.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 bool isSeen(const Obstacles& obstacles, const Pose& tool, const Vec3& place, const Vec3& toEye) {
     if (firstHit(obstacles.tooth, {place, toEye})) return false;

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kStep = 0.2;      // mm between two places: no step is seen
 constexpr double kLift = 0.02;     // mm above the surface
-constexpr double kFarAway = 60;    // mm
 constexpr double kNotThere = 3.0;  // mm from the straight line: that is another side of the tooth
 
 }  // namespace

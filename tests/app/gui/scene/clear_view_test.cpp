@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "geometry/util/degree.h"
 #include "instruments/builtin_tooth.h"
 #include "instruments/contra_angle.h"
 #include "instruments/turbine.h"
@@ -14,8 +15,6 @@
 
 namespace tactooth {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Surface surfaceOf(TriangleMesh mesh) {
     Surface surface;
