@@ -85,6 +85,7 @@ class Sizes(CheckTest):
         self.assertEqual(self.offences(sizes.folder_offences, files("tests/image/baselines", 41)), [])
         self.expect_one(sizes.folder_offences, files("tests/low", 41), "tests/low: 41 files")
         self.expect_one(sizes.folder_offences, files("src", 41), "src: 41 files")
+        self.expect_one(sizes.folder_offences, files("data/icons", 41), "data/icons: 41 files")
 
     def test_files(self):
         self.assertEqual(self.offences(sizes.file_offences, {"src/low/a/x.cpp": "\n" * 500}), [])
