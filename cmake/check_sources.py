@@ -9,12 +9,12 @@ The rules are in the folder checks beside this file: one module a topic, and tes
 import sys
 from pathlib import Path
 
-from checks import assert_density, house_rules, include_direction, retired_phrases, retired_words, sizes
+from checks import assert_density, fixed_waits, house_rules, include_direction, retired_phrases, retired_words, sizes
 from checks.source_tree import SourceTree
 
 WANTED_LENGTH = 300  # lines of a file
 CHECKS = (house_rules.check, sizes.folder_offences, sizes.file_offences, sizes.function_offences,
-          include_direction.check, assert_density.check, retired_words.check, retired_phrases.check)
+          include_direction.check, assert_density.check, fixed_waits.check, retired_words.check, retired_phrases.check)
 
 
 def main():

@@ -8,7 +8,8 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from checks import assert_density, commit_subjects, house_rules, include_direction, retired_phrases, retired_words, sizes
+from checks import (assert_density, commit_subjects, fixed_waits, house_rules, include_direction, retired_phrases,
+                    retired_words, sizes)
 from checks.source_tree import SourceTree
 
 HEAD = "// SPDX-FileCopyrightText: 2026 The Tactooth authors\n// SPDX-License-Identifier: Apache-2.0\n"
@@ -56,7 +57,7 @@ class CheckTest(unittest.TestCase):
 class CleanTree(CheckTest):
     def test_a_clean_tree_passes(self):
         for check in (house_rules.check, sizes.folder_offences, sizes.file_offences, sizes.function_offences,
-                      include_direction.check, assert_density.check, retired_words.check,
+                      include_direction.check, assert_density.check, fixed_waits.check, retired_words.check,
                       retired_phrases.check):
             self.assertEqual(self.offences(check), [], check)
 
@@ -150,6 +151,20 @@ class AssertDensity(CheckTest):
         self.assertEqual(self.offences(lambda t: assert_density.check(t, wanted), changes), [])
         wanted["src/tooth"] = 11
         self.expect_one(lambda t: assert_density.check(t, wanted), changes, "src/tooth: 10.0 asserts per 1,000 lines")
+
+
+class FixedWaits(CheckTest):
+    def test_adds_up_what_the_tests_of_the_window_wait(self):
+        def waits(folder, last):
+            lines = ["QTest::qWait(2'000);", "QThread::msleep(500);", "std::this_thread::sleep_for(1s);", "// qWait(9000)",
+                     "std::this_thread::sleep_for(std::chrono::milliseconds(500));", "QTest::qWaitFor(isThere, 9000);",
+                     f"std::this_thread::sleep_for({last});"]
+            return {f"{folder}/x.cpp": GPL_HEAD + "\n".join(lines) + "\n"}
+
+        self.assertEqual(self.offences(fixed_waits.check, waits("tests/app", "std::chrono::seconds(1)")), [])
+        self.assertEqual(self.offences(fixed_waits.check, waits("tests/low", "std::chrono::seconds(2)")), [])
+        self.expect_one(fixed_waits.check, waits("tests/app", "1001ms"),
+                        "tests/app/: fixed waits of 5.001 s, more than 5; the longest, tests/app/x.cpp:3, is 2 s")
 
 
 class RetiredWords(CheckTest):
