@@ -49,6 +49,28 @@ TEST(TickSound, TakesTheCharacterOfTheMaterialThatHoldsTheTool) {
     EXPECT_NE(heard.bandCentreHz, soundCharacterOf("enamel").bandCentreHz);
 }
 
+TEST(TickSound, TheSoundLayerKnowsTheBuiltinMaterialsAsTheTableHasThem) {
+    int known = 0;
+    for (const MaterialId id : builtinMaterials().ids()) {
+        const auto character = findSoundCharacter(builtinMaterials().nameOf(id));
+        if (!character) continue;
+        ++known;
+        SCOPED_TRACE(builtinMaterials().nameOf(id));
+        Tick tick = cuttingTick();
+        tick.contact.material = id;
+        const SoundCharacter heard = soundOf(tick, spindlePresets().front()).material;
+        EXPECT_EQ(heard.kind, character->kind);
+        EXPECT_EQ(heard.bandCentreHz, character->bandCentreHz);
+        EXPECT_EQ(heard.bandOctaves, character->bandOctaves);
+        EXPECT_EQ(heard.level, character->level);
+        EXPECT_EQ(heard.graininess, character->graininess);
+        EXPECT_EQ(heard.tapHz, character->tapHz);
+        EXPECT_EQ(heard.tapDecay, character->tapDecay);
+        EXPECT_EQ(heard.tapBrightness, character->tapBrightness);
+    }
+    EXPECT_GE(known, 6);
+}
+
 TEST(TickSound, BandAndLevelAreThoseOfTheTableOfMaterials) {
     MaterialTable materials;
     materials[test::kCaries].soundCentre = 1234;
