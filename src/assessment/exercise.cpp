@@ -18,13 +18,14 @@
 #include "session/cases/custom_bur.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/simulation/cut_model.h"
+#include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_cache.h"
 #include "session/simulation/tooth_in_mouth.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;    // mm, as for the student's tooth
+constexpr double kVoxel = kSessionVoxel;
 constexpr double kClear = 20.0;    // mm: start of the bur above the tooth
 constexpr double kNextPath = 1.0;  // mm: to a path that begins so near, the bur goes without leaving the tooth
 constexpr double kNear = 1e-4;     // mm: distance at which the surface is reached

@@ -12,6 +12,7 @@
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
 #include "geometry/util/parallel_for.h"
+#include "haptics/tool_proxy.h"
 #include "instruments/bur_shape.h"
 #include "instruments/tool_trajectory.h"
 #include "session/scripts/cut_run.h"
@@ -20,7 +21,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 1e-3;            // s
+constexpr double kTick = ToolProxy::kTick;
 constexpr double kRimSpeed = 300'000;     // rev/min: an air turbine that cuts
 constexpr double kTurn = 20;              // degrees/s that the hand turns the bur, to and fro
 constexpr double kMaxTurn = 5;            // degrees: a hand that mills a slot

@@ -8,6 +8,7 @@
 #include "experiments/published.h"
 #include "experiments/touch_simulation.h"
 #include "geometry/util/number_text.h"
+#include "haptics/tool_proxy.h"
 
 namespace tactooth {
 namespace {
@@ -35,8 +36,8 @@ struct Noticed {
 
 /// Moves the hand further in, against the force, step by step.
 Noticed moveFurther(HapticSimulation simulation, Pose device, double step) {
-    constexpr double kTick = 1e-3;  // s
-    constexpr int kSettle = 10;     // ticks in which the hand stands still
+    constexpr double kTick = ToolProxy::kTick;
+    constexpr int kSettle = 10;  // ticks in which the hand stands still
     Tick before;
     for (int i = 0; i < kSettle; ++i) before = simulation.step({device, 0, false}, kTick);
     const double start = before.contact.depth;

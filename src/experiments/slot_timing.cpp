@@ -9,6 +9,7 @@
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
 #include "geometry/util/assert.h"
+#include "haptics/tool_proxy.h"
 #include "instruments/bur_shape.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/tool_trajectory.h"
@@ -18,7 +19,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 1e-3;         // s
+constexpr double kTick = ToolProxy::kTick;
 constexpr double kRimSpeed = 300'000;  // rev/min
 constexpr double kSoftened = 1000;     // times the materials' own removal: the bur keeps up with the hand
 constexpr double kSlotLength = 3;      // mm

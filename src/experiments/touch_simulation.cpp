@@ -6,12 +6,13 @@
 
 #include "experiments/quantile.h"
 #include "experiments/thread_clock.h"
+#include "haptics/tool_proxy.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kBurRadius = 0.7;  // mm, of the standard bur
-constexpr double kTick = 1e-3;      // s
+constexpr double kTick = ToolProxy::kTick;
 
 }  // namespace
 

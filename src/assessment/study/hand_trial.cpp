@@ -7,15 +7,16 @@
 #include "assessment/study/messages.h"
 #include "geometry/util/number_text.h"
 #include "haptics/force_pipeline.h"
+#include "haptics/tool_proxy.h"
 #include "session/control/surface_ray.h"
 #include "session/model/session_bur.h"
+#include "session/simulation/session_voxel.h"
 #include "session/track/track_tick.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;  // mm, as for a student's tooth
-constexpr double kTick = 0.001;  // s
+constexpr double kTick = ToolProxy::kTick;
 constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 ms
 
 Expected<Instrument> instrumentOf(const Exercise& exercise) {
@@ -57,7 +58,7 @@ Expected<StudyScene> studyScene(const Exercise& exercise, Preparation preparatio
 }
 
 std::shared_ptr<CutModel> uncutModel(const StudyScene& scene) {
-    return std::make_shared<CutModel>(scene.preparation.tooth, kVoxel);
+    return std::make_shared<CutModel>(scene.preparation.tooth, kSessionVoxel);
 }
 
 HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& model, const HandHabits& habits,

@@ -4,14 +4,10 @@
 
 #include "geometry/util/messages.h"
 #include "session/cases/loaded_tooth.h"
+#include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_cache.h"
 
 namespace tactooth {
-namespace {
-
-constexpr double kVoxel = 0.05;  // mm: a twentieth of a small bur's width; cut faces are finer
-
-}  // namespace
 
 Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
                                         const std::string& suffix) {
@@ -20,7 +16,7 @@ Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     return SessionTooth{name,
-                        std::make_shared<CutModel>(std::move(shared), kVoxel),
+                        std::make_shared<CutModel>(std::move(shared), kSessionVoxel),
                         mesialX(made.fdi),
                         {{"tooth", "built in: " + made.name + suffix}}};
 }
@@ -42,10 +38,11 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::fun
         made->tooth = cache.make({mouth.fdi, request.triangles, request.seed, mouth.lesion, mouth.filling});
     Expected<LayeredTooth> layered = layeredTooth(*made);
     if (!layered) return Unexpected{layered.error()};
-    SessionTooth tooth{std::to_string(made->tooth.fdi),  // a number needs no translation
-                       std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*layered)), kVoxel),
-                       mesialX(made->tooth.fdi),
-                       {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
+    SessionTooth tooth{
+        std::to_string(made->tooth.fdi),  // a number needs no translation
+        std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*layered)), kSessionVoxel),
+        mesialX(made->tooth.fdi),
+        {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
     tooth.workBox = tooth.piece->tooth().ownBox();
     tooth.around = made->around;
     tooth.mouthTooth = made->tooth.fdi;
@@ -65,7 +62,7 @@ Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {
 }
 
 Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn) {
-    Expected<LoadedModel> work = loadModelOrCase(source, workOn, std::nullopt, kVoxel);
+    Expected<LoadedModel> work = loadModelOrCase(source, workOn, std::nullopt, kSessionVoxel);
     if (!work) return Unexpected{work.error()};
     ToothPlacement& place = work->place;
     SessionTooth tooth{
@@ -94,7 +91,8 @@ Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan) {
     Expected<LayeredTooth> layered = LayeredTooth::make(scan.outer, scan.layers, {}, {}, *scan.materials);
     if (!layered) return unexpected(msg::kNamed, scan.name, layered.error());
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    SessionTooth tooth{scan.name, std::make_shared<CutModel>(std::move(shared), kVoxel), 1, {{"tooth", scan.name}}};
+    SessionTooth tooth{
+        scan.name, std::make_shared<CutModel>(std::move(shared), kSessionVoxel), 1, {{"tooth", scan.name}}};
     for (const ImportNote& importNote : scan.importNotes) tooth.provenance.emplace_back("assumed", inWords(importNote));
     return tooth;
 }

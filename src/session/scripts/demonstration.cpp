@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "haptics/force_pipeline.h"
+#include "haptics/tool_proxy.h"
 #include "session/audio/tick_sound.h"
 #include "session/scripts/cut_run.h"
 #include "session/scripts/scripted_operator.h"
@@ -12,7 +13,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kTick = 0.001;  // s
+constexpr double kTick = ToolProxy::kTick;
 constexpr int kTicksPerCut = 5;  // the haptic surface follows the cut within 5 ms
 constexpr std::size_t kTouchPhases = 2;
 

@@ -13,12 +13,12 @@
 #include "instruments/bur_shape.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
+#include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
 namespace {
 
-constexpr double kVoxel = 0.05;            // mm, as in the window
 constexpr double kStep = 0.1;              // mm per frame: 3 mm/s at 30 frames a second
 constexpr double kPictureTime = 1.0 / 30;  // s
 constexpr int kBefore = 2;                 // frames that are not measured (FrameTimer)
@@ -75,7 +75,7 @@ Expected<DrillingScene> DrillingScene::make(std::shared_ptr<const LayeredTooth> 
     const Pose held = parkedMirror(box, toEye, 1);
     work.contents_.mirror =
         ShownMirror{std::make_shared<const TriangleMesh>(std::move(mirror.surface)), mirror.disc, held};
-    CutModel piece(work.tooth_, kVoxel);
+    CutModel piece(work.tooth_, kSessionVoxel);
     work.play(piece, *tool, pictures + kBefore);
     return work;
 }

@@ -28,6 +28,7 @@
 #include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
+#include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_cache.h"
 #include "session/simulation/tooth_in_mouth.h"
 #include "session/simulation/tooth_source.h"
@@ -38,7 +39,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kVoxel = 0.05;             // mm
 constexpr int kPictureBurTriangles = 5000;  // the blades then appear ground
 constexpr const char* kRecording = "session.ttsession";
 constexpr const char* kDefaultBur = "57";  // straight fissure, 1.0 mm: can leave its cavity along its path of entry
@@ -198,7 +198,7 @@ int runDemo(const DemoOptions& options) {
     cast.props.box = cast.box;
 
     print("tooth: {}\nbur:   {}\n", cast.toothName, cast.burName);
-    const auto model = std::make_shared<CutModel>(cast.tooth, kVoxel);
+    const auto model = std::make_shared<CutModel>(cast.tooth, kSessionVoxel);
     CutModel& piece = *model;
     piece.surroundBy(cast.surroundings);
     if (const auto begun = recording.begin(piece, cast.toothName); !begun) return reportError(begun.error());

@@ -22,6 +22,7 @@
 #include "session/io/run_metadata.h"
 #include "session/live/live_runner.h"
 #include "session/live/live_stream.h"
+#include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -29,7 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kVoxel = 0.05;       // mm
 constexpr double kStroke = 1.0;       // mm to each side
 constexpr double kStrokeTime = 0.25;  // s
 constexpr double kSink = 1.5;         // mm by which the hand aims below the surface: about 1 N
@@ -176,7 +176,8 @@ int runRealtime(const RealtimeOptions& options) {
     const TriangleMesh bur = makeBur(spec).surface;
     auto cutting = makeCuttingTool(bur, spec.sharpness);
     if (!cutting) return reportError(cutting.error());
-    const auto piece = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kVoxel);
+    const auto piece =
+        std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), kSessionVoxel);
     SimulatedDevice hand(*findDevicePreset("touch-x"), *findHandImpedance("nominal"),
                          strokes(boundingBox(molar.outer), options.seconds + 1));
     const bool locked = lockMemory();
