@@ -74,11 +74,12 @@ function(tactooth_tests)
   endif()
 
   set(company)
-  if("long" IN_LIST ARG_LABELS OR ARG_SHARDS)  # before the others, which fill the gaps that these leave
-    set(company COST 100)
-  endif()
   if(ARG_SPARE)
     set(company COST 2000 RESOURCE_LOCK spare_time)
+  elseif(ARG_PACED)  # a row of tests that mostly wait: the last one would have the processors for itself
+    set(company COST 500)
+  elseif("long" IN_LIST ARG_LABELS OR ARG_SHARDS)  # before the others, which fill the gaps that these leave
+    set(company COST 100)
   endif()
   if(ARG_PACED AND TACTOOTH_SANITIZE)
     list(APPEND company RUN_SERIAL TRUE)
