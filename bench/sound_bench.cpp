@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "session/audio/material_sound.h"
 #include "sound/files/sound_format.h"
 #include "sound/voices/soundscape.h"
 
@@ -51,7 +52,7 @@ int main() {
     cutting.pedal = 1.0;
     cutting.load = 0.25;
     cutting.removalPower = 10.0;
-    cutting.material = soundCharacterOf("enamel");
+    cutting.material = characterOf(MaterialTable(), builtinMaterials().withRole(MaterialRole::Enamel));
     std::puts("scene,p50_us,p99_us,max_us,core_percent,peak");
     measure("standstill", still);
     measure("coasting", coasting);

@@ -16,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "session/audio/material_sound.h"
 #include "sound/files/sound_format.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/openal_output.h"
@@ -64,7 +65,7 @@ void run(std::vector<double>& measured, std::vector<double>& reported) {
     std::thread([] { onsetDetector.listen(); }).detach();  // reads until the input ends
     OpenAlOutput output;
     DrillSoundState state;
-    state.material = soundCharacterOf("enamel");
+    state.material = characterOf(MaterialTable(), builtinMaterials().withRole(MaterialRole::Enamel));
     state.contactSpeed = 100.0;
     const auto publishFor = [&](Clock::duration time) {
         for (const auto end = Clock::now() + time; Clock::now() < end; std::this_thread::sleep_for(1ms))

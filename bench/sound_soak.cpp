@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -23,6 +24,7 @@
 
 #include "haptics/cpu_latency_request.h"
 #include "haptics/real_time.h"
+#include "session/audio/material_sound.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/openal_output.h"
 
@@ -49,14 +51,20 @@ double processorTime(std::jthread& thread) {
 }
 
 DrillSoundState cuttingAt(double time) {
-    static const SoundCharacter materials[] = {soundCharacterOf("enamel"), soundCharacterOf("dentin"),
-                                               soundCharacterOf("caries")};
+    static const auto materials = [] {
+        constexpr std::array kRoles = {MaterialRole::Enamel, MaterialRole::Dentin, MaterialRole::Decay};
+        std::array<SoundCharacter, kRoles.size()> sounds;
+        std::ranges::transform(kRoles, sounds.begin(), [](MaterialRole role) {
+            return characterOf(MaterialTable(), builtinMaterials().withRole(role));
+        });
+        return sounds;
+    }();
     DrillSoundState state;
     state.speedRpm = 300000.0 + 60000.0 * std::sin(time);
     state.pedal = state.water = state.suction = 1.0;
     state.load = 0.4;
     state.removalPower = 5.0 + 4.0 * std::sin(3.0 * time);
-    state.material = materials[static_cast<std::size_t>(time) % 3];
+    state.material = materials[static_cast<std::size_t>(time) % materials.size()];
     return state;
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_report.h"
+#include "session/io/material_file.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
@@ -275,6 +276,12 @@ TEST(ExerciseFile, AnIdealShapeOfOnesOwnIsTakenAsItIsAndMustBeClosed) {
     const auto refused = idealShape(*open, *tooth);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().message(), HasSubstr("is open (3 edges without a neighbour)"));
+}
+
+TEST(ExerciseFile, TheAmalgamOfABuiltInOneIsThatOfTheDentalMaterials) {
+    const MaterialRegistry& own = *builtinExercise("amalgam-46")->materials;
+    const MaterialRegistry& dental = dentalMaterials();
+    EXPECT_EQ(own[own.find("amalgam").value()].numbers, dental[dental.find("amalgam").value()].numbers);
 }
 
 TEST(ExerciseFile, AFileThatIsNotThereIsRefused) {

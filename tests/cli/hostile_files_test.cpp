@@ -135,6 +135,7 @@ const std::vector<Attack> kOnTexts = {
     {"cut", "--tooth", "in/box.stl", "--tool", "@", "--trajectory", "in/poses.csv", "--speed-rpm", "200000", "--voxel",
      "0.1", "--out", "out/a.stl"},
     {"sound", "--profile", "in/profile.csv", "--sounds", "@", "--out", "out/a.wav"},
+    {"sound", "--profile", "in/profile.csv", "--materials", "@", "--out", "out/a.wav"},
     {"exercise", "@"},
     {"assess", "in/cut.stl", "--expert", "in/cut.stl", "--original", "in/box.stl", "--rubric", "@", "--out",
      "out/report"},

@@ -217,6 +217,55 @@ TEST_F(SoundCommand, RefusesARecordingThatIsNone) {
                   "mine.toml, line 2: ");
 }
 
+TEST_F(SoundCommand, AMaterialOfOnesOwnIsHeardInItsOwnBand) {
+    const std::string rows = profile("0,200000,5,gold\n2,200000,5,gold\n");
+    expectRefused(sound(rows), "speed.csv, line 2: there is no material 'gold'; the materials are enamel, ");
+    const auto centroid = [&](const std::string& hz) {
+        writeText(folder_ / "mine.toml", "[gold]\nsound_centre = " + hz + "\n");
+        const ProgramRun run = sound(rows, {"--materials", folder_ / "mine.toml"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        const Wav wav = readWav(out());
+        return averageSpectrum(std::span(wav.left).last(kSoundRate), 4096).centroidHz();
+    };
+    EXPECT_GT(centroid("9000"), 1.25 * centroid("2000"));
+}
+
+TEST_F(SoundCommand, AMaterialOfOnesOwnHasItsOwnRecording) {
+    const std::string materials = folder_ / "materials.toml", preset = folder_ / "school.toml";
+    writeText(materials, "[gold]\n");
+    writeTone(folder_ / "gold.wav", 3000.0, 0.5);
+    writeText(preset, "[cutting.gold]\nfile = \"gold.wav\"\n");
+    const auto toneIn = [&](const std::string& material) {
+        const ProgramRun run = sound(profile("0,200000,5," + material + "\n2,200000,5," + material + "\n"),
+                                     {"--sounds", preset, "--materials", materials});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        const Wav wav = readWav(out());
+        return averageSpectrum(std::span(wav.left).last(kSoundRate), 8192).bandPower(2950.0, 3050.0);
+    };
+    EXPECT_GT(toneIn("gold"), 10 * toneIn("other"));
+    std::filesystem::remove(out());
+    expectRefused(sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", preset}),
+                  "school.toml, line 1: there is no material 'gold'; the materials are enamel, ");
+}
+
+TEST_F(SoundCommand, AmalgamAndCompositeNeedNoFileOfMaterials) {
+    const double idle = rms(steadyCut("none", 0, 300000));
+    writeTone(folder_ / "cut.wav", 3000.0, 0.5);
+    for (const std::string material : {"amalgam", "composite"}) {
+        EXPECT_GT(rms(steadyCut(material, 5, 300000)), 1.2 * idle) << material;
+        writeText(folder_ / "school.toml", "[cutting." + material + "]\nfile = \"cut.wav\"\n");
+        const ProgramRun run = sound(profile("0,1,0,none\n1,1,0,none\n"), {"--sounds", folder_ / "school.toml"});
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+    }
+}
+
+TEST_F(SoundCommand, RefusesMaterialsThatAreNone) {
+    const std::string rows = profile("0,1,0,none\n1,1,0,none\n");
+    expectRefused(sound(rows, {"--materials", folder_ / "none.toml"}), "none.toml: there is no such file");
+    writeText(folder_ / "mine.toml", "[gold]\nsound_centre = -5\n");
+    expectRefused(sound(rows, {"--materials", folder_ / "mine.toml"}), "mine.toml, line 2: 'sound_centre' must be");
+}
+
 TEST_F(SoundCommand, DrawsTheSpectrum) {
     const std::string picture = folder_ / "out.png";
     EXPECT_EQ(sound(profile("0,0,0,none\n1,300000,0,none\n"), {"--spectrogram", picture}).exitCode, 0);

@@ -25,7 +25,7 @@ bool isTrajectory(std::string_view text) {
 }
 
 bool isSoundProfile(std::string_view text) {
-    const auto track = parseSoundProfile(text, "fuzz", spindlePresets().front());
+    const auto track = parseSoundProfile(text, "fuzz", spindlePresets().front(), MaterialTable());
     if (!track) return requireSentence(track.error(), 1000), false;
     require(track->back().time > 0 && track->back().time <= kMaxSoundLength,
             "a profile spans a time that can be heard");

@@ -54,9 +54,12 @@ bool isSoundPreset(std::string_view text) {
         for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::sin(0.1F * static_cast<float>(i));
         return samples;
     }();
-    const auto kit =
-        parseSoundPreset(text, "fuzz", [](const std::string&) { return Recording::make(wave, 8000, "tone"); });
+    const auto readNamed = [](const std::string&) { return Recording::make(wave, 8000, "tone"); };
+    const auto kit = parseSoundPreset(text, "fuzz", &dentalMaterials(), readNamed);
+    const bool isOfAnyMaterial = parseSoundPreset(text, "fuzz", nullptr, readNamed).has_value();
+    require(isOfAnyMaterial || !kit, "a preset of known materials is one of any");
     if (!kit) return requireSentence(kit.error(), 1000), false;
+    require(kit->cutting.size() <= kMaxRecordedMaterials, "there is room for each recording");
     for (const auto& part : {kit->motor, kit->water, kit->suction}) {
         require(!part || (std::isfinite(part->gain) && part->gain > 0), "a recording's gain is a factor");
     }

@@ -5,6 +5,7 @@
 
 #include "geometry/util/triple_buffer.h"
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "sound/voices/drill_synthesiser.h"
 #include "sound/voices/soundscape.h"
 #include "spectrum.h"

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "spectrum.h"
 
 namespace tactooth {
@@ -110,7 +111,7 @@ TEST(MaterialClassifier, WithoutTheCutItCanOnlyGuess) {
     for (int i = 0; i < 60; ++i) {
         DrillSoundState state = spinning(150000.0 + 4000.0 * i);
         const std::size_t material = random() % kMaterials.size();
-        state.material = soundCharacterOf(kMaterials[material]);
+        state.material = characterOf(kMaterials[material]);
         exam.push_back({material, featuresOf(steadySound(state, 0.1))});
     }
     int right = 0;

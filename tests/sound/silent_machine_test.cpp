@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "sound/material_sounds.h"
 #include "sound/output/audio_libraries.h"
 #include "sound/output/openal_output.h"
 #include "spectrum.h"

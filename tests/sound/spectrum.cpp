@@ -157,14 +157,6 @@ DrillSoundState spinning(double speedRpm, double pedal) {
     return state;
 }
 
-DrillSoundState cutting(const char* material, double watt, double speedRpm) {
-    DrillSoundState state = spinning(speedRpm);
-    state.load = 0.25;
-    state.removalPower = watt;
-    state.material = soundCharacterOf(material);
-    return state;
-}
-
 std::vector<float> steadySound(const DrillSoundState& state, double seconds, double settle) {
     DrillSynthesiser synthesiser;
     const auto always = [&](double) { return state; };

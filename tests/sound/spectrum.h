@@ -45,8 +45,6 @@ struct Spectrum {
 
 /// A turbine at a steady speed with this pedal.
 [[nodiscard]] DrillSoundState spinning(double speedRpm, double pedal = 1.0);
-/// The same, cutting.
-[[nodiscard]] DrillSoundState cutting(const char* material, double watt, double speedRpm = 300000.0);
 
 /// A steady state's sound after `settle` seconds.
 [[nodiscard]] std::vector<float> steadySound(const DrillSoundState& state, double seconds, double settle = 0.3);

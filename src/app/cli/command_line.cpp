@@ -28,7 +28,7 @@
 #include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 #include "geometry/util/system_reason.h"
-#include "sound/voices/drill_sound_state.h"
+#include "session/io/material_file.h"
 #include "tooth/model/material_registry.h"
 
 namespace tactooth {
@@ -51,7 +51,7 @@ void addInfo(CLI::App& program, CommandAction& chosen) {
     command->add_flag("--json", options->json, "Writes one JSON object for each file, one in each line");
 }
 
-/// The option that feel, cut and demo share.
+/// The option that feel, cut, demo and sound share.
 void addMaterials(CLI::App& command, std::filesystem::path& file) {
     command
         .add_option("--materials", file,
@@ -298,9 +298,11 @@ void addSound(CLI::App& program, CommandAction& chosen) {
         options, runSound);
     command
         ->add_option("--profile", options->profile,
-                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and " + soundMaterialList() + " or none")
+                     "CSV file t,speed_rpm,power,material: s, rev/min, W, and " + dentalMaterials().names() +
+                         ", a material of --materials, or none")
         ->required()
         ->type_name("FILE");
+    addMaterials(*command, options->materials);
     command->add_option("--out", options->out, "WAV file to write: 48 kHz, 16 bits, stereo")
         ->required()
         ->type_name("FILE");

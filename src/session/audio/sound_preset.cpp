@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/audio/sound_preset.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/number_text.h"
+#include "session/audio/material_sound.h"
 #include "session/cases/case_store.h"
 #include "session/io/limited_toml.h"
 #include "session/io/messages.h"
@@ -20,12 +20,13 @@ namespace {
 constexpr double kSlowest = 100, kFastest = 1e6;  // rev/min of a recorded bur
 constexpr double kSoftest = -40, kLoudest = 20;   // dB
 
-using Part = std::optional<RecordedPart>;
+static_assert(kMaxRecordedMaterials >= kMaxMaterials, "each material may have a recording");
 
 /// Reads the parts of a preset into a kit, up to the first mistake.
 class PresetReader {
 public:
-    PresetReader(const std::string& name, const RecordingReader& readNamed) : toml_(name), readNamed_(readNamed) {}
+    PresetReader(const std::string& name, const MaterialRegistry* materials, const RecordingReader& readNamed)
+        : toml_(name), materials_(materials), readNamed_(readNamed) {}
 
     Expected<SoundKit> read(std::string_view text) {
         const toml::table root = toml_.parse(text);
@@ -39,38 +40,43 @@ public:
 
 private:
     bool readNamedPart(const toml::key& key, const toml::node& node) {
-        if (key.str() == "motor") return readPart(key.str(), node, true, kit_.motor);
-        if (key.str() == "water") return readPart(key.str(), node, false, kit_.water);
-        if (key.str() == "suction") return readPart(key.str(), node, false, kit_.suction);
+        if (key.str() == "motor") return readPart(key.str(), node, true, kit_.motor.emplace());
+        if (key.str() == "water") return readPart(key.str(), node, false, kit_.water.emplace());
+        if (key.str() == "suction") return readPart(key.str(), node, false, kit_.suction.emplace());
         return fail(key, {msg::kSoundPartUnknown, quotedWord(key.str()), msg::kSoundParts});
     }
 
     bool readCutting(const toml::node& node) {
-        const toml::table* materials = node.as_table();
-        if (materials == nullptr) return fail(node, msg::kCuttingNeedsMaterial);
-        const auto names = soundMaterialNames();
-        for (auto&& [key, part] : *materials) {
-            const auto found = std::find(names.begin(), names.end(), key.str());
-            if (found == names.end()) {
-                return fail(key, {msg::kMaterialUnknown, quotedWord(key.str()), soundMaterialList()});
-            }
-            if (!readPart(key.str(), part, false, kit_.cutting[static_cast<std::size_t>(found - names.begin())]))
-                return false;
+        const toml::table* recordings = node.as_table();
+        if (recordings == nullptr) return fail(node, msg::kCuttingNeedsMaterial);
+        for (auto&& [key, part] : *recordings) {
+            if (!isMaterial(key)) return false;
+            RecordedMaterial& material = kit_.cutting.emplace_back();
+            material.kind = soundKindOf(key.str());
+            if (!readPart(key.str(), part, false, material.part)) return false;
         }
         return true;
     }
 
-    bool readPart(std::string_view part, const toml::node& node, bool needsSpeed, Part& into) {
+    bool isMaterial(const toml::key& key) {
+        if (kit_.cutting.size() == kMaxRecordedMaterials)
+            return fail(key, {msg::kTooManyMaterials, kMaxRecordedMaterials});
+        if (materials_ == nullptr)
+            return isMaterialName(key.str()) || fail(key, {msg::kMaterialNameRefused, quotedWord(key.str())});
+        return materials_->find(key.str()) ||
+               fail(key, {msg::kMaterialUnknown, quotedWord(key.str()), materials_->names()});
+    }
+
+    bool readPart(std::string_view part, const toml::node& node, bool needsSpeed, RecordedPart& into) {
         const toml::table* table = node.as_table();
         if (table == nullptr) return fail(node, {msg::kSoundPartNotTable, quotedWord(part), msg::kSoundKeys});
-        RecordedPart read;
         for (auto&& [key, value] : *table) {
-            if (!readKey(key, value, read)) return false;
+            if (!readKey(key, value, into)) return false;
         }
         const toml::node* file = table->get("file");
         if (file == nullptr) return fail(node, {msg::kSoundPartNoRecording, quotedWord(part)});
-        if (needsSpeed && read.speedRpm == 0) return fail(node, {msg::kSoundPartNoSpeed, quotedWord(part)});
-        return readFile(*file, read) && (into = std::move(read), true);
+        if (needsSpeed && into.speedRpm == 0) return fail(node, {msg::kSoundPartNoSpeed, quotedWord(part)});
+        return readFile(*file, into);
     }
 
     bool readKey(const toml::key& key, const toml::node& node, RecordedPart& part) {
@@ -109,11 +115,12 @@ private:
     }
 
     TomlReader toml_;
+    const MaterialRegistry* materials_;
     const RecordingReader& readNamed_;
     SoundKit kit_;
 };
 
-Expected<SoundKit> readPreset(const std::filesystem::path& path) {
+Expected<SoundKit> readPreset(const std::filesystem::path& path, const MaterialRegistry* materials) {
     const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};
     const auto readSibling = [&](const std::string& name) -> Expected<Recording> {
@@ -122,19 +129,21 @@ Expected<SoundKit> readPreset(const std::filesystem::path& path) {
         }
         return readRecording(path.parent_path() / name);
     };
-    return parseSoundPreset(file->text(), displayName(path), readSibling);
+    return parseSoundPreset(file->text(), displayName(path), materials, readSibling);
 }
 
 }  // namespace
 
-Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name, const RecordingReader& readNamed) {
-    return PresetReader(name, readNamed).read(text);
+Expected<SoundKit> parseSoundPreset(std::string_view text, const std::string& name, const MaterialRegistry* materials,
+                                    const RecordingReader& readNamed) {
+    return PresetReader(name, materials, readNamed).read(text);
 }
 
-Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path, const SpindlePreset& drive) {
+Expected<std::shared_ptr<const SoundKit>> readSoundKit(const std::filesystem::path& path, const SpindlePreset& drive,
+                                                       const MaterialRegistry* materials) {
     SoundKit kit;
     if (path.extension() == ".toml") {
-        auto preset = readPreset(path);
+        auto preset = readPreset(path, materials);
         if (!preset) return Unexpected{preset.error()};
         kit = std::move(*preset);
     } else {

@@ -10,6 +10,7 @@
 
 #include "geometry/util/messages.h"
 #include "geometry/util/number_text.h"
+#include "session/audio/material_sound.h"
 #include "session/audio/tick_sound.h"
 #include "session/io/csv_table.h"
 #include "session/io/messages.h"
@@ -44,33 +45,36 @@ DrillSoundState stateAt(double speedRpm, double watt, const SpindlePreset& drive
     return state;
 }
 
-std::optional<Message> faultIn(const CsvTable& table, std::size_t row) {
+std::optional<Message> faultIn(const CsvTable& table, std::size_t row, const MaterialRegistry& materials) {
     const double time = table.at(row, 0), speed = table.at(row, 1), power = table.at(row, 2);
     const std::string& material = table.wordAt(row, 0);
     if (row > 0 && time < table.at(row - 1, 0)) return msg::kProfileBackwards;
     if (speed < 0 || speed > kMaxSpeed) return Message(msg::kProfileSpeed, numberText(speed));
     if (power < 0 || power > kMaxPower) return Message(msg::kProfilePower, numberText(power));
-    if (material != kNothing && !findSoundCharacter(material))
-        return Message(msg::kProfileMaterial, quotedWord(material), soundMaterialList());
+    if (material != kNothing && !materials.find(material))
+        return Message(msg::kProfileMaterial, quotedWord(material), materials.names());
     return std::nullopt;
 }
 
 /// A row without a material gets that of the next row that has one, which is what sounds between the two.
-void nameMaterials(const CsvTable& table, std::vector<TimedSoundState>& track) {
+void nameMaterials(const CsvTable& table, const MaterialTable& materials, std::vector<TimedSoundState>& track) {
     SoundCharacter coming;
     for (std::size_t row = table.rows(); row-- > 0;) {
-        if (table.wordAt(row, 0) != kNothing) coming = soundCharacterOf(table.wordAt(row, 0));
+        const std::string& name = table.wordAt(row, 0);
+        if (name != kNothing) coming = characterOf(materials, materials.registry().find(name).value());
         track[row].state.material = coming;
     }
 }
 
-Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table, const SpindlePreset& drive) {
+Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table, const SpindlePreset& drive,
+                                                const MaterialTable& materials) {
     if (!table) return Unexpected{table.error()};
     std::vector<TimedSoundState> track;
     track.reserve(table->rows());
     std::uint32_t contactOnsets = 0;
     for (std::size_t row = 0; row < table->rows(); ++row) {
-        if (const auto fault = faultIn(*table, row)) return unexpected(msg::kNamedSentence, table->where(row), *fault);
+        if (const auto fault = faultIn(*table, row, materials.registry()))
+            return unexpected(msg::kNamedSentence, table->where(row), *fault);
         const bool cuts = table->wordAt(row, 0) != kNothing;
         if (cuts && row > 0 && table->wordAt(row - 1, 0) == kNothing) ++contactOnsets;
         DrillSoundState state = stateAt(table->at(row, 1), cuts ? table->at(row, 2) : 0, drive);
@@ -84,19 +88,20 @@ Expected<std::vector<TimedSoundState>> soundsOf(const Expected<CsvTable>& table,
     if (track.back().time > kMaxSoundLength) {
         return unexpected(msg::kProfileTooLong, table->where(table->rows() - 1));
     }
-    nameMaterials(*table, track);
+    nameMaterials(*table, materials, track);
     return track;
 }
 
 }  // namespace
 
-Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path, const SpindlePreset& drive) {
-    return soundsOf(readCsv(path, kNumbers, kWords), drive);
+Expected<std::vector<TimedSoundState>> readSoundProfile(const std::filesystem::path& path, const SpindlePreset& drive,
+                                                        const MaterialTable& materials) {
+    return soundsOf(readCsv(path, kNumbers, kWords), drive, materials);
 }
 
 Expected<std::vector<TimedSoundState>> parseSoundProfile(std::string_view text, std::string_view name,
-                                                         const SpindlePreset& drive) {
-    return soundsOf(parseCsv(text, name, kNumbers, kWords), drive);
+                                                         const SpindlePreset& drive, const MaterialTable& materials) {
+    return soundsOf(parseCsv(text, name, kNumbers, kWords), drive, materials);
 }
 
 }  // namespace tactooth

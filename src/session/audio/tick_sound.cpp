@@ -5,32 +5,13 @@
 #include <algorithm>
 
 #include "instruments/handpiece_kind.h"
+#include "session/audio/material_sound.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kCoarsestGrit = 180;  // um: a super-coarse diamond crackles, a super-fine one hisses
 constexpr double kMaxGrainier = 0.5;   // of the difference to graininess 1
-
-/// The index of the recording for a material. Materials that the sound layer does not know share that of "other".
-std::size_t recordingOf(std::string_view material) {
-    const auto names = soundMaterialNames();
-    const auto found = std::ranges::find(names, material);
-    return static_cast<std::size_t>(
-        (found != names.end() ? found : std::ranges::find(names, std::string_view("other"))) - names.begin());
-}
-
-SoundCharacter characterOf(const MaterialTable& materials, MaterialId id) {
-    const Material& material = materials[id];
-    return {.bandCentreHz = material.soundCentre,
-            .bandOctaves = material.soundOctaves,
-            .level = material.soundBrightness,
-            .graininess = material.soundGraininess,
-            .tapHz = material.tapFrequency,
-            .tapDecay = material.tapDecay,
-            .tapBrightness = material.tapBrightness,
-            .kind = recordingOf(materials.registry().nameOf(id))};
-}
 
 }  // namespace
 

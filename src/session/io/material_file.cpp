@@ -163,6 +163,23 @@ Expected<const MaterialRegistry*> parseMaterials(std::string_view text, std::str
     return &materials;
 }
 
+const MaterialRegistry& dentalMaterials() {
+    static const MaterialRegistry& all = *parseMaterials(dentalMaterialsText(), "data/dental_materials.toml").value();
+    return all;
+}
+
+const MaterialRegistry& withDentalMaterials(const MaterialRegistry& materials) {
+    std::vector<MaterialDefinition> all = materials.definitions();
+    for (MaterialDefinition& added : dentalMaterials().definitions()) {
+        if (materials.find(added.name)) continue;
+        const std::optional<std::uint8_t> code = MaterialRegistry::freeCode(all);
+        if (all.size() == kMaxMaterials || !code) break;
+        added.code = *code;
+        all.push_back(std::move(added));
+    }
+    return MaterialRegistry::make(std::move(all));
+}
+
 Expected<const MaterialRegistry*> readMaterials(const std::filesystem::path& path) {
     const Expected<FileBytes> file = readFile(path, kTomlLimits.bytes);
     if (!file) return Unexpected{file.error()};

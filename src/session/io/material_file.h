@@ -14,6 +14,15 @@ namespace tactooth {
 /// pattern for a file of one's own.
 [[nodiscard]] std::string_view defaultMaterialsText();
 
+/// The text of data/dental_materials.toml, which is built into the program as well.
+[[nodiscard]] std::string_view dentalMaterialsText();
+
+/// The built-in materials and those of data/dental_materials.toml.
+[[nodiscard]] const MaterialRegistry& dentalMaterials();
+
+/// `materials`, and behind them those of dentalMaterials() whose names they lack, as far as there is room.
+[[nodiscard]] const MaterialRegistry& withDentalMaterials(const MaterialRegistry& materials);
+
 /// Reads a TOML file of materials. What the file does not name stays as in `builtinMaterials`. A block with a new name
 /// adds a material: what the block leaves out is as in the block [other].
 ///

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/util/assert.h"
 #include "sound/voices/grinding_share.h"
 
 namespace tactooth {
@@ -64,8 +65,9 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     const float share = smoothingCoefficient(kLagSeconds, frames);
     const double rotation = modulationAt(turnsPerFrame.back() * kSoundRate);
     const double amplitude = amplitudeOf(state) * volume;
-    if (kit_ != nullptr) addRecorded(out, state.material.kind, amplitude, turnsPerFrame);
-    const bool isRecorded = kit_ != nullptr && kit_->cutting[state.material.kind];
+    const std::size_t recording = kit_ != nullptr ? kit_->cuttingOf(state.material) : 0;
+    const bool isRecorded = kit_ != nullptr && recording < kit_->cutting.size();
+    if (kit_ != nullptr) addRecorded(out, recording, amplitude, turnsPerFrame);
     const double chatter = chatterAt(state.load);
     if (bladeModulation_.isZero()) blades_ = state.blades;
     const double passes = blades_ == state.blades ? blades_ * turnsPerFrame.back() * kSoundRate : 0.0;
@@ -91,12 +93,12 @@ void CuttingVoice::addTo(std::span<float> out, const DrillSoundState& state, dou
     }
 }
 
-void CuttingVoice::addRecorded(std::span<float> out, std::size_t kind, double amplitude,
+void CuttingVoice::addRecorded(std::span<float> out, std::size_t index, double amplitude,
                                std::span<const double> turnsPerFrame) {
     const float share = smoothingCoefficient(kLagSeconds, static_cast<int>(out.size()));
-    for (std::size_t i = 0; i < kSoundMaterials; ++i) {
-        const auto& part = kit_->cutting[i];
-        if (part) recorded_[i].addTo(out, *part, i == kind ? amplitude : 0.0, share, turnsPerFrame);
+    TACTOOTH_ASSERT(kit_->cutting.size() <= recorded_.size());
+    for (std::size_t i = 0; i < kit_->cutting.size(); ++i) {
+        recorded_[i].addTo(out, kit_->cutting[i].part, i == index ? amplitude : 0.0, share, turnsPerFrame);
     }
 }
 

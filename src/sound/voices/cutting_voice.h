@@ -13,6 +13,7 @@
 #include "sound/voices/recorded_voice.h"
 #include "sound/voices/rotation.h"
 #include "sound/voices/sine.h"
+#include "sound/voices/sound_kit.h"
 
 namespace tactooth {
 
@@ -35,7 +36,8 @@ public:
     }
 
 private:
-    void addRecorded(std::span<float> out, std::size_t kind, double amplitude, std::span<const double> turnsPerFrame);
+    /// The recordings of the kit: that at `index` at this amplitude, the others fade out.
+    void addRecorded(std::span<float> out, std::size_t index, double amplitude, std::span<const double> turnsPerFrame);
 
     BandNoise noise_;
     GrainEnvelope grains_;
@@ -45,7 +47,7 @@ private:
     GainSmoother gain_, rotationModulation_, chatter_, bladeModulation_;
     int blades_ = 0;  // blades that are heard; those of another bur follow when these have faded
     const SoundKit* kit_ = nullptr;
-    std::array<RecordedVoice, kSoundMaterials> recorded_;
+    std::array<RecordedVoice, kMaxRecordedMaterials> recorded_;  // by the index in the kit
 };
 
 }  // namespace tactooth

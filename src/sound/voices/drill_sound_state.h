@@ -4,10 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 
 namespace tactooth {
 
@@ -20,20 +16,9 @@ struct SoundCharacter {
     double tapHz = 2200.0;         ///< lowest tone of the ring after a tap
     double tapDecay = 0.004;       ///< time constant of that ring, s
     double tapBrightness = 0.5;    ///< 0: that lowest tone alone ("thud"); 1: two higher ones as strong ("tick")
-    std::size_t kind = 1;          ///< index in soundMaterialNames(): a recording may replace it
+    std::size_t kind = 0;          ///< identifies the material: a recording may replace its cutting noise
+    std::size_t standIn = 0;       ///< the kind whose recording does so where there is none of the material itself
 };
-
-/// The materials that the sound layer knows: "enamel", "dentin", "pulp", "caries", "amalgam", "restoration",
-/// "composite" (sounds like a restoration) and "other" (like dentin).
-inline constexpr std::size_t kSoundMaterials = 8;
-[[nodiscard]] std::span<const std::string_view, kSoundMaterials> soundMaterialNames();
-/// The same as a list for messages and help: "enamel, dentin, ...".
-[[nodiscard]] std::string soundMaterialList();
-
-/// The character of a material; none for an unknown name.
-[[nodiscard]] std::optional<SoundCharacter> findSoundCharacter(std::string_view material);
-/// The same, but an unknown name sounds like dentin.
-[[nodiscard]] SoundCharacter soundCharacterOf(std::string_view material);
 
 /// The drive of the spindle, which decides the tones that accompany the rotation.
 enum class MotorKind : std::uint8_t { AirTurbine, Electric, LowSpeed };

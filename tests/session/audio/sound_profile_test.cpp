@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+#include "session/io/material_file.h"
+#include "support/materials.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
@@ -17,10 +19,11 @@ using ::testing::HasSubstr;
 
 constexpr std::string_view kHead = "t,speed_rpm,power,material\n";
 
-Expected<std::vector<TimedSoundState>> read(const std::string& rows, std::size_t drive = 0) {
+Expected<std::vector<TimedSoundState>> read(const std::string& rows, std::size_t drive = 0,
+                                            const MaterialRegistry& materials = builtinMaterials()) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "speed.csv", std::string(kHead) + rows);
-    return readSoundProfile(folder / "speed.csv", spindlePresets()[drive]);
+    return readSoundProfile(folder / "speed.csv", spindlePresets()[drive], MaterialTable(materials));
 }
 
 std::string refusal(const std::string& rows) {
@@ -39,7 +42,7 @@ TEST(SoundProfile, ReadsTimesFromTheFirstRowOnAndWhatTheBurDoes) {
     EXPECT_EQ(state.speedRpm, 300000);
     EXPECT_EQ(state.freeSpeedRpm, 400000);
     EXPECT_EQ(state.removalPower, 4);
-    EXPECT_EQ(state.material.bandCentreHz, soundCharacterOf("dentin").bandCentreHz);
+    EXPECT_EQ(state.material.bandCentreHz, builtinMaterials()[test::kDentin].numbers.soundCentre);
 }
 
 TEST(SoundProfile, TheLoadIsTheTorqueOfThatPowerAtThatSpeed) {
@@ -62,7 +65,30 @@ TEST(SoundProfile, NoneCutsNothingAndSoundsLikeWhatComesNext) {
     const auto track = read("0,300000,0,none\n1,300000,5,none\n2,300000,5,caries\n3,300000,0,none\n");
     ASSERT_TRUE(track);
     EXPECT_EQ((*track)[1].state.removalPower, 0);
-    EXPECT_EQ((*track)[1].state.material.bandCentreHz, soundCharacterOf("caries").bandCentreHz);
+    EXPECT_EQ((*track)[1].state.material.bandCentreHz, builtinMaterials()[test::kCaries].numbers.soundCentre);
+}
+
+TEST(SoundProfile, KnowsTheMaterialsOfTheTableAlone) {
+    const std::string rows = "0,300000,5,gold\n1,300000,5,gold\n";
+    EXPECT_THAT(refusal(rows), HasSubstr("line 2: there is no material 'gold'; the materials are " +
+                                         builtinMaterials().names() + ", and none"));
+    const auto materials = parseMaterials("[gold]\nsound_centre = 3100\n", "mine.toml");
+    ASSERT_TRUE(materials);
+    const auto track = read(rows, 0, **materials);
+    ASSERT_TRUE(track) << track.error().message();
+    EXPECT_EQ((*track)[0].state.material.bandCentreHz, 3100);
+    EXPECT_THAT(
+        read("0,1,0,tin\n1,1,0,tin\n", 0, **materials).error().message(),
+        HasSubstr("there is no material 'tin'; the materials are " + builtinMaterials().names() + ", gold, and"));
+}
+
+TEST(SoundProfile, AMaterialThatIsNamedNoneIsNotMeantByNone) {
+    const auto materials = parseMaterials("[none]\nsound_centre = 3100\n", "mine.toml");
+    ASSERT_TRUE(materials);
+    const auto track = read("0,300000,5,none\n1,300000,5,caries\n", 0, **materials);
+    ASSERT_TRUE(track) << track.error().message();
+    EXPECT_EQ((*track)[0].state.removalPower, 0);
+    EXPECT_EQ((*track)[0].state.material.bandCentreHz, builtinMaterials()[test::kCaries].numbers.soundCentre);
 }
 
 TEST(SoundProfile, EachReturnToAMaterialIsAnImpact) {

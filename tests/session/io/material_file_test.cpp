@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sound/voices/drill_sound_state.h"
 #include "support/materials.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
@@ -45,23 +44,37 @@ TEST(MaterialFile, TheProgramsTextGivesTheMaterialsThatAreBuiltIn) {
     EXPECT_EQ((*registry)->definitions(), builtinMaterials().definitions());
 }
 
-/// A key that a block leaves out would show what was there before.
+/// The materials of `text` on top of the built-in ones, whose numbers are all `filled` first: a key that a block leaves
+/// out shows what was there before.
+std::vector<MaterialDefinition> readOver(double filled, std::string_view text) {
+    std::vector<MaterialDefinition> start = builtinMaterials().definitions();
+    for (MaterialDefinition& one : start) {
+        for (const MaterialNumberKey& key : materialNumberKeys()) key.set(one.numbers, filled);
+        one.numbers.colour.fill(static_cast<float>(filled));
+        one.titleEn = one.titleJa = filled > 0 ? "filled" : "blank";
+    }
+    const auto registry = parseMaterials(text, "m.toml", MaterialRegistry::make(start));
+    EXPECT_TRUE(registry) << registry.error().message();
+    return registry ? (*registry)->definitions() : start;
+}
+
 TEST(MaterialFile, TheProgramsTextGivesEveryKeyOfEachMaterial) {
-    const auto readOver = [](double filled) {
-        std::vector<MaterialDefinition> start = builtinMaterials().definitions();
-        for (MaterialDefinition& one : start) {
-            for (const MaterialNumberKey& key : materialNumberKeys()) key.set(one.numbers, filled);
-            one.numbers.colour.fill(static_cast<float>(filled));
-            one.titleEn = one.titleJa = filled > 0 ? "filled" : "blank";
-        }
-        const auto registry =
-            parseMaterials(defaultMaterialsText(), "data/materials.toml", MaterialRegistry::make(start));
-        EXPECT_TRUE(registry) << registry.error().message();
-        return registry ? (*registry)->definitions() : start;
-    };
-    const std::vector<MaterialDefinition> overBlanks = readOver(0), overOthers = readOver(0.75);
+    const std::vector<MaterialDefinition> overBlanks = readOver(0, defaultMaterialsText());
+    const std::vector<MaterialDefinition> overOthers = readOver(0.75, defaultMaterialsText());
     ASSERT_EQ(overBlanks.size(), overOthers.size());
     for (std::size_t i = 0; i < overBlanks.size(); ++i) EXPECT_EQ(overBlanks[i], overOthers[i]) << overBlanks[i].name;
+}
+
+TEST(MaterialFile, SoDoesTheTextOfTheDentalMaterials) {
+    const std::size_t builtin = builtinMaterials().size();
+    const std::vector<MaterialDefinition> overBlanks = readOver(0, dentalMaterialsText());
+    const std::vector<MaterialDefinition> overOthers = readOver(0.75, dentalMaterialsText());
+    ASSERT_EQ(overBlanks.size(), builtin + 2);
+    ASSERT_EQ(overOthers.size(), builtin + 2);
+    for (std::size_t i = builtin; i < overBlanks.size(); ++i) {
+        EXPECT_EQ(overBlanks[i], overOthers[i]) << overBlanks[i].name;
+        EXPECT_NE(overBlanks[i].titleJa, overBlanks[i].name);
+    }
 }
 
 /// Up to the most that a tooth can have; the list of materials grows and moves meanwhile.
@@ -82,24 +95,31 @@ TEST(MaterialFile, AddsAsManyMaterialsAsThereIsRoomFor) {
     }
 }
 
-TEST(MaterialFile, TheDefaultsSoundAsTheSynthesisersOwnCharacters) {
-    const MaterialTable table;
-    int known = 0;
-    for (const MaterialId id : table.registry().ids()) {
-        const std::string& name = table.registry().nameOf(id);
-        const auto found = findSoundCharacter(name);
-        if (!found) continue;
-        ++known;
-        const SoundCharacter& character = *found;
-        EXPECT_EQ(table[id].soundCentre, character.bandCentreHz) << name;
-        EXPECT_EQ(table[id].soundBrightness, character.level) << name;
-        EXPECT_EQ(table[id].soundOctaves, character.bandOctaves) << name;
-        EXPECT_EQ(table[id].soundGraininess, character.graininess) << name;
-        EXPECT_EQ(table[id].tapFrequency, character.tapHz) << name;
-        EXPECT_EQ(table[id].tapDecay, character.tapDecay) << name;
-        EXPECT_EQ(table[id].tapBrightness, character.tapBrightness) << name;
+TEST(MaterialFile, TheDentalMaterialsAreBehindTheBuiltInOnes) {
+    const MaterialRegistry& all = dentalMaterials();
+    EXPECT_EQ(all.names(), builtinMaterials().names() + ", amalgam, composite");
+    for (const MaterialId id : builtinMaterials().ids()) EXPECT_EQ(all[id], builtinMaterials()[id]);
+    EXPECT_EQ(&withDentalMaterials(builtinMaterials()), &all);
+    EXPECT_EQ(&withDentalMaterials(all), &all);
+}
+
+TEST(MaterialFile, ADentalMaterialOfOnesOwnStaysAsItIs) {
+    const MaterialRegistry& mine = registryOf("[amalgam]\nsound_centre = 8800\ncode = 65\n[gold]\n");
+    const MaterialRegistry& all = withDentalMaterials(mine);
+    EXPECT_EQ(all.names(), mine.names() + ", composite");
+    EXPECT_EQ(all[all.find("amalgam").value()].numbers.soundCentre, 8800);
+    EXPECT_EQ(all[all.find("composite").value()].numbers,
+              dentalMaterials()[dentalMaterials().find("composite").value()].numbers);
+}
+
+TEST(MaterialFile, ATableThatIsFullTakesNoDentalMaterials) {
+    std::string text;
+    for (std::size_t i = builtinMaterials().size(); i < kMaxMaterials; ++i) {
+        text += "[filling-" + std::to_string(i) + "]\n";
     }
-    EXPECT_GT(known, 0);
+    const MaterialRegistry& full = registryOf(text);
+    ASSERT_EQ(full.size(), kMaxMaterials);
+    EXPECT_EQ(&withDentalMaterials(full), &full);
 }
 
 TEST(MaterialFile, AFileOverridesOnlyWhatItNames) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "spectrum.h"
 
 namespace tactooth {

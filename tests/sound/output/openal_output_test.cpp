@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "sound/output/audio_libraries.h"
 #include "spectrum.h"
 #include "support/heap_counter.h"

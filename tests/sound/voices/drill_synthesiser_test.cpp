@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "spectrum.h"
 
 namespace tactooth {

@@ -8,19 +8,21 @@
 #include <cmath>
 #include <limits>
 
+#include "sound/material_sounds.h"
 #include "sound/spectrum.h"
 
 namespace tactooth {
 namespace {
 
 using test::averageSpectrum;
+using test::characterOf;
 using test::decibel;
 using test::rms;
 using test::steadySound;
 
 DrillSoundState gliding(const char* material, double newtons = 0.5, double speed = 20) {
     DrillSoundState state;
-    state.material = soundCharacterOf(material);
+    state.material = characterOf(material);
     state.contactForce = newtons;
     state.slideSpeed = speed;
     return state;

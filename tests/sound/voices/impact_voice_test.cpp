@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sound/files/sound_format.h"
+#include "sound/material_sounds.h"
 #include "spectrum.h"
 
 namespace tactooth {
@@ -18,7 +19,7 @@ using namespace test;
 std::vector<float> tapOn(const char* material, double speed) {
     DrillSynthesiser synthesiser;
     DrillSoundState state;
-    state.material = soundCharacterOf(material);
+    state.material = characterOf(material);
     state.contactSpeed = speed;
     (void)renderDrill(synthesiser, 0.2, [&](double) { return state; });
     state.contactCount = 1;
@@ -29,7 +30,7 @@ std::vector<float> tapOn(const char* material, double speed) {
 std::vector<float> pullOutWith(double force) {
     DrillSynthesiser synthesiser;
     DrillSoundState state;
-    state.material = soundCharacterOf("caries");
+    state.material = characterOf("caries");
     state.pullOutForce = force;
     (void)renderDrill(synthesiser, 0.2, [&](double) { return state; });
     state.pullOutCount = 1;
@@ -135,7 +136,7 @@ TEST(ImpactVoice, AForceThatIsNoForceDoesNotTick) {
 
 TEST(ImpactVoice, AnImpactSoundsTheSameWhateverWasPulledOutBefore) {
     DrillSoundState before;
-    before.material = soundCharacterOf("enamel");
+    before.material = characterOf("enamel");
     before.contactSpeed = 30.0;
     DrillSoundState after = before;
     ++after.contactCount;
@@ -148,7 +149,7 @@ TEST(ImpactVoice, AnImpactSoundsTheSameWhateverWasPulledOutBefore) {
 
 TEST(ImpactVoice, AnImpactAndAPullOutAtOnceAreTheSumOfBoth) {
     DrillSoundState before;
-    before.material = soundCharacterOf("enamel");
+    before.material = characterOf("enamel");
     before.contactSpeed = 30.0;
     before.pullOutForce = 0.5;
     DrillSoundState hit = before, pulled = before, both = before;

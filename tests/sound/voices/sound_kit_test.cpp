@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sound/material_sounds.h"
 #include "sound/voices/soundscape.h"
 #include "spectrum.h"
 
@@ -58,7 +59,7 @@ TEST(SoundKit, TheRecordedDriveIsSilentAtRestAndQuieterWhenSlower) {
 
 TEST(SoundKit, ARecordedMaterialReplacesItsOwnNoiseAlone) {
     SoundKit kit;
-    kit.cutting[soundCharacterOf("dentin").kind] = tone(3000.0);
+    kit.cutting.push_back({characterOf("dentin").kind, tone(3000.0)});
     Soundscape soundscape(1, &kit);
     soundscape.setMixer({.motor = 0.0});
     (void)rendered(soundscape, cutting("dentin", 4.0), 0.2);
@@ -69,9 +70,42 @@ TEST(SoundKit, ARecordedMaterialReplacesItsOwnNoiseAlone) {
     EXPECT_LT(enamel.bandPower(2900.0, 3100.0), 0.1 * enamel.bandPower(6000.0, 10000.0));
 }
 
+TEST(SoundKit, AMaterialHasItsOwnRecordingElseThatOfItsStandIn) {
+    SoundKit kit;
+    kit.cutting.push_back({7, tone(3000.0)});
+    kit.cutting.push_back({9, tone(2000.0)});
+    EXPECT_EQ(kit.cuttingOf({.kind = 9, .standIn = 7}), 1U);
+    EXPECT_EQ(kit.cuttingOf({.kind = 8, .standIn = 7}), 0U);
+    EXPECT_EQ(kit.cuttingOf({.kind = 8, .standIn = 8}), 2U) << "none";
+}
+
+TEST(SoundKit, TheRecordingOfAStandInIsHeard) {
+    SoundKit kit;
+    kit.cutting.push_back({characterOf("enamel").kind, tone(2000.0)});
+    kit.cutting.push_back({characterOf("other").kind, tone(3000.0)});
+    Soundscape soundscape(1, &kit);
+    soundscape.setMixer({.motor = 0.0});
+    DrillSoundState state = cutting("dentin", 4.0);
+    state.material.standIn = characterOf("other").kind;
+    (void)rendered(soundscape, state, 0.2);
+    EXPECT_NEAR(averageSpectrum(rendered(soundscape, state, 1.0), 8192).peakHz(100.0, 20000.0), 3000.0, 10.0);
+}
+
+TEST(SoundKit, HasRoomForTheRecordingsOfAllMaterials) {
+    SoundKit kit;
+    const RecordedPart part = tone(3000.0);
+    for (std::size_t i = 0; i < kMaxRecordedMaterials; ++i) kit.cutting.push_back({100 + i, part});
+    Soundscape soundscape(1, &kit);
+    soundscape.setMixer({.motor = 0.0});
+    DrillSoundState state = cutting("dentin", 4.0);
+    state.material.kind = kit.cutting.back().kind;
+    (void)rendered(soundscape, state, 0.2);
+    EXPECT_NEAR(averageSpectrum(rendered(soundscape, state, 1.0), 8192).peakHz(100.0, 20000.0), 3000.0, 10.0);
+}
+
 TEST(SoundKit, ARecordedCutGetsLouderWithThePower) {
     SoundKit kit;
-    kit.cutting[soundCharacterOf("enamel").kind] = tone(3000.0, 300000.0);
+    kit.cutting.push_back({characterOf("enamel").kind, tone(3000.0, 300000.0)});
     Soundscape soundscape(1, &kit);
     soundscape.setMixer({.motor = 0.0});
     double last = 0.0;

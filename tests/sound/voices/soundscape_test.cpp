@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "sound/material_sounds.h"
 #include "spectrum.h"
 
 namespace tactooth {

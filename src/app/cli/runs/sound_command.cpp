@@ -14,6 +14,7 @@
 #include "geometry/files/file_transaction.h"
 #include "session/audio/sound_preset.h"
 #include "session/audio/sound_profile.h"
+#include "session/io/material_file.h"
 #include "sound/files/wav_file.h"
 #include "sound/output/audio_libraries.h"
 
@@ -48,11 +49,14 @@ Expected<void> write(const SoundOptions& options, std::span<const TimedSoundStat
 
 int runSound(const SoundOptions& options) {
     FileTransaction files;
-    for (const auto& input : {options.profile, options.sounds}) files.reads(input);
+    for (const auto& input : {options.profile, options.sounds, options.materials}) files.reads(input);
     for (const auto& output : {options.out, options.spectrogram}) {
         if (const auto opened = files.open(output); !opened) return reportError(opened.error());
     }
-    auto track = readSoundProfile(options.profile, driveNamed(options.drive));
+    const auto given = materialsFrom(options.materials);
+    if (!given) return reportError(given.error());
+    const MaterialRegistry& materials = withDentalMaterials(**given);
+    auto track = readSoundProfile(options.profile, driveNamed(options.drive), MaterialTable(materials));
     if (!track) return reportError(track.error());
     for (TimedSoundState& moment : *track) {
         moment.state.blades = options.blades;
@@ -61,7 +65,7 @@ int runSound(const SoundOptions& options) {
     }
     OfflineSettings settings;
     if (!options.sounds.empty()) {
-        const auto kit = readSoundKit(options.sounds, driveNamed(options.drive));
+        const auto kit = readSoundKit(options.sounds, driveNamed(options.drive), &materials);
         if (!kit) return reportError(kit.error());
         settings.kit = *kit;
     }

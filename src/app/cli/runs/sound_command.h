@@ -9,6 +9,7 @@ namespace tactooth {
 
 struct SoundOptions {
     std::filesystem::path profile;
+    std::filesystem::path materials;  ///< TOML; empty: the program's own
     std::filesystem::path out;
     std::filesystem::path spectrogram;  ///< empty: not written
     std::filesystem::path sounds;       ///< preset or recording; empty: everything is synthesised

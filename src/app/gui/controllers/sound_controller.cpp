@@ -8,6 +8,7 @@
 #include "app/gui/scene/tooth_view.h"
 #include "session/audio/sound_preset.h"
 #include "session/audio/sound_sources.h"
+#include "session/io/material_file.h"
 
 namespace tactooth {
 
@@ -35,8 +36,12 @@ void SoundController::useSynthesis() {
 }
 
 void SoundController::open(const QString& file) {
-    pending_.start([file = file.toStdString(), drive = model_.haptics().spindle]() -> Expected<OwnSounds> {
-        auto kit = readSoundKit(file, drive);
+    read(file, &withDentalMaterials(model_.haptics().materials.registry()));
+}
+
+void SoundController::read(const QString& file, const MaterialRegistry* materials) {
+    pending_.start([file = file.toStdString(), drive = model_.haptics().spindle, materials]() -> Expected<OwnSounds> {
+        auto kit = readSoundKit(file, drive, materials);
         if (!kit) return Unexpected{kit.error()};
         return OwnSounds{file, std::move(*kit)};
     });
@@ -64,10 +69,11 @@ void SoundController::poll() {
     place();
 }
 
+/// The sounds were chosen for teeth of before, and no tooth is there yet: they may name any material.
 void SoundController::restore(const WindowSettings& settings) {
     panels_.sound->setMixer(settings.sound);
     panels_.sound->setHeadphones(settings.headphones);
-    if (!settings.ownSounds.empty()) open(QString::fromStdString(settings.ownSounds));
+    if (!settings.ownSounds.empty()) read(QString::fromStdString(settings.ownSounds), nullptr);
 }
 
 void SoundController::change(const WindowSettings& settings) {

@@ -10,6 +10,7 @@
 #include "app/gui/settings/window_settings.h"
 #include "session/model/task.h"
 #include "sound/output/sound_output.h"
+#include "tooth/model/material_registry.h"
 
 namespace tactooth {
 
@@ -42,6 +43,8 @@ private:
         std::string file;
         std::shared_ptr<const SoundKit> kit;
     };
+    /// `materials`: as for readSoundKit.
+    void read(const QString& file, const MaterialRegistry* materials);
     void askForSounds();
     void useSynthesis();
     void collect();
