@@ -22,7 +22,7 @@
 namespace tactooth::test {
 namespace {
 
-constexpr double kTick = 0.001;                                // s of simulated time for each message
+constexpr double kMessageTime = 0.001;                         // s of simulated time for each message
 constexpr double kMass = 2e-4, kSpring = 0.5, kDamper = 0.02;  // N*s^2/mm, N/mm, N*s/mm: a hand with the arm
 constexpr auto kSlowness = std::chrono::milliseconds(20);
 constexpr auto kFloodPause = std::chrono::microseconds(50);
@@ -140,8 +140,8 @@ void StandinHaply::take(const std::string& message) {
         if (&hand == hands_.data()) noteZero(hadForce);
         for (std::size_t i = 0; i < 3; ++i) {
             const double push = hand.force[i] + kSpring * (wanted_[i] - hand.position[i]) - kDamper * hand.speed[i];
-            hand.speed[i] += kTick / kMass * push;
-            hand.position[i] += kTick * hand.speed[i];
+            hand.speed[i] += kMessageTime / kMass * push;
+            hand.position[i] += kMessageTime * hand.speed[i];
         }
         if (&hand != &hands_[0]) continue;
         ++messages_;
