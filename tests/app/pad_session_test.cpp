@@ -341,7 +341,7 @@ void PadSessionTest::anotherBurIsTakenInTheDrillBar() {
 }
 
 void PadSessionTest::aParameterIsChangedInAPanel() {
-    const auto isMotionScaling = [this] { return window_->focusWidget()->accessibleName().contains("ineness"); };
+    const auto isMotionScaling = [this] { return window_->focusWidget()->accessibleName() == "Motion scaling"; };
     const double before = window_->model().controls.motionScaling;
     for (int i = 0; i < 20 && !isMotionScaling(); ++i) {
         press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
