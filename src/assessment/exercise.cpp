@@ -92,18 +92,28 @@ Expected<TriangleMesh> crownShape(const PreparationPlan& plan, std::shared_ptr<c
     return asReadFromFile(*piece.surface());
 }
 
+std::size_t placesIn(const std::vector<BurPath>& paths) {
+    std::size_t places = 0;
+    for (const BurPath& path : paths) places += path.places.size();
+    return places;
+}
+
 Expected<TriangleMesh> cutShape(const PreparationPlan& plan, const CuttingTool& tool,
-                                std::shared_ptr<const LayeredTooth> tooth) {
+                                std::shared_ptr<const LayeredTooth> tooth, const IdealProgress& progress) {
     const Quat grip = shortestRotation(Vec3::UnitZ(), plan.outward);
     const auto paths = tipPaths(plan, *tooth);
     if (!paths) return Unexpected{paths.error()};
     CutModel piece(std::move(tooth), kVoxel);
+    const auto all = static_cast<double>(placesIn(*paths));
+    std::size_t cut = 0;
     Pose before{kClear * plan.outward, grip};
     for (const auto& [path, depth, lifts] : *paths) {
         // A pear that is lifted leaves a hole wider than its groove.
         const bool goesOn = !lifts && (path.front() - before.position).norm() < kNextPath;
         if (!goesOn) before.position = path.front() + kClear * plan.outward;
         for (const Vec3& tip : path) {
+            const bool goesOnCutting = !progress || progress(static_cast<double>(cut++) / all);
+            if (!goesOnCutting) return TriangleMesh();
             const Pose next{tip, grip};
             piece.sweep(tool, before, next);
             before = next;
@@ -177,14 +187,16 @@ std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exe
     return gums;
 }
 
-Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth) {
+Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth,
+                                  const IdealProgress& progress) {
     if (const auto* file = std::get_if<std::filesystem::path>(&exercise.ideal)) return loadIdealShape(*file);
     const Expected<CuttingTool> tool = burOf(exercise);
     if (!tool) return Unexpected{tool.error()};
     const auto& plan = std::get<PreparationPlan>(exercise.ideal);
     Expected<TriangleMesh> ideal =
-        plan.crown ? crownShape(plan, std::move(tooth)) : cutShape(plan, *tool, std::move(tooth));
-    if (!ideal) return unexpected(msg::kNamedSentence, displayName(exercise.file), ideal.error());
+        plan.crown ? crownShape(plan, std::move(tooth)) : cutShape(plan, *tool, std::move(tooth), progress);
+    if (!ideal && !exercise.file.empty())
+        return unexpected(msg::kNamedSentence, displayName(exercise.file), ideal.error());
     return ideal;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -209,8 +210,12 @@ struct BurPath {
 /// The gums around the tooth of the exercise, in its frame; empty: it stands alone. Takes some seconds the first time.
 [[nodiscard]] std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exercise);
 
+/// Hears which share of an ideal shape is made, 0..1; false ends the work. The thread that makes the shape calls it.
+using IdealProgress = std::function<bool(double share)>;
+
 /// `tooth` (that of the exercise) with the ideal cavity, closed. A cavity from a plan keeps the untouched triangles of
-/// the tooth, bit for bit. Fails with one sentence.
-[[nodiscard]] Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth);
+/// the tooth, bit for bit. Fails with one sentence. An empty mesh where `progress` has ended the work.
+[[nodiscard]] Expected<TriangleMesh> idealShape(const Exercise& exercise, std::shared_ptr<const LayeredTooth> tooth,
+                                                const IdealProgress& progress = {});
 
 }  // namespace tactooth

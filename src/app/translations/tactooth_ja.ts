@@ -329,6 +329,45 @@
     </message>
 </context>
 <context>
+    <name>tactooth::IdealBox</name>
+    <message>
+        <source>Ideal cavity</source>
+        <translation>理想窩洞</translation>
+    </message>
+    <message>
+        <source>Show the ideal</source>
+        <translation>理想窩洞を表示</translation>
+    </message>
+    <message>
+        <source>The cavity that the outline, the fields and the bur make now, as blue glass in the tooth, darker the deeper it lies, as the student sees it</source>
+        <translation>今の外形、欄の数値、バーからできる窩洞を、学生に見えるのと同じ青いガラスとして歯の中に示します。深いほど濃くなります</translation>
+    </message>
+    <message>
+        <source>There is no ideal cavity yet.</source>
+        <translation>理想窩洞はまだありません。</translation>
+    </message>
+    <message>
+        <source>The ideal cavity is being prepared… %1 %</source>
+        <translation>理想窩洞を準備しています… %1 %</translation>
+    </message>
+    <message>
+        <source>This tooth has no pulp.</source>
+        <translation>この歯には歯髄がありません。</translation>
+    </message>
+    <message>
+        <source>The ideal cavity opens the pulp.</source>
+        <translation>理想窩洞では露髄します。</translation>
+    </message>
+    <message>
+        <source>Least remaining dentin over the pulp: %1 mm</source>
+        <translation>歯髄までの残存象牙質：最小 %1 mm</translation>
+    </message>
+    <message>
+        <source>Only %1 mm of dentin remains over the pulp: less than %2 mm barely shields it.</source>
+        <translation>歯髄までの残存象牙質が %1 mm しかありません。%2 mm 未満では歯髄をほとんど守れません。</translation>
+    </message>
+</context>
+<context>
     <name>tactooth::ExerciseMenu</name>
     <message>
         <source>E&amp;xercise</source>

@@ -125,13 +125,37 @@ TEST(OutlinePaths, FollowTheSurfaceWhereTheFloorDoes) {
 
 TEST(OutlinePaths, NeedRoomForTheBurOnTheTooth) {
     const auto sentence = [](const Exercise& exercise) { return idealShape(exercise, block()).error().message(); };
-    EXPECT_THAT(sentence(outlined(rectangle(4, 0.9), 1)), testing::HasSubstr("narrower than the bur"));
+    Exercise narrow = outlined(rectangle(4, 0.9), 1);
+    EXPECT_THAT(sentence(narrow), testing::StartsWith("the outline is narrower than the bur"));
+    narrow.file = "narrow.toml";
+    EXPECT_THAT(sentence(narrow), testing::StartsWith("narrow.toml: the outline is narrower than the bur"));
     std::vector<Vec3> beside = rectangle(4, 2);
     for (Vec3& corner : beside) corner.x() += 20;
     EXPECT_THAT(sentence(outlined(beside, 1)), testing::HasSubstr("beside the tooth"));
     Exercise boxed = outlined(rectangle(4, 2), 1);
     std::get<PreparationPlan>(boxed.ideal).boxes = {{.towardX = 1, .width = 2.5, .axialDepth = 1.2, .axialHeight = 1}};
     EXPECT_THAT(sentence(boxed), testing::HasSubstr("does not reach its box"));
+}
+
+TEST(OutlinePaths, TellWhichShareIsCutAndEndWhenNobodyWantsMore) {
+    const Exercise exercise = outlined(rectangle(4, 2.5), 1);
+    std::vector<double> shares;
+    const auto ideal = idealShape(exercise, block(), [&](double share) {
+        shares.push_back(share);
+        return true;
+    });
+    ASSERT_TRUE(ideal) << ideal.error().message();
+    EXPECT_FALSE(ideal->empty());
+    ASSERT_GT(shares.size(), 10U);
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_EQ(shares.front(), 0);
+    EXPECT_GT(shares.back(), 0.9);
+    EXPECT_LE(shares.back(), 1);
+    int calls = 0;
+    const auto ended = idealShape(exercise, block(), [&](double) { return ++calls < 5; });
+    ASSERT_TRUE(ended);
+    EXPECT_TRUE(ended->empty());
+    EXPECT_EQ(calls, 5);
 }
 
 TEST(OutlinePaths, EndInABoxThatOpensTheSide) {

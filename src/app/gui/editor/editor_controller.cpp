@@ -118,6 +118,7 @@ void EditorController::begin(const std::shared_ptr<const Exercise>& exercise, bo
 /// What was cut on the bench, in a trial or before, may be lost now: the user has agreed, or was informed.
 void EditorController::load(const Exercise& exercise) {
     loaded_ = exercise;
+    tooth_.reset();
     loadsOwn_ = true;
     if (parts_.model.runner() != nullptr) parts_.model.markSaved(parts_.model.runner()->feed().removed());
     auto copy = std::make_shared<Exercise>(exercise);
@@ -134,7 +135,8 @@ void EditorController::load(const Exercise& exercise) {
 
 void EditorController::takeTooth() {
     const SessionTooth& tooth = *parts_.model.tooth();
-    outer_ = tooth.piece->tooth().ownOuter();
+    tooth_ = tooth.piece->volume().tooth();
+    outer_ = tooth_->ownOuter();
     if (adopted_) {
         loaded_ = adopted_->exercise();
         tool_.setDraft(nullptr);
@@ -167,7 +169,10 @@ void EditorController::takeMouse() {
     const bool draws = isEditing() && trial_ == nullptr && !parts_.mode.isOn();
     parts_.panels.view->setSurfaceTool(draws ? &tool_ : nullptr);
     if (dock_ != nullptr) showPanel(isEditing() && !parts_.mode.isOn());
-    if (!draws) parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, {});
+    if (draws) return;
+    parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, {});
+    ideal_.clear();
+    showIdeal();
 }
 
 /// A panel that is not needed leaves the window, and takes none of its width.
@@ -202,6 +207,7 @@ void EditorController::makePanel() {
 
 void EditorController::connectPanel() {
     ToothFields& tooth = panel_->tooth();
+    connect(&panel_->ideal(), &IdealBox::chosen, this, &EditorController::showIdeal);
     connect(panel_, &EditorPanel::edited, this, &EditorController::edit);
     connect(panel_, &EditorPanel::trialWanted, this, &EditorController::tryIt);
     connect(panel_, &EditorPanel::returnWanted, this, &EditorController::comeBack);
@@ -241,17 +247,19 @@ void EditorController::connectPanel() {
 
 QString EditorController::problem() const {
     const bool isThere = loaded_ && haveSameTooth(*loaded_, draft_->exercise());
-    const auto found = draft_->problem(isThere ? outer_ : nullptr);
+    auto found = draft_->problem(isThere ? outer_ : nullptr);
+    if (!found) found = ideal_.fault();
     return found ? translated(*found) : QString();
 }
 
 /// Shows the draft as it is now; where it has another tooth, that is loaded.
 void EditorController::followDraft() {
     if (!draft_ || trial_ != nullptr) return;
-    if (!tool_.isPainting() && !haveSameTooth(*loaded_, draft_->exercise())) {
+    if (!tool_.isInStroke() && !haveSameTooth(*loaded_, draft_->exercise())) {
         load(draft_->exercise());
         if (!parts_.teeth.isBusy()) return;  // it was declined
     }
+    followIdeal();
     panel_->show(*draft_, problem());
     panel_->tooth().showStroke(tool_.stroke(), tool_.zone().has_value());
     if (parts_.mode.isOn()) return;
@@ -265,6 +273,35 @@ void EditorController::followDraft() {
     }
     parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, std::move(marks));
     parts_.panels.view->outlines().follow(parts_.panels.view->viewport());
+}
+
+/// Begins to make the ideal anew where it has changed: at the end of a stroke, on the tooth of the draft.
+void EditorController::followIdeal() {
+    const Exercise& exercise = draft_->exercise();
+    if (!ideal_.isOf(exercise, tooth_)) ideal_.clear();
+    const bool isThere = tooth_ != nullptr && haveSameTooth(*loaded_, exercise) && !parts_.mode.isOn();
+    if (!isThere || (!tool_.isInStroke() && draft_->problemOfIdeal(outer_))) {
+        ideal_.clear();
+    } else if (!tool_.isInStroke()) {
+        ideal_.follow(exercise, tooth_);
+    }
+    showIdeal();
+}
+
+void EditorController::poll() {
+    const bool isPreparing = ideal_.isPreparing();
+    if (ideal_.poll()) panel_->showProblem(problem());
+    if (isPreparing) showIdeal();
+}
+
+/// What is out of date is not shown.
+void EditorController::showIdeal() {
+    std::shared_ptr<CavityGhost> shown;
+    if (draft_ && panel_ != nullptr) {
+        panel_->ideal().show(ideal_, draft_->exercise().opensPulp());
+        if (ideal_.cavity() && panel_->ideal().isChosen()) shown = ideal_.cavity()->ghost;
+    }
+    if (shown != std::exchange(shownIdeal_, shown)) emit idealChanged();
 }
 
 void EditorController::edit(const QString& step, const ExerciseChange& change) {
@@ -380,6 +417,7 @@ void EditorController::end() {
 
 std::optional<ExerciseDraft> EditorController::release() {
     tool_.setDraft(nullptr);
+    ideal_.clear();
     return std::exchange(draft_, {});
 }
 

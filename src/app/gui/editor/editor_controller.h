@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/gui/controllers/window_panels.h"
+#include "app/gui/editor/draft_ideal.h"
 #include "app/gui/editor/outline_tool.h"
 
 class QDockWidget;
@@ -59,6 +60,10 @@ public:
     void beginCopy(const std::shared_ptr<const Exercise>& exercise);
     /// Another tooth has come: that of the draft, of its trial, or one with which the editor ends.
     void takeTooth();
+    /// Takes over what is ready. Call it after each step of the model.
+    void poll();
+    /// The ideal cavity of the draft as it is now, for the picture; null: it is not ready, or nobody wants to see it.
+    [[nodiscard]] const std::shared_ptr<CavityGhost>& shownIdeal() const { return shownIdeal_; }
     /// Writes the exercise, and adds it to the user's own; shows a message if that fails.
     bool save(const QString& file);
 
@@ -69,6 +74,8 @@ public:
 signals:
     /// The panel has been made: it needs the font and the width of the others.
     void panelMade();
+    /// Another shownIdeal().
+    void idealChanged();
 
 private:
     using Function = std::function<void()>;
@@ -78,6 +85,8 @@ private:
     void connectPanel();
     void showDraft();
     void followDraft();
+    void followIdeal();
+    void showIdeal();
     void edit(const QString& step, const ExerciseChange& change);
     void applyTemplate(ExerciseTemplate kind);
     void lookAtCavity();
@@ -97,14 +106,17 @@ private:
     QPointer<QDockWidget> dock_;
     QPointer<QMessageBox> question_;
     OutlineTool tool_;
+    DraftIdeal ideal_;
+    std::shared_ptr<CavityGhost> shownIdeal_;
     std::optional<ExerciseDraft> draft_;
-    std::optional<ExerciseDraft> adopted_;      // of another window, until the tooth has come
-    std::shared_ptr<const Exercise> pending_;   // to be edited when its tooth has come
-    bool isCopy_ = false;                       // pending_ is one
-    std::shared_ptr<const Exercise> trial_;     // that the teacher tries; null: the draft is edited
-    std::shared_ptr<const SurfacePart> outer_;  // of the tooth on the bench
-    std::optional<Exercise> loaded_;            // whose tooth is on the bench or on its way
-    bool loadsOwn_ = false;                     // the tooth that is asked for is that of the draft
+    std::optional<ExerciseDraft> adopted_;       // of another window, until the tooth has come
+    std::shared_ptr<const Exercise> pending_;    // to be edited when its tooth has come
+    bool isCopy_ = false;                        // pending_ is one
+    std::shared_ptr<const Exercise> trial_;      // that the teacher tries; null: the draft is edited
+    std::shared_ptr<const SurfacePart> outer_;   // of the tooth on the bench
+    std::shared_ptr<const LayeredTooth> tooth_;  // on the bench; null: another one is on its way
+    std::optional<Exercise> loaded_;             // whose tooth is on the bench or on its way
+    bool loadsOwn_ = false;                      // the tooth that is asked for is that of the draft
 };
 
 }  // namespace tactooth

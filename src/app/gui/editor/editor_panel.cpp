@@ -9,6 +9,7 @@ namespace tactooth {
 
 EditorPanel::EditorPanel()
     : problem_(new QLabel),
+      ideal_(new IdealBox),
       tooth_(new ToothFields),
       cavity_(new CavityFields),
       task_(new TaskFields),
@@ -52,6 +53,7 @@ QWidget* EditorPanel::makeFields() {
     column->setContentsMargins(4, 4, 4, 4);
     column->addLayout(buttons);
     column->addWidget(problem_);
+    column->addWidget(ideal_);
     column->addWidget(tooth_);
     column->addWidget(cavity_);
     column->addWidget(task_);
@@ -76,9 +78,13 @@ void EditorPanel::show(const ExerciseDraft& draft, const QString& problem) {
     for (DraftFields* fields :
          {static_cast<DraftFields*>(tooth_), static_cast<DraftFields*>(cavity_), static_cast<DraftFields*>(task_)})
         fields->show(draft);
-    problem_->setText(problem.isEmpty() ? tr("The exercise is complete.") : problem);
     undo_->setEnabled(draft.canUndo());
     redo_->setEnabled(draft.canRedo());
+    showProblem(problem);
+}
+
+void EditorPanel::showProblem(const QString& problem) {
+    problem_->setText(problem.isEmpty() ? tr("The exercise is complete.") : problem);
     try_->setEnabled(problem.isEmpty());
     save_->setEnabled(problem.isEmpty());
 }

@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 
 #include "app/gui/editor/cavity_fields.h"
+#include "app/gui/editor/ideal_box.h"
 #include "app/gui/editor/task_fields.h"
 #include "app/gui/editor/tooth_fields.h"
 
@@ -19,9 +20,12 @@ class EditorPanel final : public QStackedWidget {
 public:
     EditorPanel();
 
-    /// Shows a draft. `problem`: why it cannot be tried or saved; empty: it can.
+    /// Shows a draft; `problem` as in `showProblem`.
     void show(const ExerciseDraft& draft, const QString& problem);
+    /// Why the draft cannot be tried or saved; empty: it can.
+    void showProblem(const QString& problem);
     [[nodiscard]] ToothFields& tooth() const { return *tooth_; }
+    [[nodiscard]] IdealBox& ideal() const { return *ideal_; }
     /// Whether it shows the way back in place of the fields.
     void setTrying(bool tries) { setCurrentIndex(tries ? 1 : 0); }
 
@@ -40,6 +44,7 @@ private:
     QPushButton* addButton(const QString& text, const char* name, const QString& tip);
 
     QLabel* problem_;
+    IdealBox* ideal_;
     ToothFields* tooth_;
     CavityFields* cavity_;
     TaskFields* task_;

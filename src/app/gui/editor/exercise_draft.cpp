@@ -262,6 +262,12 @@ std::optional<Message> ExerciseDraft::problem(const std::shared_ptr<const Surfac
     return std::nullopt;
 }
 
+std::optional<Message> ExerciseDraft::problemOfIdeal(const std::shared_ptr<const SurfacePart>& outer) const {
+    const DraftLine cavity;
+    if (openLine() == cavity && points(cavity).size() > 2) return msg::kDraftOpenOutline;
+    return problemOfOutline(outer);
+}
+
 std::optional<Message> ExerciseDraft::problemOfOutline(const std::shared_ptr<const SurfacePart>& outer) const {
     if (plan() == nullptr || !plan()->outline) return std::nullopt;
     const DrawnOutline& drawn = *plan()->outline;

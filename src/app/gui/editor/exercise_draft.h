@@ -77,6 +77,8 @@ public:
     /// What keeps the exercise from being tried or saved, as one sentence; nothing: it is complete. `outer`: the tooth,
     /// LayeredTooth::ownOuter; null: it is not there yet, and boxes are not judged.
     [[nodiscard]] std::optional<Message> problem(const std::shared_ptr<const SurfacePart>& outer = nullptr) const;
+    /// The same of what keeps it from having an ideal cavity.
+    [[nodiscard]] std::optional<Message> problemOfIdeal(const std::shared_ptr<const SurfacePart>& outer) const;
     [[nodiscard]] bool isModified() const { return !(exercise() == saved_); }
     void markSaved(const std::filesystem::path& file);
 

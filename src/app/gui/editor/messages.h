@@ -40,6 +40,12 @@ inline constexpr MessageText kDraftBoxNarrow{"draft_box_narrow",
                                              "A box is at least as wide and as deep as the bur, %1 mm.",
                                              "隣接面窩洞の幅と深さは、バーの直径 %1 mm 以上にしてください。"};
 
+// Why there is no ideal cavity.
+inline constexpr MessageText kDraftNoIdeal{"draft_no_ideal", "The ideal cavity cannot be made: %1",
+                                           "理想窩洞を作れません。%1"};
+inline constexpr MessageText kDraftIdealEmpty{
+    "draft_ideal_empty", "The ideal cavity takes nothing away from the tooth.", "理想窩洞が歯を少しも削っていません。"};
+
 // What templates call an exercise.
 inline constexpr MessageText kDraftTitle{"draft_title", "%1, %2", "%1 %2"};
 inline constexpr MessageText kDraftTaskOf{"draft_task_of", "Prepare the cavity that is outlined, %1 mm deep.",

@@ -107,11 +107,10 @@ void OutlineTool::paint(const Vec3& place) {
 }
 
 void OutlineTool::release() {
-    if (!drags_ && !paints_) return;
-    const bool painted = paints_;
+    if (!isInStroke()) return;
     drags_ = paints_ = false;
     if (draft_ != nullptr) draft_->endStep();
-    if (painted) emit changed();
+    emit changed();
 }
 
 void OutlineTool::move(const Surface& surface, const Viewport& picture, const Vec2& pixel) {

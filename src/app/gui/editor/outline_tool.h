@@ -29,8 +29,8 @@ public:
     void setZone(int zone) { zone_ = zone; }
     /// The point that the mouse is on.
     [[nodiscard]] const std::optional<DraftPoint>& held() const { return held_; }
-    /// A stroke of decay is not complete yet.
-    [[nodiscard]] bool isPainting() const { return paints_; }
+    /// The mouse is down: a line, or a stroke of decay, is not complete yet.
+    [[nodiscard]] bool isInStroke() const { return drags_ || paints_; }
 
     void press(const Surface& surface, const Viewport& picture, const Vec2& pixel) override;
     void release() override;

@@ -64,6 +64,7 @@ MainWindow::MainWindow(SoundOutput& sound)
     menus_.addReplayEntry(tools_.replay.comparison().sideBySideAction());
     connect(&menus_.exercise(), &ExerciseMenu::newExerciseWanted, &tools_.editor, &EditorController::beginNew);
     connect(&menus_.exercise(), &ExerciseMenu::copyWanted, &tools_.editor, &EditorController::askForCopy);
+    connect(&tools_.editor, &EditorController::idealChanged, this, &MainWindow::updateInspection);
     connect(&tools_.editor, &EditorController::panelMade, &frame_.docks, &DockLayout::fitLater);
     connect(&menus_.appearance(), &AppearanceMenu::languageChosen, this, &MainWindow::languageChosen);
     connect(&menus_.appearance(), &AppearanceMenu::textScaleChanged, &frame_.docks, &DockLayout::fit);
@@ -133,6 +134,7 @@ void MainWindow::connectLoop() {
         output_.sounds.poll();
         input_.instruments.poll();
         work_.exercise.poll();
+        tools_.editor.poll();
         tools_.finish.poll();
         const bool isLoading = work_.teeth.isBusy() || !tools_.finish.isAssessing();
         const bool hasBar = isLoading ? frame_.panels.status->showLoading(
@@ -197,9 +199,12 @@ void MainWindow::showImportNotes() {
 void MainWindow::updateInspection() {
     if (!model_.tooth()) return;
     const MaterialRegistry& materials = model_.haptics().materials.registry();
-    frame_.panels.view->setInspection(
-        frame_.panels.inspection->inspection(model_.tooth()->box(), model_.mesialX(), materials),
-        frame_.panels.inspection->stereo());
+    Inspection inspection = frame_.panels.inspection->inspection(model_.tooth()->box(), model_.mesialX(), materials);
+    if (tools_.editor.shownIdeal() != nullptr) {  // in place of a target that the user has opened
+        inspection.ghost = tools_.editor.shownIdeal();
+        inspection.distances.reset();
+    }
+    frame_.panels.view->setInspection(inspection, frame_.panels.inspection->stereo());
 }
 
 void MainWindow::apply(const WindowSettings& settings) {

@@ -101,6 +101,29 @@ TEST(ExerciseDraft, FindsLinesThatMakeNoCavity) {
     EXPECT_NE(problemOf(zone), "");
 }
 
+/// Words and zones keep an exercise from being tried, but not its cavity from being shown.
+TEST(ExerciseDraft, FindsWhatKeepsItFromHavingAnIdeal) {
+    const auto problemOfIdeal = [](const ExerciseDraft& draft) {
+        return std::string(draft.problemOfIdeal(nullptr).value_or(Message()).id());
+    };
+    ExerciseDraft draft = squareDraft();
+    draft.change("", [](Exercise& exercise) { exercise.name.clear(); });
+    const DraftLine zone = draft.beginZone();
+    for (const Vec3& corner : {Vec3(0, 4, 1), Vec3(1, 4, 1), Vec3(1, 4, 2)})
+        draft.addPoint(zone, corner, Vec3::UnitY());
+    EXPECT_EQ(problemOf(draft), "draft_open_outline");
+    EXPECT_EQ(problemOfIdeal(draft), "");
+    draft.movePoint(kCavity, 1, Vec3(0, 4, 6), "");
+    EXPECT_EQ(problemOfIdeal(draft), "draft_outline_crosses");
+    draft.clearOutline();
+    EXPECT_EQ(problemOfIdeal(draft), "draft_no_outline");
+    for (const Vec3& corner : {Vec3(0, 0, 6), Vec3(3, 0, 6), Vec3(3, 3, 6), Vec3(0, 3, 6)})
+        draft.addPoint(kCavity, corner, Vec3::UnitZ());
+    EXPECT_EQ(problemOfIdeal(draft), "draft_open_outline");
+    draft.closeLine();
+    EXPECT_EQ(problemOfIdeal(draft), "");
+}
+
 TEST(ExerciseDraft, PutsANewPointIntoTheNearestEdge) {
     ExerciseDraft draft = squareDraft();
     EXPECT_EQ(draft.addPoint(kCavity, Vec3(3.2, 1.5, 6), Vec3::UnitZ()), 2U);
