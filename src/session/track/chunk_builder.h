@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <unordered_map>
 
@@ -25,11 +26,19 @@ public:
     [[nodiscard]] TrackChunk take();
 
 private:
+    /// The bricks that were touched since a moment as they were then, and the lost volumes.
+    struct Before {
+        std::map<BrickKey, CutField> fields;
+        ToothLoss loss;
+    };
+    [[nodiscard]] PackedBytes differenceSince(Before& before);
+
     CutField untouched_;
     std::unordered_map<BrickKey, CutField, BrickKeyHash> last_;  // of the bricks that were touched so far
     ToothLoss lastLoss_;
-    std::map<BrickKey, CutField> first_;  // of the bricks that were touched in this chunk, before it
-    ToothLoss firstLoss_;
+    Before first_;             // before this chunk
+    Before strideFirst_;       // before the chunks of this stride
+    std::uint64_t taken_ = 0;  // chunks
     CutDelta differences_;
     TrackChunk chunk_;
 };

@@ -39,11 +39,6 @@ FieldWords wordsOf(const CutField& field) {
     return words;
 }
 
-void assign(CutField& field, const FieldWords& words) {
-    std::memcpy(static_cast<void*>(&field), words.data(), kFieldWords * sizeof(Word));
-    field.isCut = words.back() != 0;
-}
-
 LossWords wordsOf(const ToothLoss& loss) {
     LossWords words;
     std::memcpy(words.data(), &loss, sizeof(loss));
@@ -91,15 +86,15 @@ public:
     }
     [[nodiscard]] const BrickKey& key() const { return key_; }
 
-    template <std::size_t kCount>
-    void applyTo(std::array<Word, kCount>& words) const {
+    /// Calls `visit(place, bits)` for each word of the record.
+    template <class Visit>
+    void forEachWord(const Visit& visit) const {
         for (std::size_t i = 0; i < count_; ++i) {
             std::uint16_t place = 0;
             Word bits = 0;
             std::memcpy(&place, places_.data() + i * sizeof(place), sizeof(place));
             std::memcpy(&bits, bits_.data() + i * sizeof(bits), sizeof(bits));
-            TACTOOTH_ASSERT(place < kCount);
-            words[place] ^= bits;
+            visit(place, bits);
         }
     }
 
@@ -122,6 +117,15 @@ private:
     std::size_t count_ = 0;
 };
 
+/// Flips bits of one word of a value in place: a field is 16 KB, and a step changes little of it.
+void flipBits(void* value, std::size_t place, Word bits) {
+    std::byte* const at = static_cast<std::byte*>(value) + place * sizeof(Word);
+    Word word = 0;
+    std::memcpy(&word, at, sizeof(word));
+    word ^= bits;
+    std::memcpy(at, &word, sizeof(word));
+}
+
 }  // namespace
 
 void CutDelta::add(const BrickKey& key, const CutField& before, const CutField& after) {
@@ -137,15 +141,21 @@ void applyDelta(std::span<const std::byte> delta, const std::function<CutField&(
                 ToothLoss& loss) {
     for (Records records(delta); records.next();) {
         if (records.key() == kLossKey) {
-            LossWords words = wordsOf(loss);
-            records.applyTo(words);
-            std::memcpy(static_cast<void*>(&loss), words.data(), sizeof(loss));
+            records.forEachWord([&loss](std::size_t place, Word bits) {
+                TACTOOTH_ASSERT(place < kLossWords);
+                flipBits(&loss, place, bits);
+            });
             continue;
         }
         CutField& field = fieldOf(records.key());
-        FieldWords words = wordsOf(field);
-        records.applyTo(words);
-        assign(field, words);
+        records.forEachWord([&field](std::size_t place, Word bits) {
+            TACTOOTH_ASSERT(place < kAllWords);
+            if (place < kFieldWords) {
+                flipBits(&field, place, bits);
+            } else {
+                field.isCut = field.isCut != (bits != 0);
+            }
+        });
     }
 }
 

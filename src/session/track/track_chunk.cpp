@@ -27,7 +27,7 @@ std::vector<std::byte> PackedBytes::unpacked() const {
 
 std::size_t TrackChunk::bytes() const {
     return ticks.capacity() * sizeof(TrackTick) + steps.capacity() * sizeof(ToothChange) +
-           differences.bytes.capacity() + whole.bytes.capacity();
+           differences.bytes.capacity() + whole.bytes.capacity() + stride.bytes.capacity();
 }
 
 }  // namespace tactooth

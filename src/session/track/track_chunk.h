@@ -29,11 +29,15 @@ struct ToothChange {
 /// A part of a track: some ticks, and how the tooth changed meanwhile.
 struct TrackChunk {
     static constexpr std::uint64_t kTicks = 1000;  ///< of each chunk but the last
+    static constexpr std::uint64_t kStride = 16;   ///< chunks that a far jump takes at once
 
     std::vector<TrackTick> ticks;
     std::vector<ToothChange> steps;  ///< in their order
     PackedBytes differences;         ///< of all steps, one behind the other (CutDelta)
     PackedBytes whole;               ///< from the first to the last moment of the chunk (CutDelta)
+    /// The same of kStride chunks, in the last one of them. A bur that works for long in one place changes the same
+    /// words again and again, so this is less than all of their differences.
+    PackedBytes stride;
 
     [[nodiscard]] std::size_t bytes() const;
 };

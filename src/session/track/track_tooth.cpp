@@ -32,18 +32,27 @@ void TrackTooth::moveTo(std::uint64_t moment) {
     } else {
         const Place& first = goal.chunk < place_.chunk ? goal : place_;
         const Place& last = goal.chunk < place_.chunk ? place_ : goal;
-        for (std::uint64_t chunk = first.chunk; chunk < last.chunk; ++chunk) applyWhole(chunk);
+        applyWhole(first.chunk, last.chunk);
         applySteps(first.chunk, 0, first.steps);  // taken back from the whole
         applySteps(last.chunk, 0, last.steps);
     }
     place_ = goal;
     moment_ = moment;
-    const std::map<BrickKey, CutField> fields(changed_.begin(), changed_.end());
-    changed_.clear();
+    const Fields fields = std::exchange(changed_, {});
     if (!fields.empty()) model_->replace(fields, loss_);
 }
 
-void TrackTooth::applyWhole(std::uint64_t chunk) { apply(track_->chunkAt(chunk)->whole.unpacked()); }
+/// All chunks from `first` to before `last`.
+void TrackTooth::applyWhole(std::uint64_t first, std::uint64_t last) {
+    constexpr std::uint64_t kStride = TrackChunk::kStride;
+    for (std::uint64_t chunk = first; chunk < last;) {
+        const bool isStride = chunk % kStride == 0 && chunk + kStride <= last;
+        const std::uint64_t next = chunk + (isStride ? kStride : 1);
+        const std::shared_ptr<const TrackChunk> end = track_->chunkAt(next - 1);
+        apply((isStride ? end->stride : end->whole).unpacked());
+        chunk = next;
+    }
+}
 
 void TrackTooth::applySteps(std::uint64_t chunk, std::size_t from, std::size_t to) {
     if (from == to) return;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
-#include <unordered_map>
 
 #include "session/track/session_track.h"
 
@@ -27,10 +27,10 @@ private:
         std::uint64_t chunk = 0;
         std::size_t steps = 0;
     };
-    using Fields = std::unordered_map<BrickKey, CutField, BrickKeyHash>;
+    using Fields = std::map<BrickKey, CutField>;
 
     [[nodiscard]] Place placeOf(std::uint64_t moment) const;
-    void applyWhole(std::uint64_t chunk);
+    void applyWhole(std::uint64_t first, std::uint64_t last);
     void applySteps(std::uint64_t chunk, std::size_t from, std::size_t to);
     void apply(std::span<const std::byte> difference);
     CutField& fieldOf(const BrickKey& key);
