@@ -3,7 +3,7 @@
 #pragma once
 
 #include "assessment/exercise.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 

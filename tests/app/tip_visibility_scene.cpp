@@ -11,7 +11,7 @@
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 #include "session/control/surface_ray.h"
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/mouse_manipulator.h"
 
 namespace tactooth::test {
 namespace {

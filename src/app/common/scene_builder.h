@@ -5,7 +5,7 @@
 #include "instruments/bur_catalogue.h"
 #include "instruments/bur_head.h"
 #include "instruments/mirror.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 #include "tooth/model/material_registry.h"
 #include "view/mesh/appearance_zones.h"
 #include "view/scene/scene.h"

@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "haptics/overload_check.h"
-#include "session/audio/tick_sound.h"
-#include "session/live/live_stream.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 namespace {
@@ -20,10 +18,10 @@ const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));  // mm; the hand starts ab
 }  // namespace
 
 SessionModel::SessionModel(SoundOutput& sound, const TaskExecutor& executor)
-    : sound_(sound),
-      manipulator_(kNoTooth, 1),
+    : manipulator_(kNoTooth, 1),
       devices_(manipulator_.pose()),
       instruments_(executor),
+      output_(sound, instruments_),
       keeper_(std::make_unique<SessionKeeper>(executor)) {}
 
 void SessionModel::install(SessionTooth tooth) {
@@ -44,20 +42,9 @@ void SessionModel::resetManipulator() {
     next.setHoldsHandInstrument(bur_ && bur_->isHandInstrument());
     next.depthControl() = manipulator_.depthControl();
     manipulator_ = std::move(next);
-    seenSurface_.reset();
+    surroundings_.forget();
     const Vec3 toEye = directionToEye(dentistView(mesialX()));
     if (tooth_) mirror_.park(parkedMirror(tooth_->box(), toEye, handleX(*this)));
-}
-
-/// Gives the manipulator what is there now. A device in the hand needs none of it but the depth.
-void SessionModel::showSurroundings() {
-    if (devices_.first() != nullptr) return advanceDepthControl();
-    const std::shared_ptr<const Surface> surface = runner_->feed().surface();
-    if (surface == seenSurface_ && bur_->instrument.shape == seenTool_) return;
-    if (seenSurface_ == nullptr) uncut_ = tooth_->piece->tooth().ownOuter();
-    seenSurface_ = surface;
-    seenTool_ = bur_->instrument.shape;
-    manipulator_.setSurroundings({touchableSurface(*this), seenTool_, uncut_});
 }
 
 /// The depth of a flat floor counts from where a cavity is begun, by a device as by the mouse.
@@ -73,18 +60,7 @@ void SessionModel::install(SessionBur bur) {
     bur_ = std::move(bur);
     manipulator_.setHoldsHandInstrument(bur_->isHandInstrument());
     needsRunner_ = true;
-    makeWallGuide();
-}
-
-/// A hand instrument feels none: a probe goes as deep as it can.
-void SessionModel::makeWallGuide() {
-    const bool hasBoth = guideWalls_ != nullptr && bur_ && !bur_->isHandInstrument();
-    wallGuide_ = hasBoth ? std::make_shared<const WallGuide>(guideWalls_, bur_->instrument.cutting.envelope) : nullptr;
-}
-
-void SessionModel::setGuideWalls(std::shared_ptr<const DistanceGrid> walls) {
-    guideWalls_ = std::move(walls);
-    makeWallGuide();
+    aids_.setBur(*bur_);
 }
 
 void SessionModel::install(DeviceSlot slot, std::unique_ptr<HapticDevice> device) {
@@ -133,8 +109,13 @@ void SessionModel::recordTo(const RecordingFolder& folder, std::shared_ptr<const
     keeper_->forget();
 }
 
+void SessionModel::setExamination(bool on) {
+    isExamination_ = on;
+    output_.setStreamAllowed(!on);
+}
+
 void SessionModel::streamTo(std::shared_ptr<LiveStream> stream) {
-    stream_ = std::move(stream);
+    output_.streamTo(std::move(stream));
     if (runner_ == nullptr) return;
     stop();  // its servo thread uses the stream before
     needsRunner_ = true;
@@ -178,7 +159,7 @@ void SessionModel::markSaved(const MaterialVolumes& removed) {
 }
 
 void SessionModel::resetTooth() {
-    if (runner_ == nullptr || !editsAllowed_) return;
+    if (runner_ == nullptr || isExamination_) return;
     runner_->request(Edit::Reset);
     // Otherwise the history takes back what belongs to the cuts, when the tooth is whole again.
     constexpr double kAll = std::numeric_limits<double>::infinity();
@@ -239,14 +220,7 @@ void SessionModel::startRunner() {
     devices_.moveMouse(manipulator_.pose());
     stop();  // its threads end before the new ones begin: they share the cut model and the device
     runner_ = std::make_unique<LiveRunner>(
-        tooth_->piece, bur_->instrument, haptics_, devices_.active(),
-        [this, stream = stream_,
-         tickSound = TickSound(haptics_.spindle, haptics_.materials, bur_->instrument.edge)](const Tick& tick) {
-            DrillSoundState heard = tickSound.at(tick);
-            instruments_.muteIdle(heard);
-            sound_.publish(heard);
-            if (stream != nullptr && streamAllowed_) stream->write(tick);
-        },
+        tooth_->piece, bur_->instrument, haptics_, devices_.active(), output_.listener(haptics_, bur_->instrument.edge),
         hand_.rate, registration(), devices_.second(), currentControls(), keeper_->begin({bur_->instrument, haptics_}));
     reportedOverload_ = false;
     Tick start;
@@ -274,11 +248,7 @@ SessionControls SessionModel::currentControls() const {
     SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
-    const bool hasFloor = bur_ && !bur_->isHandInstrument();  // a probe goes as deep as it can
-    if (depthStop_ && depthStopAllowed_ && hasFloor && devices_.first() != nullptr) {
-        now.depthStop = std::make_shared<const DepthControl>(manipulator_.depthControl());
-    }
-    if (guide_ && guideAllowed_ && devices_.first() != nullptr) now.guide = wallGuide_;
+    if (devices_.first() != nullptr && !isExamination_) aids_.addTo(now, manipulator_.depthControl());
     return now;
 }
 
@@ -311,7 +281,11 @@ SessionModel::StepResult SessionModel::step(double dt) {
     stepResult.faultMessage = devices_.changedFault();
     reportOverload(stepResult);
     const Tick& newest = log_.newest();
-    showSurroundings();
+    if (devices_.first() == nullptr) {
+        surroundings_.show(manipulator_, *tooth_->piece, runner_->feed().surface(), bur_->instrument.shape);
+    } else {  // it needs none of that but the depth
+        advanceDepthControl();
+    }
     manipulator_.advance(dt, newest.contact.proxy.position, newest.contact.depth);
     devices_.moveMouse(manipulator_.pose());
     runner_->setControls(currentControls());

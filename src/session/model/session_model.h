@@ -2,25 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "session/model/device_slots.h"
+#include "session/hands/device_slots.h"
+#include "session/hands/mirror_placement.h"
+#include "session/hands/mouse_surroundings.h"
+#include "session/model/device_aids.h"
 #include "session/model/instrument_set.h"
-#include "session/model/mirror_placement.h"
-#include "session/model/mouse_manipulator.h"
 #include "session/model/scene_animation.h"
 #include "session/model/session_keeper.h"
 #include "session/model/session_tooth.h"
 #include "session/model/tick_log.h"
+#include "session/model/tick_output.h"
 #include "session/model/work_history.h"
-#include "sound/output/sound_output.h"
 
 namespace tactooth {
-
-class LiveStream;
 
 /// How the user's hands work with the devices.
 struct HandSettings {
@@ -60,31 +58,22 @@ public:
     void adopt(WorkHistory history) { adoptedHistory_ = std::move(history); }
     /// Undo, redo and jumps take effect in the next steps, in their order.
     void undo() {
-        if (editsAllowed_) history_.undo();
+        if (!isExamination_) history_.undo();
     }
     void redo() {
-        if (editsAllowed_) history_.redo();
+        if (!isExamination_) history_.redo();
     }
     void goTo(std::size_t position) {
-        if (editsAllowed_) history_.goTo(position);
+        if (!isExamination_) history_.goTo(position);
     }
-    /// Whether anything can be taken back: undo, redo, jumps and resetTooth have an effect. Not so in an examination.
-    void setEditsAllowed(bool allowed) { editsAllowed_ = allowed; }
-    [[nodiscard]] bool editsAllowed() const { return editsAllowed_; }
-    /// Whether a device stops at the depth of the manipulator's depth control, as the user has chosen, and whether it
-    /// may. Not so in an examination.
-    void setDepthStop(bool on) { depthStop_ = on; }
-    void setDepthStopAllowed(bool allowed) { depthStopAllowed_ = allowed; }
-    /// Whether a device feels a guide at the walls of the ideal cavity (WallGuide), and whether it may. Not so in an
-    /// examination.
-    void setGuide(bool on) { guide_ = on; }
-    void setGuideAllowed(bool allowed) { guideAllowed_ = allowed; }
-    /// Where these walls are (guideWalls); null: there are none.
-    void setGuideWalls(std::shared_ptr<const DistanceGrid> walls);
+    /// In an examination nothing can be taken back (undo, redo, jumps, resetTooth), no device has an aid, and no tick
+    /// goes to a stream.
+    void setExamination(bool on);
+    [[nodiscard]] bool isExamination() const { return isExamination_; }
+    /// What helps a hand that feels force, as the user has chosen.
+    [[nodiscard]] DeviceAids& aids() { return aids_; }
     /// From the next tick on, each tick goes there, too. Null: nowhere.
     void streamTo(std::shared_ptr<LiveStream> stream);
-    /// Whether ticks may go there. Not so in an examination.
-    void setStreamAllowed(bool allowed) { streamAllowed_ = allowed; }
     /// A change that is no cut was made; its functions undo and redo it.
     void noteChange(WorkStep step);
 
@@ -165,14 +154,11 @@ private:
     void advanceHistory();
     void startRunner();
     void resetManipulator();
-    void showSurroundings();
-    void reportOverload(StepResult& stepResult);
     void advanceDepthControl();
+    void reportOverload(StepResult& stepResult);
     [[nodiscard]] SessionControls currentControls() const;
-    void makeWallGuide();
     [[nodiscard]] std::optional<DeviceRegistration> registration() const;
 
-    SoundOutput& sound_;
     std::vector<Tick> fetched_;  // empty between steps; keeps its memory
     HapticSettings haptics_;
     HandSettings hand_;
@@ -183,21 +169,15 @@ private:
     bool reportedOverload_ = false;
     MouseManipulator manipulator_;
     MirrorPlacement mirror_;
-    std::shared_ptr<const Surface> seenSurface_;  // of the tooth, that the manipulator knows
-    std::shared_ptr<const ToolShape> seenTool_;
-    std::shared_ptr<const SurfacePart> uncut_;  // surface of the tooth before any cut
+    MouseSurroundings surroundings_;
     DeviceSlots devices_;
+    DeviceAids aids_;
     InstrumentSet instruments_;
+    TickOutput output_;
     TickLog log_;
     SceneAnimation animation_;
     bool paused_ = false;
-    bool editsAllowed_ = true;
-    bool depthStop_ = false, depthStopAllowed_ = true;
-    bool guide_ = false, guideAllowed_ = true;
-    std::shared_ptr<const DistanceGrid> guideWalls_;
-    std::shared_ptr<const WallGuide> wallGuide_;  // of these walls and the present bur; null: there is none
-    std::shared_ptr<LiveStream> stream_;
-    std::atomic<bool> streamAllowed_{true};
+    bool isExamination_ = false;
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "session/model/pointer_view.h"
+#include "session/hands/pointer_view.h"
 
 namespace tactooth::test {
 

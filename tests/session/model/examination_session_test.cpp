@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 class ExaminationSession : public ::testing::Test {
 protected:
     void begin() {
-        model_.setEditsAllowed(false);
+        model_.setExamination(true);
         model_.recordTo(RecordingFolder(folder_.path()), key_);
         model_.install(test::blockTooth());
         model_.install(test::flatSessionBur());
@@ -68,7 +68,7 @@ TEST_F(ExaminationSession, NothingIsTakenBackAndTheRecordingIsSigned) {
 TEST_F(ExaminationSession, AfterwardsUndoWorksAgain) {
     begin();
     test::cutBlock(model_);
-    model_.setEditsAllowed(true);
+    model_.setExamination(false);
     model_.undo();
     EXPECT_TRUE(test::stepUntil(model_, [&] { return removed() == 0; }));
 }
@@ -92,11 +92,10 @@ TEST_F(ExaminationSession, SendsNoTicks) {
     auto stream = LiveStream::open(listener.url());
     ASSERT_TRUE(stream) << stream.error().message();
     model_.streamTo(std::move(*stream));
-    model_.setStreamAllowed(false);
     begin();
     goOnFor(0.2);
     EXPECT_FALSE(listener.hasDatagram());
-    model_.setStreamAllowed(true);
+    model_.setExamination(false);
     EXPECT_EQ(listener.next().size(), kStreamBytes);
 }
 

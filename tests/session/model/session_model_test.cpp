@@ -11,7 +11,7 @@
 
 #include "devices/simulated/scripted_device.h"
 #include "live/udp_listener.h"
-#include "model/model_scene.h"
+#include "model/session_model_fixture.h"
 #include "model/slow_device.h"
 #include "session/live/live_stream.h"
 #include "support/materials.h"
@@ -19,40 +19,8 @@
 namespace tactooth {
 namespace {
 
+using test::SessionModelTest;
 using test::StillDevice;
-
-/// A session with the block and the flat bur; the first step has been made.
-class SessionModelTest : public testing::Test {
-protected:
-    void SetUp() override {
-        model_.install(test::blockTooth());
-        model_.install(test::flatSessionBur());
-        (void)model_.step(0);
-    }
-    [[nodiscard]] bool soon(const std::function<bool()>& condition) { return test::stepUntil(model_, condition); }
-    [[nodiscard]] bool ticksCome() {
-        return soon([&] { return !model_.log().ticks().empty(); });
-    }
-    [[nodiscard]] Vec3 handle() const { return model_.log().newest().input.device.rotation * Vec3::UnitX(); }
-    [[nodiscard]] Vec3 handPlace() const { return model_.log().newest().input.device.position; }
-    StillDevice& installStill(DeviceSlot slot, const Vec3& workspace = Vec3::Zero()) {
-        auto device = std::make_unique<StillDevice>(workspace, std::nullopt, Vec3::Zero());
-        StillDevice& hand = *device;
-        model_.install(slot, std::move(device));
-        return hand;
-    }
-    /// The bur goes down into the block, its pedal pressed.
-    void installHandThatPresses() {
-        const auto at = [](double time, double z) {
-            return DeviceKeyframe{time, {.hand = {Vec3(0, 0, z), Quat::Identity()}, .pedal = 1}};
-        };
-        std::vector<DeviceKeyframe> script{at(0, 1), at(0.2, 1), at(0.4, -0.4)};
-        model_.install(DeviceSlot::First, std::make_unique<ScriptedDevice>(std::move(script), "press", true));
-    }
-
-    test::SpySound sound_;
-    SessionModel model_{sound_, test::runInline};
-};
 
 TEST(SessionModel, HasNoRunnerUntilThereAreAToothAndABur) {
     test::SpySound sound;
@@ -75,6 +43,21 @@ TEST(SessionModel, WithoutAToothNothingFitsAndMesialIsAtPlusX) {
     EXPECT_EQ(model.mesialX(), 1);
     model.resetTooth();  // nothing happens
     EXPECT_TRUE(model.log().ticks().empty());
+}
+
+TEST(SessionModel, IsPreparingFromToothAndBurUntilTheRunnerBegins) {
+    test::SpySound sound;
+    SessionModel model(sound, test::runInline);
+    model.install(test::blockTooth());
+    EXPECT_FALSE(model.isPreparing()) << "there is no bur";
+    model.install(test::flatSessionBur());
+    EXPECT_TRUE(model.isPreparing());
+    model.setPaused(true);
+    EXPECT_FALSE(model.isPreparing());
+    model.setPaused(false);
+    EXPECT_TRUE(model.isPreparing());
+    (void)model.step(0);
+    EXPECT_FALSE(model.isPreparing());
 }
 
 TEST_F(SessionModelTest, SendsItsTicksToTheGivenStream) {
@@ -266,8 +249,8 @@ TEST_F(SessionModelTest, ADeviceStopsAtTheDepthOfTheMouseIfItIsSaidSoAndAllowed)
     const auto cutDepth = [this](bool on, bool allowed) {
         model_.install(test::blockTooth());
         model_.manipulator().depthControl().setDepth(kDepth);
-        model_.setDepthStop(on);
-        model_.setDepthStopAllowed(allowed);
+        model_.aids().setDepthStop(on);
+        model_.setExamination(!allowed);
         test::cutBlock(model_);
         const double area = std::numbers::pi * test::kBurRadius * test::kBurRadius;
         return total(model_.runner()->feed().removed()) / area;

@@ -196,7 +196,7 @@ void ExerciseController::clearTarget() {
 void ExerciseController::setTarget(Target target) {
     target_ = std::move(target);
     progress_.restart(target_.metrics);
-    model_.setGuideWalls(target_.guideWalls);
+    model_.aids().setWalls(target_.guideWalls);
     showTarget();
 }
 

@@ -33,7 +33,7 @@ GuidedTour::GuidedTour(SessionModel& model, ToothView& view, DrillBar& drill, Dr
 }
 
 void GuidedTour::start() {
-    if (model_.runner() == nullptr || !model_.editsAllowed()) return;  // it takes its cut back
+    if (model_.runner() == nullptr || model_.isExamination()) return;  // it takes its cut back
     model_.manipulator().resetOrientation();
     view_.resetView();
     lookPastTheHandpiece();

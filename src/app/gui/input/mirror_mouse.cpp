@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "session/model/mirror_aim.h"
+#include "session/hands/mirror_aim.h"
 #include "session/model/session_model.h"
 
 namespace tactooth {

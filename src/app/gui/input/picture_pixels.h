@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "session/model/pointer_view.h"
+#include "session/hands/pointer_view.h"
 #include "view/camera/camera.h"
 
 // What pictures of a scene share in how they take the mouse. A pixel is one of the picture, which may be finer than the

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "session/model/pointer_view.h"
+#include "session/hands/pointer_view.h"
 #include "view/camera/camera.h"
 
 namespace tactooth {

@@ -14,20 +14,14 @@ bool ExaminationMode::allowsAnotherTooth() const { return !isOn() || !model_.isT
 void ExaminationMode::begin(std::shared_ptr<const SigningKey> seal) {
     TACTOOTH_ASSERT(seal != nullptr && !model_.isTouched());
     seal_ = std::move(seal);
-    model_.setEditsAllowed(false);
-    model_.setDepthStopAllowed(false);
-    model_.setGuideAllowed(false);
-    model_.setStreamAllowed(false);
+    model_.setExamination(true);
     emit changed();
 }
 
 void ExaminationMode::finish() {
     if (!isOn()) return;
     seal_.reset();
-    model_.setEditsAllowed(true);
-    model_.setDepthStopAllowed(true);
-    model_.setGuideAllowed(true);
-    model_.setStreamAllowed(true);
+    model_.setExamination(false);
     emit changed();
 }
 

@@ -103,8 +103,8 @@ void ForcePanel::addHand(QGridLayout& grid) {
 
 void ForcePanel::applyTo(SessionModel& model) const {
     const ForceSettings now = settings();
-    model.setDepthStop(now.depthStop);
-    model.setGuide(now.guide);
+    model.aids().setDepthStop(now.depthStop);
+    model.aids().setGuide(now.guide);
     MouseManipulator& hand = model.manipulator();
     hand.setPressMode(now.mouse == kMouseByForce ? PressMode::Force : PressMode::Depth);
     hand.setPressDepth(now.press);

@@ -6,7 +6,7 @@
 
 #include "collision/bvh/surface.h"
 #include "geometry/util/pose.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 

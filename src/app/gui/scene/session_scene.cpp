@@ -5,7 +5,7 @@
 #include "app/common/mouth_scene.h"
 #include "app/common/spray_particles.h"
 #include "app/common/tooth_zones.h"
-#include "session/model/chair_view.h"
+#include "session/hands/chair_view.h"
 
 namespace tactooth {
 namespace {

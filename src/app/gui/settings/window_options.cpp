@@ -9,7 +9,7 @@
 #include "app/gui/text/messages.h"
 #include "devices/base/workspace_fit.h"
 #include "geometry/util/number_text.h"
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/mouse_manipulator.h"
 
 namespace tactooth {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "geometry/util/expected.h"
 #include "geometry/util/message.h"
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/mouse_manipulator.h"
 #include "sound/voices/sound_mixer.h"
 #include "tooth/model/material_registry.h"
 

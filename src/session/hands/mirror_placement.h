@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "geometry/util/pose.h"
-#include "session/model/pointer_view.h"
+#include "session/hands/pointer_view.h"
 
 namespace tactooth {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mirror_placement.h"
+#include "session/hands/mirror_placement.h"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "geometry/util/pose.h"
 #include "session/control/clear_travel.h"
 #include "session/control/depth_control.h"
-#include "session/model/pointer_view.h"
+#include "session/hands/pointer_view.h"
 
 namespace tactooth {
 

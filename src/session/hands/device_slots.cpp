@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/device_slots.h"
+#include "session/hands/device_slots.h"
 
 #include <algorithm>
 #include <numbers>
 #include <utility>
 
-#include "session/model/instrument_poses.h"
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/instrument_poses.h"
+#include "session/hands/mouse_manipulator.h"
 
 namespace tactooth {
 

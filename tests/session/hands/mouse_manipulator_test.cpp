@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/mouse_manipulator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "model/pinhole.h"
-#include "session/model/instrument_poses.h"
+#include "hands/pinhole.h"
+#include "session/hands/instrument_poses.h"
 #include "support/shapes.h"
 
 namespace tactooth {

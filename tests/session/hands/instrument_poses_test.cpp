@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 #include <gtest/gtest.h>
 

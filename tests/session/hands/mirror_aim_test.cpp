@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mirror_aim.h"
+#include "session/hands/mirror_aim.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/mirror.h"
 #include "session/control/surface_ray.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 #include "support/shapes.h"
 
 namespace tactooth {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "session/model/instrument_poses.h"
-#include "session/model/pointer_view.h"
+#include "session/hands/instrument_poses.h"
+#include "session/hands/pointer_view.h"
 
 namespace tactooth::test {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mouse_manipulator.h"
+#include "session/hands/mouse_manipulator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "session/control/surface_ray.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 namespace {

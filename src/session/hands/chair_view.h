@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 

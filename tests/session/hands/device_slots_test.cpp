@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/device_slots.h"
+#include "session/hands/device_slots.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "devices/simulated/scripted_device.h"
 #include "model/model_scene.h"
-#include "session/model/instrument_poses.h"
+#include "session/hands/instrument_poses.h"
 
 namespace tactooth {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mirror_aim.h"
+#include "session/hands/mirror_aim.h"
 
 #include <array>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/mirror_placement.h"
+#include "session/hands/mirror_placement.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "model/pinhole.h"
+#include "hands/pinhole.h"
 
 namespace tactooth {
 namespace {

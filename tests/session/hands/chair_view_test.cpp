@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "session/model/chair_view.h"
+#include "session/hands/chair_view.h"
 
 #include <gtest/gtest.h>
 
