@@ -18,6 +18,7 @@
 #include "app/cli/runs/feel_command.h"
 #include "app/cli/runs/sound_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/manual.h"
 #include "app/cli/terminal/number_range.h"
 #include "app/cli/terminal/output.h"
@@ -137,7 +138,7 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->type_name("C");
     command
         ->add_option("--friction", options->friction,
-                     "Coulomb friction coefficient (default: 0, spring and damper alone)")
+                     withDefault("Coulomb friction coefficient", options->friction, ", spring and damper alone"))
         ->transform(numberFrom(0, kMaxFriction))
         ->type_name("MU");
 }
@@ -186,8 +187,9 @@ void addCut(CLI::App& program, CommandAction& chosen) {
         ->transform(numberFrom(0.0, 1e6))
         ->type_name("N");
     command
-        ->add_option("--voxel", options->voxel,
-                     "Voxel size of the cut volume, mm (default: 0.025, or that of the saved tooth)")
+        ->add_option(
+            "--voxel", options->voxel,
+            withDefault("Voxel size of the cut volume, mm", CutOptions::kUsualVoxel, ", or that of the saved tooth"))
         ->transform(numberFrom(0.005, 0.5))
         ->type_name("MM");
     command
@@ -265,7 +267,7 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
                    "tooth, a recording and a summary to a folder. Needs no display, device or sound card.",
                    options, runDemo);
     command->add_option("--out", options->out, "Folder to write to")->required()->type_name("DIR");
-    command->add_option("--seconds", options->seconds, "Length of the session, s (default: 14)")
+    command->add_option("--seconds", options->seconds, withDefault("Length of the session, s", options->seconds))
         ->transform(numberFrom(1.0, 600.0))
         ->type_name("S");
     (void)addRecord(*command, options->record, " (the folder has session.ttsession in any case)");
@@ -316,8 +318,9 @@ void addSound(CLI::App& program, CommandAction& chosen) {
                      "names a recording for each part (docs/sound.md)")
         ->type_name("FILE");
     command
-        ->add_option("--blades", options->blades,
-                     "Number of blades of a carbide bur, heard at low speed (default: 0, a diamond bur)")
+        ->add_option(
+            "--blades", options->blades,
+            withDefault("Number of blades of a carbide bur, heard at low speed", options->blades, ", a diamond bur"))
         ->transform(wholeNumberFrom(0, 60))
         ->type_name("N");
     command->add_flag("--water", options->water, "Adds the cooling spray while the drive runs");

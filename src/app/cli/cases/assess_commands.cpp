@@ -5,6 +5,7 @@
 #include "app/cli/cases/learned_command.h"
 #include "app/cli/cases/study_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
@@ -110,14 +111,17 @@ void addLearnedCommand(CLI::App& program, CommandAction& chosen) {
     command->add_option("--out", options->out, "Folder for learned.html and learned.json")
         ->required()
         ->type_name("DIR");
-    addRate(*command, "--adequate", options->adequate, "Share of trials that who can do it fails (default: 0.1)");
+    addRate(*command, "--adequate", options->adequate,
+            withDefault("Share of trials that who can do it fails", options->adequate));
     addRate(*command, "--inadequate", options->inadequate,
-            "Share of trials that who cannot do it fails (default: 0.3)");
-    command->add_option("--trials", options->trials, "Number of trials that are planned (default: 50)")
+            withDefault("Share of trials that who cannot do it fails", options->inadequate));
+    command->add_option("--trials", options->trials, withDefault("Number of trials that are planned", options->trials))
         ->transform(wholeNumberFrom(1, 1000))
         ->type_name("N");
-    addRate(*command, "--acceptable", options->acceptable, "Share of failed trials that is acceptable (default: 0.05)");
-    addRate(*command, "--unacceptable", options->unacceptable, "Share that is not acceptable (default: 0.15)");
+    addRate(*command, "--acceptable", options->acceptable,
+            withDefault("Share of failed trials that is acceptable", options->acceptable));
+    addRate(*command, "--unacceptable", options->unacceptable,
+            withDefault("Share that is not acceptable", options->unacceptable));
     addLanguage(*command, options->language);
     command->add_flag("--json", options->json, "Writes learned.json to the standard output, too");
 }
@@ -137,10 +141,10 @@ void addStudyCommand(CLI::App& program, CommandAction& chosen) {
         ->add_option("--rubric", options->rubric,
                      "What the mark is made of, as for 'assess' (default: that of the exercise)")
         ->type_name("RUBRIC");
-    command->add_option("--hands", options->hands, "Number of hands of each level (default: 5)")
+    command->add_option("--hands", options->hands, withDefault("Number of hands of each level", options->hands))
         ->transform(wholeNumberFrom(2, 100))
         ->type_name("N");
-    command->add_option("--seed", options->seed, "Another number gives other hands (default: 1)")
+    command->add_option("--seed", options->seed, withDefault("Another number gives other hands", options->seed))
         ->transform(wholeNumberFrom(0, 1000000))
         ->type_name("N");
     command->add_option("--out", options->out, "Folder for study.html, study.csv and study.json")

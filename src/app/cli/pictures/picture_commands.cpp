@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/pictures/render_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
 #include "app/common/inspection.h"
 
@@ -106,12 +107,13 @@ void addInspection(CLI::App& command, RenderOptions& options) {
         .add_flag("--ghost", options.ghost,
                   "Shows the cavity that is still to be cut as blue glass, instead of the colours")
         ->needs("--target");
-    command.add_option("--range", options.range, "Distance with the strongest colour, mm (default: 0.5)")
+    command.add_option("--range", options.range, withDefault("Distance with the strongest colour, mm", options.range))
         ->transform(numberFrom(0.001, 100.0))
         ->type_name("MM");
     command
         .add_option("--tolerance", options.tolerance,
-                    "Smaller distances are white, and an edge shows where they end, mm (default: 0: no edge)")
+                    withDefault("Smaller distances are white, and an edge shows where they end, mm", options.tolerance,
+                                ": no edge"))
         ->transform(numberFrom(0.0, 100.0))
         ->type_name("MM")
         ->needs("--target");
@@ -129,7 +131,7 @@ void addPictureCommands(CLI::App& program, CommandAction& chosen) {
     addEye(*command, *options);
     addInspection(*command, *options);
     addMouth(*command, *options);
-    command->add_option("--size", options->size, "Size in pixels (default: 1600x1000; at most 4096x4096)")
+    command->add_option("--size", options->size, withDefault("Size in pixels", options->size, "; at most 4096x4096"))
         ->type_name("WxH");
     command->add_flag("--no-background", options->noBackground, "Leaves the background transparent");
     command->add_option("--out", options->out, "PNG file to write")->required()->type_name("FILE");

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/messages.h"
 #include "app/common/exit_code.h"
 #include "app/gui/settings/window_settings.h"
@@ -76,7 +77,7 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         [&arguments](const std::string& fdi) {
             arguments.mouth = fdi.empty() ? MouthChoice().fdi : toNumber<int>(fdi).value_or(0);
         },
-        "Opens the whole built-in mouth to work on this tooth (default: 46)");
+        withDefault("Opens the whole built-in mouth to work on this tooth", MouthChoice().fdi));
     mouth->type_name("[FDI]")->expected(0, 1)->excludes("--tooth")->group(kGroup);
     program.add_flag("--no-cache", arguments.noCache, "Generates teeth and gums again and does not use the cache")
         ->needs(mouth)

@@ -31,8 +31,6 @@
 namespace tactooth {
 namespace {
 
-constexpr double kUsualVoxel = 0.025;  // mm: walls exact to a micrometre, and hours of cutting still fit into 600 MB
-
 /// The table of the removed material: t, then the materials in the order of their roles (enamel, dentin, pulp, caries,
 /// other), then all further materials.
 class RemovedCsv {
@@ -205,7 +203,7 @@ int runCut(const CutOptions& options) {
         return reportError(opened.error());
     const auto path = readTrajectory(options.trajectory);
     if (!path) return reportError(path.error());
-    const auto tooth = loadModelOrCase(*source, options.workOn, options.voxel, kUsualVoxel);
+    const auto tooth = loadModelOrCase(*source, options.workOn, options.voxel, CutOptions::kUsualVoxel);
     if (!tooth) return reportError(tooth.error());
     std::vector<ImportNote> importNotes = tooth->importNotes;
     auto bur = burOf(options, tooth->place, importNotes);

@@ -8,6 +8,7 @@
 #include "app/cli/sessions/session_trim_command.h"
 #include "app/cli/sessions/session_verify_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
@@ -35,17 +36,20 @@ void addPictures(CLI::App& command, ReplayOptions& options) {
                                            "A film with the sound of the drill (.mp4, .mkv or .mov), by ffmpeg. Where "
                                            "that is not installed: a folder FILE.frames of pictures and a WAV file");
     film->type_name("FILE")->group(kGroup);
-    command.add_option("--fps", options.film.fps, "Pictures each second of the film (default: 25)")
+    command.add_option("--fps", options.film.fps, withDefault("Pictures each second of the film", options.film.fps))
         ->transform(wholeNumberFrom(1, 240))
         ->needs(film)
         ->type_name("N")
         ->group(kGroup);
-    command.add_option("--speed", options.film.speed, "Speed of the film; it has sound at 1 only (default: 1)")
+    command
+        .add_option("--speed", options.film.speed,
+                    withDefault("Speed of the film; it has sound at 1 only", options.film.speed))
         ->transform(numberFrom(0.01, 100.0))
         ->needs(film)
         ->type_name("FACTOR")
         ->group(kGroup);
-    command.add_option("--size", options.size, "Width and height of pictures and film, pixels (default: 1280x720)")
+    command
+        .add_option("--size", options.size, withDefault("Width and height of pictures and film, pixels", options.size))
         ->type_name("WxH")
         ->group(kGroup);
     command
@@ -102,7 +106,9 @@ void addExport(CLI::App& session, CommandAction& chosen) {
                                "/spindle and /events in JSON with schemas.",
                                mcap, runSessionExportMcap);
     command->add_option("--out", mcap->out, "MCAP file to write")->required()->type_name("FILE");
-    command->add_option("--rate", mcap->rateHz, "Most messages a second on each channel but /events, Hz (default: 100)")
+    command
+        ->add_option("--rate", mcap->rateHz,
+                     withDefault("Most messages a second on each channel but /events, Hz", mcap->rateHz))
         ->transform(numberFrom(0.1, 100000.0))
         ->type_name("HZ");
 }
@@ -113,7 +119,7 @@ void addTrim(CLI::App& session, CommandAction& chosen) {
         session, chosen, "trim",
         "Writes a part of a recording as a recording that can be replayed. Whole blocks of half a second are kept.",
         trim, runSessionTrim);
-    command->add_option("--from", trim->from, "Start of the part, s (default: 0)")
+    command->add_option("--from", trim->from, withDefault("Start of the part, s", trim->from))
         ->transform(numberFrom(0.0, 1e6))
         ->type_name("S");
     command->add_option("--to", trim->to, "End of the part, s (default: that of the recording)")

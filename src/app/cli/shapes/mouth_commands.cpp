@@ -5,6 +5,7 @@
 #include "app/cli/shapes/mouth_command.h"
 #include "app/cli/shapes/tooth_command.h"
 #include "app/cli/terminal/command_registry.h"
+#include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
 
 namespace tactooth {
@@ -14,7 +15,7 @@ namespace {
 constexpr int kMaxOfTooth = 2'000'000, kMaxOfMouth = 250'000;
 
 CLI::Option* addTriangles(CLI::App& command, int& triangles, const std::string& ofWhat, int most = kMaxOfTooth) {
-    return command.add_option("--triangles", triangles, ofWhat + ", approximately (default: 20000)")
+    return command.add_option("--triangles", triangles, withDefault(ofWhat + ", approximately", triangles))
         ->transform(wholeNumberFrom(1000, most))
         ->type_name("N");
 }
@@ -31,7 +32,8 @@ void addBur(CLI::App& program, CommandAction& chosen) {
     command->add_option("--out", options->out, "STL file to write")->type_name("FILE");
     command
         ->add_option("--triangles", options->triangles,
-                     "Number of triangles, made even (default: 340, as for contact; all details need about 5000)")
+                     withDefault("Number of triangles, made even", options->triangles,
+                                 ", as for contact; all details need about 5000"))
         ->transform(wholeNumberFrom(200, 2'000'000))
         ->type_name("N");
 }
@@ -49,7 +51,9 @@ void addInstrument(CLI::App& program, CommandAction& chosen) {
         ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe", "excavator"}))
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
-    command->add_option("--triangles", options->triangles, "Triangles of the turbine or contra-angle (default: 16000)")
+    command
+        ->add_option("--triangles", options->triangles,
+                     withDefault("Triangles of the turbine or contra-angle", options->triangles))
         ->transform(wholeNumberFrom(2000, 24000))
         ->type_name("N");
 }
@@ -68,14 +72,17 @@ void addTooth(CLI::App& program, CommandAction& chosen) {
         ->required()
         ->type_name("DIR");
     addTriangles(*command, options->triangles, "Triangles of the outer surface");
-    command->add_option("--seed", options->seed, "Seed of the patient (default: 0, the average tooth)")
+    command
+        ->add_option("--seed", options->seed, withDefault("Seed of the patient", options->seed, ", the average tooth"))
         ->transform(seedNumber())
         ->type_name("N");
     command->add_flag("--no-cache", options->noCache, "Generates the tooth again and does not use the cache");
     CLI::Option* caries = command->add_option(
         "--caries", options->caries, "Surface where decay begins: occlusal, mesial, distal, buccal or lingual");
     caries->check(CLI::IsMember({"occlusal", "mesial", "distal", "buccal", "lingual"}))->type_name("SITE");
-    command->add_option("--caries-width", options->cariesWidth, "Width of the decay in the dentin, mm (default: 2.4)")
+    command
+        ->add_option("--caries-width", options->cariesWidth,
+                     withDefault("Width of the decay in the dentin, mm", options->cariesWidth))
         ->transform(numberFrom(kMinLesionWidth, kMaxLesionWidth))
         ->needs(caries)
         ->type_name("MM");
@@ -107,7 +114,7 @@ void addGallery(CLI::App& program, CommandAction& chosen) {
         options, runGallery);
     command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
     addTriangles(*command, options->triangles, "Triangles of each tooth");
-    command->add_option("--seed", options->seed, "Seed of the patient (default: 0, average teeth)")
+    command->add_option("--seed", options->seed, withDefault("Seed of the patient", options->seed, ", average teeth"))
         ->transform(seedNumber())
         ->type_name("N");
     command->add_option("--teeth", options->teeth, "Draws only these teeth (FDI numbers), larger, without instruments")
@@ -121,7 +128,7 @@ void addGallery(CLI::App& program, CommandAction& chosen) {
 void addMouthSpecOptions(CLI::App& command, MouthSpec& spec, CLI::Option* needed) {
     const std::vector<CLI::Option*> all = {
         addTriangles(command, spec.triangles, "Triangles of each tooth", kMaxOfMouth),
-        command.add_option("--seed", spec.seed, "Seed of the patient (default: 0, average teeth)")
+        command.add_option("--seed", spec.seed, withDefault("Seed of the patient", spec.seed, ", average teeth"))
             ->transform(seedNumber())
             ->type_name("N"),
         command.add_option("--jaw", spec.jaw, "open (40 mm between the incisors) or closed (default)")
