@@ -5,6 +5,7 @@
 #include "view/camera/magnifier.h"
 #include "view/gl/messages.h"
 #include "view/gl/shape_cache.h"
+#include "view/passes/antialiasing_pass.h"
 #include "view/passes/ghost_pass.h"
 #include "view/passes/id_pass.h"
 #include "view/passes/mirror_pass.h"
@@ -134,6 +135,7 @@ struct Renderer::Parts {
     MirrorPass mirror;
     GhostPass ghosts;
     OcclusionPass occlusion;
+    AntialiasingPass antialiasing;
     ParticlePass particles;
     StereoPass stereo;
     ShadowMap shadows;
@@ -289,8 +291,11 @@ Expected<void> Renderer::Parts::drawScene(const Job& job, const Camera& camera, 
     drawGlass(job, inputs, PixelRectangle::whole(job.size));
     particles.draw(job.scene.particles, view, job.size);
     into.resolve();
-    if (!job.settings.ambientOcclusion) return {};
-    return occlusion.apply(into, PixelRectangle::whole(into.size()), camera);
+    if (job.settings.ambientOcclusion) {
+        if (auto done = occlusion.apply(into, PixelRectangle::whole(into.size()), camera); !done) return done;
+    }
+    if (job.settings.antialiasing && into.samples() == 0) antialiasing.apply(into);
+    return {};
 }
 
 Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, const RenderTarget& into) {
@@ -380,6 +385,7 @@ Expected<Renderer> Renderer::create() {
                                                      std::move(*mirror),
                                                      std::move(*ghosts),
                                                      std::move(*occlusion),
+                                                     {},
                                                      std::move(*particles),
                                                      std::move(*stereo),
                                                      std::move(*shadows),

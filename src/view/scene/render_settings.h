@@ -17,7 +17,10 @@ struct RenderSettings {
     int samples = 0;  ///< per pixel, against jagged edges, 0 or 2..8; fewer if the driver supports fewer
     Shadows shadows = Shadows::Hard;
     bool ambientOcclusion = false;  ///< darkened fissures and contacts
-    double resolution = 1;          ///< share of the pixels drawn along each side, 0..1; the rest is interpolated
+
+    /// Smooths jagged edges in the finished picture, if it has one sample per pixel.
+    bool antialiasing = false;
+    double resolution = 1;  ///< share of the pixels drawn along each side, 0..1; the rest is interpolated
 
     /// Pixels by which a drawn surface may deviate, so that distant or small objects need fewer triangles. 0 draws
     /// every triangle.
@@ -25,8 +28,10 @@ struct RenderSettings {
 
     bool operator==(const RenderSettings&) const = default;
 };
-/// While things move: on a computer without a graphics card, and with one.
+/// The least: edges are jagged, and those of shadows as smooth as a texel.
 inline constexpr RenderSettings kQuick{.lodTolerance = 0.5};
+/// While things move: on a computer without a graphics card, and with one.
+inline constexpr RenderSettings kMoving{.antialiasing = true, .lodTolerance = 0.5};
 inline constexpr RenderSettings kSmooth{.samples = 4, .shadows = Shadows::Soft, .lodTolerance = 0.5};
 /// At rest.
 inline constexpr RenderSettings kFine{.samples = 4, .shadows = Shadows::Widening, .ambientOcclusion = true};

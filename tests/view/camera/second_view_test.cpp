@@ -63,7 +63,7 @@ TEST(CornerRectangle, IsInTheUpperRightCornerOfEveryPicture) {
 }
 
 TEST_F(SecondViewTest, IsThePictureOfItsOwnCameraWithoutMirrorAndHandlesAndTheRestStaysAsItIs) {
-    for (RenderSettings settings : {kQuick, kFine}) {
+    for (RenderSettings settings : {kQuick, kMoving, kFine}) {
         settings.shadows = Shadows::None;  // the handle throws its shadow whether it is visible or not
         Scene scene = sceneWithSides();
         const Image whole = draw(scene, settings);

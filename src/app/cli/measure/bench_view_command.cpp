@@ -77,6 +77,7 @@ Subject toothSubject(const TriangleMesh& mesh, ImageSize size) {
             trianglesOf(scene),
             {{"bare, in one colour", {sequence, std::nullopt}},
              {"light and shadow", {sequence, kQuick}},
+             {"antialiased edges", {sequence, kMoving}},
              {"smooth edges, soft", {sequence, kSmooth}},
              {"all of it", {sequence, kFine}}}};
 }
@@ -174,7 +175,7 @@ Expected<void> measure(const BenchViewOptions& options) {
     auto timer = FrameTimer::create(*size);
     if (!timer) return Unexpected{timer.error()};
     Report report(options, *size, timer->device());
-    const RenderSettings moved = isSoftwareRenderer(timer->device()) ? kQuick : kSmooth;  // as in the window
+    const RenderSettings moved = isSoftwareRenderer(timer->device()) ? kMoving : kSmooth;  // as in the window
     const auto add = [&](const Subject& subject) -> Expected<void> {
         std::vector<FrameTimer::Candidate> candidates;
         for (const Case& one : subject.cases) candidates.push_back(one.candidate);

@@ -82,7 +82,7 @@ void ScanPreview::paintGL() {
     SceneContents contents;
     contents.tooth = surface_;
     contents.camera = eye_.camera();
-    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(*this), kQuick);
+    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(*this), kMoving);
 }
 
 void ScanPreview::resizeEvent(QResizeEvent* event) {

@@ -12,6 +12,7 @@
 #include "app/gui/scene/scene_change.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/scene/view_cube.h"
+#include "view/gl/egl_context.h"
 
 namespace tactooth {
 namespace {
@@ -19,6 +20,9 @@ namespace {
 constexpr int kRestMs = 400;                               // without a change until the full-quality picture is drawn
 constexpr double kPressStep = 0.1;                         // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
+
+/// The settings of the current context while things move, before a graphics card has shown that it can do more.
+const RenderSettings& quickSettings() { return isSoftwareRenderer(rendererName()) ? kMoving : kQuick; }
 
 }  // namespace
 
@@ -135,7 +139,7 @@ void ToothView::paintGL() {
     const FramePacer::Change change = std::exchange(change_, FramePacer::Change::Motion);
     RenderSettings settings = kFine;
     if (!careful) {
-        settings = framePacer_.isSmooth() && change == FramePacer::Change::Motion ? kSmooth : kQuick;
+        settings = framePacer_.isSmooth() && change == FramePacer::Change::Motion ? kSmooth : quickSettings();
         settings.resolution = framePacer_.resolution(change);
         rest_.start(kRestMs);
     }
