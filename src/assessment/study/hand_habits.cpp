@@ -8,8 +8,10 @@
 namespace tactooth {
 namespace {
 
-// Expert: 0.3 to 1 N, a physiological tremor of some hundredths of a millimetre, layers of half a bur's head. The other
-// values are chosen so that a student's work is between good and bad, and a beginner's is bad (docs/assessment.md).
+// Expert: 0.3 to 1 N, a physiological tremor of some hundredths of a millimetre, layers of half a bur's head. A
+// student's `deeper`, `wider`, `undone` and `uneven` together leave a surface about 0.25 mm (RMS) off the ideal one;
+// students have been measured at 0.27 mm (0.18 to 0.40). A beginner's are about twice that. The other values are chosen
+// (docs/assessment.md).
 constexpr std::array kHabits = {
     HandHabit{"tremor",
               &msg::kHabitTremor,
@@ -35,13 +37,13 @@ constexpr std::array kHabits = {
               &msg::kHabitDeeper,
               "mm",
               &HandHabits::deeper,
-              {0, 0.15, 0.45},
+              {0, 0.26, 0.52},
               {HabitEffect{"floor_depth_median"}, {"over_max"}, {"over_volume"}}},
     HandHabit{"wider",
               &msg::kHabitWider,
               "mm",
               &HandHabits::wider,
-              {0, 0.12, 0.3},
+              {0, 0.22, 0.44},
               {HabitEffect{"over_volume"}, {"dice", false}, {"extent_bl"}}},
     HandHabit{"undone",
               &msg::kHabitUndone,
@@ -49,6 +51,12 @@ constexpr std::array kHabits = {
               &HandHabits::undone,
               {0, 0.08, 0.25},
               {HabitEffect{"under_volume"}, {"cleared_share", false}}},
+    HandHabit{"uneven",
+              &msg::kHabitUneven,
+              "mm",
+              &HandHabits::uneven,
+              {0.02, 0.12, 0.24},
+              {HabitEffect{"deviation_rms"}, {"over_max"}, {"within_0_2", false}}},
 };
 
 }  // namespace

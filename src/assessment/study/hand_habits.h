@@ -19,7 +19,8 @@ struct HandHabits {
     double layer = 0;   ///< mm that it takes away in one pass; positive
     double deeper = 0;  ///< mm deeper than the ideal floor
     double wider = 0;   ///< mm beyond the ideal outline, to all sides
-    double undone = 0;  ///< share of the path that it leaves out at the end, 0..1
+    double undone = 0;  ///< share of the length of the work that it leaves out at its end, 0..1
+    double uneven = 0;  ///< mm, root mean square in each direction, that it strays from the path within some mm of it
 };
 
 /// How good a hand is.

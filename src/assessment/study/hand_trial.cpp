@@ -63,7 +63,7 @@ std::shared_ptr<CutModel> uncutModel(const StudyScene& scene) {
 
 HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& model, const HandHabits& habits,
                    std::uint64_t seed, const StepwiseSession::EventSink& sink) {
-    SyntheticHand hand(routeOf(scene.task, habits), scene.task.outward, habits, seed);
+    SyntheticHand hand(routeOf(scene.task, habits, seed), scene.task.outward, habits, seed);
     HapticSettings settings;
     settings.materials = MaterialTable(scene.preparation.tooth->materials());
     StepwiseSession session(model, {scene.instrument, settings, Placement::AtOnce}, sink);

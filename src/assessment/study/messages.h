@@ -26,6 +26,7 @@ inline constexpr MessageText kHabitLayer{"habit_layer", "Layer in one pass", "�
 inline constexpr MessageText kHabitDeeper{"habit_deeper", "Too deep", "深すぎる量"};
 inline constexpr MessageText kHabitWider{"habit_wider", "Too wide", "広すぎる量"};
 inline constexpr MessageText kHabitUndone{"habit_undone", "Left undone", "削り残す割合"};
+inline constexpr MessageText kHabitUneven{"habit_uneven", "Uneven", "むら"};
 
 inline constexpr MessageText kStudyTitle{"study_title", "Synthetic hands: a self-test of the metrics",
                                          "合成の手による評価項目の自己検査"};
