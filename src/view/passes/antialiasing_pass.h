@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "view/gl/render_target.h"
-#include "view/render/image.h"
+#include "view/passes/edge_smoothing.h"
 
 namespace tactooth {
 
@@ -17,7 +17,7 @@ public:
     void apply(const RenderTarget& target);
 
 private:
-    std::vector<Rgba> pixels_;
+    std::vector<PixelColour> pixels_;
 };
 
 }  // namespace tactooth

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "view/render/edge_smoothing.h"
+#include "view/passes/edge_smoothing.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
+
+#include "view/render/image.h"
 
 namespace tactooth {
 namespace {
