@@ -11,7 +11,7 @@ void AntialiasingPass::apply(const RenderTarget& target) {
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels_.data());
     const ChangedRows rows = smoothEdges(pixels_, target.size());
     if (rows.first == rows.end) return;
-    const PixelColour* const first = pixels_.data() + static_cast<std::ptrdiff_t>(rows.first) * width;
+    const Rgba* const first = pixels_.data() + static_cast<std::ptrdiff_t>(rows.first) * width;
     gl::bindTexture(0, GL_TEXTURE_2D, target.colourTexture());
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, rows.first, width, rows.end - rows.first, GL_RGBA, GL_UNSIGNED_BYTE, first);
 }

@@ -17,7 +17,7 @@ public:
     void apply(const RenderTarget& target);
 
 private:
-    std::vector<PixelColour> pixels_;
+    std::vector<Rgba> pixels_;
 };
 
 }  // namespace tactooth

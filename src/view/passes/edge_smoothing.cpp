@@ -26,15 +26,15 @@ constexpr int kReach = 12;         // pixels along a step to each side
 
 /// Of the display values, 0..255. The compiler turns loops over arrays of bytes, without any other memory, into vector
 /// instructions; so here and in `mark`.
-void measureBrightness(std::span<const PixelColour> colours, Brightness* brightness) {
-    for (const PixelColour& colour : colours) {
+void measureBrightness(std::span<const Rgba> colours, Brightness* brightness) {
+    for (const Rgba& colour : colours) {
         *brightness++ = static_cast<Brightness>((2 * colour[0] + 5 * colour[1] + colour[2]) / 8);
     }
 }
 
 struct Change {
     std::size_t place;
-    PixelColour colour;
+    Rgba colour;
 };
 
 /// Where a step ends to one side.
@@ -97,8 +97,8 @@ float shareBeyond(const Step& step, const End& before, const End& after) {
     return area / (2 * whole);
 }
 
-PixelColour mixed(const PixelColour& colour, const PixelColour& other, float share) {
-    PixelColour result;
+Rgba mixed(const Rgba& colour, const Rgba& other, float share) {
+    Rgba result;
     for (std::size_t i = 0; i < result.size(); ++i) {
         const float from = colour[i], to = other[i];
         result[i] = static_cast<std::uint8_t>(from + share * (to - from) + 0.5F);
@@ -121,7 +121,7 @@ void mark(const Brightness* row, std::ptrdiff_t width, std::uint8_t* marks) {
 
 class Smoothing {
 public:
-    Smoothing(std::span<PixelColour> picture, ImageSize size)
+    Smoothing(std::span<Rgba> picture, ImageSize size)
         : picture_(picture),
           width_(static_cast<std::size_t>(size.width)),
           height_(static_cast<std::size_t>(size.height)),
@@ -167,7 +167,7 @@ private:
         changes_.push_back({place, mixed(picture_[place], picture_[beyond], share)});
     }
 
-    std::span<PixelColour> picture_;
+    std::span<Rgba> picture_;
     std::size_t width_, height_;
     std::unique_ptr<Brightness[]> brightness_;
     std::vector<Change> changes_;  // all are found before the first one is made
@@ -175,7 +175,7 @@ private:
 
 }  // namespace
 
-ChangedRows smoothEdges(std::span<PixelColour> picture, ImageSize size) {
+ChangedRows smoothEdges(std::span<Rgba> picture, ImageSize size) {
     TACTOOTH_ASSERT(picture.size() == static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     if (size.width < 3 || size.height < 3) return {};  // nothing but outermost pixels
     return Smoothing(picture, size).run();

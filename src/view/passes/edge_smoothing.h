@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 
 #include "view/camera/camera.h"
+#include "view/gl/rgba.h"
 
 namespace tactooth {
-
-/// Red, green, blue (sRGB), opacity; 0..255 each.
-using PixelColour = std::array<std::uint8_t, 4>;
 
 /// Rows of a picture from `first` up to, but not including, `end`.
 struct ChangedRows {
@@ -22,6 +18,6 @@ struct ChangedRows {
 /// Smooths the stair steps of edges in `picture`, the rows of a picture of this size in either order (morphological
 /// antialiasing). A pixel at an edge is mixed with its neighbour beyond the edge. All other pixels stay as they are,
 /// and so do the outermost ones. Returns rows beyond which nothing has changed.
-ChangedRows smoothEdges(std::span<PixelColour> picture, ImageSize size);
+ChangedRows smoothEdges(std::span<Rgba> picture, ImageSize size);
 
 }  // namespace tactooth

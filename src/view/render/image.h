@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 #include "geometry/util/expected.h"
 #include "view/camera/camera.h"
+#include "view/gl/rgba.h"
 
 namespace tactooth {
-
-/// Red, green, blue (sRGB), opacity; 0..255 each.
-using Rgba = std::array<std::uint8_t, 4>;
 
 /// A picture, rows from top to bottom.
 struct Image {
