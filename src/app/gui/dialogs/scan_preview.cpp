@@ -10,6 +10,7 @@
 
 #include "app/common/scene_builder.h"
 #include "app/gui/input/picture_pixels.h"
+#include "app/gui/scene/quick_settings.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -82,7 +83,7 @@ void ScanPreview::paintGL() {
     SceneContents contents;
     contents.tooth = surface_;
     contents.camera = eye_.camera();
-    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(*this), kMoving);
+    (void)renderer_->render(makeScene(contents), defaultFramebufferObject(), pictureSize(*this), quickSettings());
 }
 
 void ScanPreview::resizeEvent(QResizeEvent* event) {

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <utility>
 
+#include "app/gui/scene/quick_settings.h"
 #include "app/gui/scene/scene_change.h"
 #include "app/gui/scene/session_scene.h"
 #include "app/gui/scene/view_cube.h"
-#include "view/gl/egl_context.h"
 
 namespace tactooth {
 namespace {
@@ -20,9 +20,6 @@ namespace {
 constexpr int kRestMs = 400;                               // without a change until the full-quality picture is drawn
 constexpr double kPressStep = 0.1;                         // mm for one notch of the wheel
 constexpr double kDepthStep = 0.1, kFineDepthStep = 0.02;  // mm for one notch
-
-/// The settings of the current context while things move, before a graphics card has shown that it can do more.
-const RenderSettings& quickSettings() { return isSoftwareRenderer(rendererName()) ? kMoving : kQuick; }
 
 }  // namespace
 
