@@ -12,17 +12,17 @@ void DeviceAids::setWalls(std::shared_ptr<const DistanceGrid> walls) {
 }
 
 void DeviceAids::setBur(const SessionBur& bur) {
-    bur_ =
-        bur.isHandInstrument() ? nullptr : std::make_shared<const RevolutionEnvelope>(bur.instrument.cutting.envelope);
+    bur_.reset();
+    if (!bur.isHandInstrument()) bur_ = bur.instrument.cutting.envelope;
     makeGuide();
 }
 
 void DeviceAids::makeGuide() {
-    guide_ = walls_ != nullptr && bur_ != nullptr ? std::make_shared<const WallGuide>(walls_, *bur_) : nullptr;
+    guide_ = walls_ != nullptr && bur_ ? std::make_shared<const WallGuide>(walls_, *bur_) : nullptr;
 }
 
 void DeviceAids::addTo(SessionControls& controls, const DepthControl& depth) const {
-    if (stops_ && bur_ != nullptr) controls.depthStop = std::make_shared<const DepthControl>(depth);
+    if (stops_ && bur_) controls.depthStop = std::make_shared<const DepthControl>(depth);
     if (guides_) controls.guide = guide_;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "session/model/session_bur.h"
 
@@ -27,8 +28,8 @@ private:
 
     bool stops_ = false, guides_ = false;
     std::shared_ptr<const DistanceGrid> walls_;
-    std::shared_ptr<const RevolutionEnvelope> bur_;  // null: no bur is held
-    std::shared_ptr<const WallGuide> guide_;         // of the walls and the bur; null: one of them is not there
+    std::optional<RevolutionEnvelope> bur_;   // none: no bur is held
+    std::shared_ptr<const WallGuide> guide_;  // of the walls and the bur; null: one of them is not there
 };
 
 }  // namespace tactooth
