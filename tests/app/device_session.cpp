@@ -132,7 +132,7 @@ void DeviceSession::takeTheMirrorByButton(int button) const {
 
 void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optional<long> longestForce) const {
     lean();
-    const double before = removed();
+    const double before = ground();
     const LiveRunner* const session = window_->model().runner();
     const std::size_t events = window_->model().log().events().all().size();
     const double began = window_->model().log().newest().time;
@@ -152,7 +152,7 @@ void DeviceSession::breakMidPress(int fault, const QString& sentence, std::optio
     setFault(0);
     QTRY_VERIFY2_WITH_TIMEOUT(!state().contains(sentence), qPrintable(state()), kPatience);
     QCOMPARE(dismissMessages(), QString());  // they would take the keys and the pedal
-    QCOMPARE(removed(), before);
+    QCOMPARE(ground(), before);
     QVERIFY(window_->model().runner() == session && window_->model().log().newest().time > began);
     QVERIFY(window_->model().log().events().all().size() >= events);
     lean();

@@ -192,7 +192,7 @@ void PenSessionTest::atTheWorkspaceLimitTheClutchIsNamed() {
 
 void PenSessionTest::theOtherPenHoldsTheMirror() {
     liftOff();
-    const double before = removed();
+    const double before = ground();
     chooseDevice("secondDevices", "pen:Left");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 2, kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().runner() != nullptr, kPatience);
@@ -201,7 +201,7 @@ void PenSessionTest::theOtherPenHoldsTheMirror() {
     QVERIFY(!second->isHidden());
     lean();
     QCOMPARE(standin_->forceOf(1), 0.0);
-    QCOMPARE(removed(), before);
+    QCOMPARE(ground(), before);
     liftOff();
     chooseDevice("secondDevices", "none");
     QTRY_COMPARE_WITH_TIMEOUT(standin_->startedPens(), 1, kPatience);

@@ -68,7 +68,7 @@ void WindowSession::waitForSteps(int steps) const {
 }
 
 void WindowSession::waitForCarving() const {
-    constexpr double kQuiet = 0.1;  // s of the simulation without a new surface
+    constexpr double kQuiet = 0.3;  // s of the simulation without a new surface: detached pieces fall after 0.1 s
     const LiveRunner* watched = nullptr;
     std::uint64_t updates = 0;
     double since = 0;

@@ -39,6 +39,8 @@ protected:
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }
     [[nodiscard]] double removed() const { return total(window_->model().runner()->feed().removed()); }
+    /// The part of it that burs have cut. A detached piece falls only after the bur has lifted, on a busy machine late.
+    [[nodiscard]] double ground() const { return total(window_->model().runner()->feed().loss().ground()); }
     [[nodiscard]] const Surface& surface() const { return *window_->model().runner()->feed().surface(); }
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
