@@ -20,7 +20,16 @@ constexpr double kReached = 0.05;  // mm from the bur to a station: as near as t
 constexpr double kPatience = 0.8;  // s without progress until the hand gives a station up, at a wall that holds the bur
 constexpr double kProgress = 0.02;            // mm nearer to the station: as little as the eye can tell in that time
 constexpr double kMostLead = 1;               // mm beyond a station
+constexpr double kEasing = 0.5;               // mm before a place where it turns or stops: from there it presses less
+constexpr double kEased = 0.3;                // share of its force that is left there
 constexpr double kLowest = 8, kHighest = 12;  // Hz, of physiological tremor
+
+/// Whether a hand turns or stops at a station: it does not go on within 60 degrees.
+bool turnsAt(const std::vector<HandStation>& route, std::size_t index) {
+    if (index == 0 || index + 1 >= route.size() || !route[index + 1].isInTooth) return true;
+    const Vec3 before = route[index].tip - route[index - 1].tip, after = route[index + 1].tip - route[index].tip;
+    return before.dot(after) < 0.5 * before.norm() * after.norm();
+}
 
 }  // namespace
 
@@ -29,6 +38,8 @@ SyntheticHand::SyntheticHand(std::vector<HandStation> route, const Vec3& outward
     : route_(std::move(route)), habits_(habits), grip_(shortestRotation(Vec3::UnitZ(), outward)) {
     TACTOOTH_ASSERT(!route_.empty() && habits.force > 0 && habits.delay >= 0);
     at_ = route_.front().tip;
+    turns_.resize(route_.size());
+    for (std::size_t i = route_.size(); i-- > 0;) turns_[i] = turnsAt(route_, i) ? i : turns_[i + 1];
     SeededRandom random(seed);
     for (Wave& wave : waves_) {
         wave.frequency = 2 * std::numbers::pi * (kLowest + (kHighest - kLowest) * random.share());
@@ -73,13 +84,19 @@ void SyntheticHand::wait(const HandStation& goal, double elapsed) {
     waited_ = 0;
 }
 
+/// The force that the hand accepts, N. A hand that presses as hard as before until it turns goes too far: the spring of
+/// the contact leads the bur on.
+double SyntheticHand::acceptedForce() const {
+    return habits_.force * std::clamp(distanceTo(route_[turns_[next_]]) / kEasing, kEased, 1.0);
+}
+
 /// Moves on toward a station. In the tooth the hand aims beyond it, as far as the bur is still short of it.
 void SyntheticHand::press(const HandStation& goal, double elapsed) {
     Vec3 aim = goal.tip;
     double speed = kTravel;
     if (goal.isInTooth) {
         // Full speed up to half of the force that the hand accepts, none at it, and back beyond it.
-        const double eagerness = std::clamp(2 * (1 - known_.force / habits_.force), -1.0, 1.0);
+        const double eagerness = std::clamp(2 * (1 - known_.force / acceptedForce()), -1.0, 1.0);
         const double lag = known_.lag.norm();
         if (eagerness > 0) aim -= known_.lag * (lag > kMostLead ? kMostLead / lag : 1);
         if (eagerness < 0) aim = at_ + known_.lag;

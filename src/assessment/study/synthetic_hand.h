@@ -46,11 +46,13 @@ private:
     void sense(const HandSense& now);
     [[nodiscard]] bool hasReached(const HandStation& goal) const;
     [[nodiscard]] double distanceTo(const HandStation& goal) const;
+    [[nodiscard]] double acceptedForce() const;
     void wait(const HandStation& goal, double elapsed);
     void press(const HandStation& goal, double elapsed);
     [[nodiscard]] Vec3 trembling() const;
 
     std::vector<HandStation> route_;
+    std::vector<std::size_t> turns_;  // of each station: that at which the hand next turns or stops
     HandHabits habits_;
     Quat grip_;
     std::size_t next_ = 1;
