@@ -49,7 +49,7 @@ struct HandHabit {
 
 /// The habits of a level, each at its usual value.
 [[nodiscard]] HandHabits usualHabits(HandLevel level);
-/// The same for one hand of many: each habit is between 0.6 and 1.4 times the usual value, by `seed`.
+/// The same for one hand of many: each habit is between 0.85 and 1.15 times the usual value, by `seed`.
 [[nodiscard]] HandHabits habitsOfHand(HandLevel level, std::uint64_t seed);
 
 }  // namespace tactooth

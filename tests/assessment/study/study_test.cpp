@@ -36,8 +36,8 @@ TEST(HandHabits, OfManyHandsLieAroundThoseOfTheLevel) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
         const HandHabits hand = habitsOfHand(HandLevel::Beginner, seed);
         for (const HandHabit& each : handHabits()) {
-            EXPECT_GE(hand.*each.value, 0.6 * (usual.*each.value) - 1e-12);
-            EXPECT_LE(hand.*each.value, 1.4 * (usual.*each.value) + 1e-12);
+            EXPECT_GE(hand.*each.value, 0.85 * (usual.*each.value) - 1e-12);
+            EXPECT_LE(hand.*each.value, 1.15 * (usual.*each.value) + 1e-12);
         }
         forces.insert(hand.force);
     }
