@@ -9,7 +9,7 @@ namespace tactooth {
 namespace {
 
 // Expert: 0.3 to 1 N, a physiological tremor of some hundredths of a millimetre, layers of half a bur's head. A
-// student's `deeper`, `wider`, `undone` and `uneven` together leave a surface 0.2 to 0.33 mm (RMS) off the ideal one;
+// student's `deeper`, `wider`, `undone` and `uneven` together leave a surface 0.2 to 0.37 mm (RMS) off the ideal one;
 // students have been measured at 0.27 mm (0.18 to 0.40). A beginner's are about twice that. The other values are chosen
 // (docs/assessment.md).
 constexpr std::array kHabits = {
