@@ -170,7 +170,8 @@ TEST(OutlinePaths, EndInABoxThatOpensTheSide) {
     const double box = (axial * boxWidth - round) * (depth + height);
     EXPECT_NEAR(removedVolume(exercise, block()), occlusal + box, 0.03 * (occlusal + box));
     double lowest = 5;  // of what was cut
-    for (const Vec3f& vertex : idealShape(exercise, block())->vertices) {
+    const auto shape = idealShape(exercise, block());
+    for (const Vec3f& vertex : shape->vertices) {
         if (vertex.z() > -4) lowest = std::min<double>(lowest, vertex.z());
     }
     EXPECT_NEAR(lowest, 5 - depth - height, 0.03);
