@@ -32,7 +32,7 @@ Box3 grown(const Box3& box, double margin) {
     return {box.min() - Vec3::Constant(margin), box.max() + Vec3::Constant(margin)};
 }
 
-// Voxels. A wall triangle lies within 1.35 of its lattice edge (kWallReach), and the edge ends one node further on. The
+// Voxels. A wall triangle lies within 1 of its lattice edge (kWallReach), and the edge ends one node further on. The
 // nodes in this range around a triangle tell whether a wall may touch it.
 constexpr float kNodesBefore = 1.5F;
 constexpr float kNodesBeyond = 3.0F;

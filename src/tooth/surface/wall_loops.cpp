@@ -9,9 +9,9 @@
 
 // Source: S. Schaefer, T. Ju, J. Warren, "Manifold Dual Contouring", IEEE TVCG 13, 2007 (see cell_topology.h).
 // Differences: where two loops of one cell share a face, the face gets a vertex too, so that no edge has four
-// triangles. Two loops of one cell are the two sides of a ridge or gap thinner than a voxel. Their planes meet beyond
-// it, so that the QEF would put the vertices on the wrong sides and fold the wall. There the vertex of a loop is the
-// mean of its crossings, which the nodes in between keep apart.
+// triangles. Loops that share a face, be they two or one that comes back, are the two sides of a ridge or gap thinner
+// than a voxel. Their planes meet beyond it, so that the QEF would put the vertex on the wrong side and fold the wall.
+// There the vertex of a loop is the mean of its crossings, which the nodes in between keep apart.
 
 namespace tactooth {
 
@@ -55,9 +55,11 @@ void WallLoops::addCorners(const WallPolygon& polygon, Fan& fan) {
         TACTOOTH_ASSERT(number < cells_.size());
         TACTOOTH_ASSERT(fan.size < static_cast<int>(fan.corners.size()));
         const int cell = cells_[number];
-        const CellLoops& loops = kCellLoops[nodes_.removedCorners(cell)];
-        fan.corners[fan.size++] =
-            loops.count > 1 ? vertexOfLoop(cell, loops, loops.loopOfEdge[edges[i]]) : vertexOfCell(number);
+        const unsigned removed = nodes_.removedCorners(cell);
+        const CellLoops& loops = kCellLoops[removed];
+        fan.corners[fan.size++] = kCellCrossings[removed].isSimple
+                                      ? vertexOfCell(number)
+                                      : vertexOfLoop(cell, loops, loops.loopOfEdge[edges[i]]);
         if (loops.hasAmbiguousFace) addVertexOnFace(faces[i].first, faces[i].second, polygon, fan);
     }
 }
@@ -69,7 +71,7 @@ std::uint16_t WallLoops::vertexOfCell(std::size_t number) {
     return vertex;
 }
 
-/// For a cell with several loops: the mean of the loop's crossings, see the top of the file.
+/// For a cell that is not simple: the mean of the loop's crossings, see the top of the file.
 std::uint16_t WallLoops::vertexOfLoop(int cell, const CellLoops& loops, int loop) {
     TACTOOTH_ASSERT(loop >= 0 && loop < loops.count);
     if (const std::uint16_t known = find(cell, loop); known != kNone) return known;

@@ -54,7 +54,7 @@ private:
     const NodePoints& points_;
     const std::span<const std::uint16_t> cells_;
     const WallVertices& ofCells_;
-    std::vector<std::uint16_t> vertexOfCell_;  // for cells with one loop
+    std::vector<std::uint16_t> vertexOfCell_;  // for simple cells
     std::vector<Vertex> vertices_;
     std::vector<Fan> fans_;
 };

@@ -11,20 +11,17 @@
 #include "tooth/surface/cell_topology.h"
 
 // Source: T. Ju, F. Losasso, S. Schaefer, J. Warren, "Dual Contouring of Hermite Data", SIGGRAPH 2002. Differences:
-// crossings and normals come from the swept envelope of the bur, which gives exact planes. The vertex of a sharp edge
-// stays in a box around its cell (boundsOf) and on the planes as far as they pass through the box. Eight cells are
-// processed at a time, since single cells took most of the time of a wall.
+// crossings and normals come from the swept envelope of the bur, which gives exact planes. A vertex stays within its
+// cell, so that the wall does not pass through itself (T. Ju, T. Udeshi, "Intersection-free Contouring on an Octree
+// Grid", Pacific Graphics 2006), and on the planes as far as they pass through the cell. Eight cells are processed at a
+// time, since single cells took most of the time of a wall.
 
 namespace tactooth {
 namespace {
 
-/// Voxels. Vertices of sharp edges keep this distance from the face between neighbouring cells, so that they neither
-/// swap nor meet. A larger value gives fewer walls that intersect themselves, but moves the vertex of an edge near a
-/// face too far off the edge (docs/cutting.md).
-constexpr double kFaceGap = 0.15;
-/// Voxels. A vertex may leave its cell by this distance through a face that the boundary does not cross: a sharp edge
-/// can poke through the face between its corners, and no vertex lies behind it.
-constexpr double kOvershoot = kWallReach - 1 - kFaceGap;
+/// Voxels. Vertices of sharp edges keep this distance from a face that the boundary crosses, so that vertices on both
+/// sides of it do not meet. A larger value moves the vertex of an edge near a face too far off the edge.
+constexpr double kFaceGap = 0.05;
 /// Bits of the corners on the lower side of each axis.
 constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
 
@@ -65,20 +62,18 @@ struct Crossings8 {
     }
 };
 
-/// How far a vertex may lie beyond a face. `inside`: which of the `corners` of the face are inside.
-double beyond(unsigned inside, unsigned corners) {
-    const bool isCrossed = inside != 0 && inside != corners;
-    return isCrossed ? -kFaceGap : kOvershoot;
-}
-
-/// The bounds of the vertex of a cell with these inside corners, from the middle of the cell, in cells. They do not
-/// extend beyond a face that has another vertex behind it.
+/// The bounds of the vertex of a cell with these inside corners, from the middle of the cell, in cells.
 Box3 boundsOf(unsigned inside) {
+    const auto gap = [&](unsigned corners) {
+        const unsigned insideFace = inside & corners;
+        const bool isCrossed = insideFace != 0 && insideFace != corners;
+        return isCrossed ? kFaceGap : 0;
+    };
     Box3 bounds;
     for (int axis = 0; axis < 3; ++axis) {
         const unsigned low = kLowCorners[axis];
-        bounds.min()[axis] = -0.5 - beyond(inside & low, low);
-        bounds.max()[axis] = 0.5 + beyond(inside & ~low, ~low & 0xFFU);
+        bounds.min()[axis] = gap(low) - 0.5;
+        bounds.max()[axis] = 0.5 - gap(~low & 0xFFU);
     }
     return bounds;
 }
@@ -124,10 +119,7 @@ void WallVertices::placeEight(const BrickNeighbourhood& nodes, std::size_t first
 
     // A flat boundary moves its vertices along its normal only, so that they stay evenly spaced.
     const auto [isFlat, points] = planes.flat();
-    const Vec3x8 sizes = max(points, Vec3x8::all(0, 0, 0) - points);
-    const Float8 farthest = Float8::all(static_cast<float>(0.5 + kOvershoot));
-    const Float8 isFar = isLess(farthest, max(sizes.x, max(sizes.y, sizes.z)));
-    const Vec3x8 placed = choose(isFar, planes.means(), points);
+    const Vec3x8 placed = max(Vec3x8::all(-0.5F, -0.5F, -0.5F), min(Vec3x8::all(0.5F, 0.5F, 0.5F), points));
     placed.x.store(&places_[0][first]);
     placed.y.store(&places_[1][first]);
     placed.z.store(&places_[2][first]);

@@ -12,8 +12,8 @@
 
 namespace tactooth {
 
-/// How far the triangles of a brick's wall can reach beyond its first and last node, voxels.
-inline constexpr double kWallReach = 1.5;
+/// How far the triangles of a brick's wall can reach beyond its first and last node, voxels: one cell, and rounding.
+inline constexpr double kWallReach = 1.01;
 
 /// The points of the nodes in and around a brick. Neighbouring bricks compute the same bits. Points counted from each
 /// brick's own corner would differ in the last bits of a double, which a float keeps where a coordinate is almost 0.
@@ -35,7 +35,7 @@ private:
 };
 
 /// Places one vertex in each cell that the boundary passes through, by the planes in which the boundary crosses the
-/// edges of the cell.
+/// edges of the cell. The vertex lies within its cell.
 class WallVertices {
 public:
     WallVertices(const BrickNeighbourhood& nodes, std::span<const std::uint16_t> cells);
