@@ -18,7 +18,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xf96fcc1abf2c4b85ULL;
+constexpr std::uint64_t kGolden = 0x570d6da114ebd19eULL;
 
 using test::kTick;
 constexpr double kVoxel = 0.05;

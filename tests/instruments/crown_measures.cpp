@@ -1,12 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-//
-// Fit to a real tooth: P. J. Besl, N. D. McKay, "A method for registration of 3-D shapes", IEEE PAMI 14 (1992), here
-// with a scale for each axis of the tooth; rotations by W. Kabsch, Acta Cryst. A32 (1976).
 #include "instruments/crown_measures.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "collision/bvh/closest_point.h"
 #include "instruments/measured_teeth.h"
 #include "instruments/permanent_teeth.h"
 #include "instruments/relief_map.h"
@@ -234,48 +227,6 @@ double thicknessDeviation(const TriangleMesh& mesh, const MeasuredEdge& measured
     return std::sqrt(squares / static_cast<double>(kProfileDepths.size()));
 }
 
-/// A map of a real tooth's points to the model's frame.
-struct Fit {
-    Mat3 turn = Mat3::Identity();
-    Vec3 scale = Vec3::Ones(), shift = Vec3::Zero();  ///< p -> scale * (turn p) + shift
-
-    [[nodiscard]] Vec3 operator()(const Vec3& p) const { return scale.cwiseProduct(turn * p) + shift; }
-    [[nodiscard]] Vec3 inverse(const Vec3& p) const { return turn.transpose() * (p - shift).cwiseQuotient(scale); }
-};
-
-/// The fit of `from` to `to`, nearer than `last`: first the rotation, then the scales.
-Fit fitted(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, const Fit& last) {
-    Fit fit;
-    const Vec3 middleFrom = from.rowwise().mean(), middleTo = to.rowwise().mean();
-    const Eigen::Matrix3Xd b = to.colwise() - middleTo;
-    const Mat3 products = last.scale.cwiseInverse().asDiagonal() * b * (from.colwise() - middleFrom).transpose();
-    const Eigen::JacobiSVD<Mat3> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double side = svd.matrixU().determinant() * svd.matrixV().determinant();
-    fit.turn = svd.matrixU() * Vec3(1, 1, side).asDiagonal() * svd.matrixV().transpose();
-    const Eigen::Matrix3Xd a = fit.turn * (from.colwise() - middleFrom);
-    fit.scale = a.cwiseProduct(b).rowwise().sum().cwiseQuotient(a.cwiseProduct(a).rowwise().sum());
-    constexpr double kMost = 1.25;  // between two adults
-    fit.scale = fit.scale.cwiseMax(1 / kMost).cwiseMin(kMost);
-    fit.shift = middleTo - fit.scale.cwiseProduct(fit.turn * middleFrom);
-    return fit;
-}
-
-/// Root mean square of the distances after the best fit from a start.
-double distanceAfterFit(const Eigen::Matrix3Xd& model, const SurfacePart& real, Fit fit) {
-    constexpr int kRounds = 60;
-    double square = 0;
-    Eigen::Matrix3Xd nearest(3, model.cols());
-    for (int round = 0; round <= kRounds; ++round) {
-        square = 0;
-        for (Eigen::Index i = 0; i < model.cols(); ++i) {
-            nearest.col(i) = closestPoint(real, fit.inverse(model.col(i)))->point;
-            square += (fit(nearest.col(i)) - model.col(i)).squaredNorm();
-        }
-        fit = fitted(nearest, model, fit);
-    }
-    return std::sqrt(square / static_cast<double>(model.cols()));
-}
-
 }  // namespace
 
 TriangleMesh mesialFrame(const BuiltinTooth& tooth) {
@@ -307,30 +258,6 @@ CrownDeviation deviationOf(const BuiltinTooth& tooth) {
     deviation.edge = edgeDeviation(mesh, *edge);
     deviation.thickness = thicknessDeviation(mesh, *edge);
     return deviation;
-}
-
-double distanceFromReal(const TriangleMesh& model, const TriangleMesh& real, double from) {
-    std::vector<Vec3> crown;
-    for (const Vec3f& vertex : model.vertices) {
-        if (vertex.z() > from) crown.push_back(vertex.cast<double>());
-    }
-    constexpr std::size_t kPoints = 500;
-    const std::size_t step = std::max<std::size_t>(1, crown.size() / kPoints);
-    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(crown.size() / step));
-    for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = crown[static_cast<std::size_t>(i) * step];
-    const SurfacePart part(real);
-    const Box3 modelBox = boundingBox(model), realBox = boundingBox(real);
-    double least = 1e9;
-    constexpr int kStarts = 8;
-    for (int i = 0; i < kStarts; ++i) {
-        Fit start;
-        start.turn = Eigen::AngleAxisd(2 * std::numbers::pi * i / kStarts, Vec3::UnitZ()).toRotationMatrix();
-        start.shift = Vec3(0, 0, modelBox.max().z() - realBox.max().z());
-        const Vec3 middle = start.turn * realBox.center();
-        start.shift.head<2>() = -middle.head<2>();
-        least = std::min(least, distanceAfterFit(points, part, start));
-    }
-    return least;
 }
 
 }  // namespace tactooth::test

@@ -27,8 +27,4 @@ struct CrownDeviation {
 /// `tooth` is the average one of the right side; third molars have no tables, only a correlation.
 [[nodiscard]] CrownDeviation deviationOf(const BuiltinTooth& tooth);
 
-/// Distance of a crown from a real one, mm: root mean square over the model's vertices above `from`, after the real
-/// tooth is moved, turned and stretched along the axes to fit best.
-[[nodiscard]] double distanceFromReal(const TriangleMesh& model, const TriangleMesh& real, double from);
-
 }  // namespace tactooth::test

@@ -85,6 +85,20 @@ std::optional<double> ReliefMap::at(double u, double v) const {
     return sign_ * height;
 }
 
+double reliefDifference(const ReliefMap& a, const ReliefMap& b, const Eigen::AlignedBox2d& where) {
+    std::vector<Place> places;
+    for (double v = where.min().y(); v <= where.max().y(); v += ReliefMap::kCell) {
+        for (double u = where.min().x(); u <= where.max().x(); u += ReliefMap::kCell) {
+            const auto one = a.at(u, v), other = b.at(u, v);
+            if (one && other) places.push_back({u, v, *one - *other});
+        }
+    }
+    places = withoutParaboloid(std::move(places));
+    double square = 0;
+    for (const Place& place : places) square += place.height * place.height;
+    return std::sqrt(square / static_cast<double>(places.size()));
+}
+
 double mirrorCorrelation(const ReliefMap& map, double from, double to) {
     const double middle = map.box().center().x(), half = map.box().sizes().x() / 2;
     std::vector<Place> places;  // a place and its mirror image follow each other

@@ -32,6 +32,9 @@ private:
     std::vector<double> heights_;  ///< times `sign_`; minus infinity beside the mesh
 };
 
+/// Root mean square of the difference of two reliefs in a box, after the best paraboloid is taken off; mm.
+[[nodiscard]] double reliefDifference(const ReliefMap& a, const ReliefMap& b, const Eigen::AlignedBox2d& where);
+
 /// Correlation of a relief with its mirror image in `u`, about the middle of the map: 1 for a symmetric one. Only the
 /// places with `v` from `from` to `to` count. A paraboloid is taken off first, so that the general bulge does not.
 [[nodiscard]] double mirrorCorrelation(const ReliefMap& map, double from, double to);

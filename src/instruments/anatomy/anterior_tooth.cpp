@@ -115,16 +115,21 @@ private:
         return {s.x + x, y, p.z()};
     }
 
-    /// Thickness of the enamel at a height above the cervical line: a feather edge, then a steady growth to three
-    /// quarters of the crown. It is thinner on the lingual face.
+    /// Thickness of the enamel at a height above the cervical line: a feather edge, then a steady growth to the edge.
+    /// It is thinnest on the lingual face, and thickest at the proximal sides of the cervical half.
     [[nodiscard]] double enamel(const Vec3& q, double height) const {
-        constexpr double kNeck = 0.45, kFeather = 0.4;  // share of the thickness near the neck; mm
+        constexpr double kNeck = 0.36, kFeather = 0.4;  // share of the thickness near the neck; mm
         const double share = height / (height + std::max(plan_.edgeZ - q.z(), 0.0));
-        const double grown = kNeck * (1 - std::exp(-height / kFeather)) + (1 - kNeck) * smoothStep(0, 0.75, share);
+        const double grown = kNeck * (1 - std::exp(-height / kFeather)) + (1 - kNeck) * smoothStep(0.05, 0.85, share);
         const Section section = body_.at(q.z());
-        constexpr double kLingual = 0.65;  // of the labial thickness
-        const double labial = smoothStep(-0.7, 0.7, (q.y() - section.y) / section.plusY);
-        return plan_.enamelThickness * grown * std::lerp(kLingual, 1.0, labial);
+        constexpr double kLingual = 0.6, kContact = 0.95, kProximal = 1.2;  // of the labial thickness
+        const double lingual = std::lerp(1.0, kLingual, smoothStep(0.1, 0.6, share));
+        const double proximal = std::lerp(kProximal, kContact, smoothStep(0.4, 0.8, share));
+        const double labially = smoothStep(-0.7, 0.7, (q.y() - section.y) / section.plusY);
+        const double aside = q.x() - section.x;
+        const double proximally = smoothStep(0.5, 0.95, std::abs(aside) / (aside > 0 ? section.plusX : section.minusX));
+        const double around = std::lerp(std::lerp(lingual, 1.0, labially), proximal, proximally);
+        return plan_.enamelThickness * grown * around;
     }
 
     /// mm that the outline stands outside of the section's oval: de Casteljau's algorithm.

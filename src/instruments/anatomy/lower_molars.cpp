@@ -31,15 +31,16 @@ PosteriorToothPlan lowerSecondMolar() {
                     .cervixBuccolingual = 9.3,
                     .mesialContact = 0.66,
                     .distalContact = 0.50,
-                    .buccalCrest = 0.28,
+                    .buccalCrest = 0.24,
                     .lingualCrest = 0.52,
                     .mesialTop = 0.88,
                     .distalTop = 0.86,
-                    .buccalTop = 0.68,
+                    .buccalTop = 0.66,
                     .lingualTop = 0.80,
                     .flare = 0.85,
                     .topSquareness = 2.6};
     PosteriorToothPlan plan = lowerMolar("Lower right second molar", 47, crown, 13.0);
+    plan.lingualRise = 1.5;
     plan.narrowsLingually = 0.006;
     plan.narrowsDistally = 0.020;
     plan.fossa = 4.6;
@@ -97,6 +98,7 @@ PosteriorToothPlan lowerThirdMolar() {
                     .cervixSquareness = 2.3,
                     .topSquareness = 2.2};
     PosteriorToothPlan plan = lowerMolar("Lower right third molar", 48, crown, 11.0);
+    plan.lingualRise = 1.3;
     plan.narrowsLingually = 0.012;
     plan.narrowsDistally = 0.028;
     plan.fossa = 4.5;

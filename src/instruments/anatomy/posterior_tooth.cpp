@@ -19,7 +19,9 @@ namespace {
 constexpr double kBelowCusps = 0.5, kBelowTrunkEnd = 1.9;
 
 constexpr double kFillet = 0.9;    // mm, over which surfaces blend
-constexpr double kThinnest = 0.4;  // share of the enamel's thickness that is left under the deepest groove
+constexpr double kThinnest = 0.6;  // share of the enamel's thickness that is left under the deepest groove
+
+constexpr double kLingualFrom = 0.5, kLingualTo = -4.0;  // mm to buccal: between them the cervical line rises lingually
 
 class PosteriorTooth {
 public:
@@ -30,6 +32,10 @@ public:
             deepestGroove_ = std::max({deepestGroove_, groove.depth, groove.endDepth});
         }
         for (const OcclusalPit& pit : plan_.pits) deepestGroove_ += pit.depth;
+        for (const Cusp& cusp : plan_.cusps) {
+            double& highest = cusp.y > 0 ? highestBuccally_ : highestLingually_;
+            highest = std::max(highest, cusp.z);
+        }
     }
 
     PosteriorTooth(const PosteriorTooth&) = delete;  // the table refers to the plan
@@ -43,14 +49,16 @@ public:
         const Body surface = body(p);
         const double height = cervical(p);
         if (height <= 0) return surface.grooved;
-        const double thickness = enamel(p, height);
+        const double thickness = enamel(p, height, surface.side);
         return std::max(surface.smooth + thickness, surface.grooved + kThinnest * thickness);
     }
 
     [[nodiscard]] double cervical(const Vec3& p) const {
         const double part = p.x() / plan_.cervicalHalfWidth;
         const double rise = (p.x() > 0 ? plan_.mesialRise : plan_.distalRise) * part * part;
-        return p.z() - rise + plan_.projection * (bump(p.x() - plan_.projectionX, 1.0) - 1);
+        const double lingually = smoothStep(kLingualFrom, kLingualTo, p.y());
+        const double line = std::lerp(rise, std::max(rise, plan_.lingualRise), lingually);
+        return p.z() - line + plan_.projection * (bump(p.x() - plan_.projectionX, 1.0) - 1);
     }
 
     [[nodiscard]] double pulp(const Vec3& p) const;
@@ -64,6 +72,7 @@ private:
     /// With the grooves of the occlusal surface and without.
     struct Body {
         double grooved, smooth;
+        double side;  ///< the distance to the sides alone
     };
     [[nodiscard]] Body body(const Vec3& p) const {
         if (p.z() < plan_.trunkEnd - kBelowTrunkEnd) return both(roots(p));
@@ -72,9 +81,9 @@ private:
         if (side > occlusal(p.z() - table_.lowest() + deepestGroove_) + kFillet) return both(side);
         const double above = p.z() - table_.height(p.x(), p.y());
         return {smoothIntersection(side, occlusal(above + table_.grooveDepth(p.x(), p.y())), kFillet),
-                smoothIntersection(side, occlusal(above), kFillet)};
+                smoothIntersection(side, occlusal(above), kFillet), side};
     }
-    [[nodiscard]] static Body both(double distance) { return {distance, distance}; }
+    [[nodiscard]] static Body both(double distance) { return {distance, distance, distance}; }
 
     /// Coordinates in which the crown neither narrows to one side nor is skew.
     [[nodiscard]] Vec3 straightened(const Vec3& p) const {
@@ -140,19 +149,26 @@ private:
         return smoothIntersection(all, p.z() - plan_.rootTop, plan_.rootTopRound);
     }
 
-    /// Thickness of the enamel at a height above the cervical line: a feather edge, 1.3 mm at the sides, more on top.
-    [[nodiscard]] double enamel(const Vec3& p, double height) const {
-        constexpr double kFeather = 1.7;
+    /// Thickness of the enamel at a height above the cervical line: a feather edge, then a steady growth to the cusps.
+    /// `side`: distance to the sides of the crown; far from them lies the table.
+    [[nodiscard]] double enamel(const Vec3& p, double height, double side) const {
+        constexpr double kNeck = 0.30, kFeather = 0.4;  // share of the thickness near the neck; mm
+        const double top = std::lerp(highestLingually_, highestBuccally_, smoothStep(-2, 2, p.y()));
+        const double share = height / (height + std::max(top - p.z(), 0.0));
+        constexpr double kTableFrom = 1.2, kTableTo = 2.2;  // mm from the sides
+        const double grown = std::lerp(smoothStep(0.15, 0.8, share), 1.0, smoothStep(kTableFrom, kTableTo, -side));
         // These cusps carry the load.
-        const double functional = 0.15 * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());
-        return (plan_.enamel + functional) * (1 - std::exp(-height / kFeather));
+        constexpr double kFunctional = 0.2;
+        const double load = 1 + kFunctional * smoothStep(-1.0, 2.5, plan_.functionalSide * p.y());
+        return plan_.enamel * load * (kNeck * (1 - std::exp(-height / kFeather)) + (1 - kNeck) * grown);
     }
 
     PosteriorToothPlan plan_;
     SectionLoft crown_;
     OcclusalSurface table_;
     std::vector<SectionLoft> roots_, canals_;
-    double deepestGroove_ = 0;  // mm: depth of the deepest groove with its pits
+    double deepestGroove_ = 0;                           // mm: depth of the deepest groove with its pits
+    double highestBuccally_ = 0, highestLingually_ = 0;  // heights of the highest cusps
 };
 
 double canalDistance(const SectionLoft& loft, const Vec3& p, double end) {

@@ -90,8 +90,9 @@ struct PosteriorToothPlan {
     std::vector<RootPlan> roots;
     double mesialRise = 1.0, distalRise = 0.3,
            projection = 0.25;  ///< of the cervical line; the spur dips to the furcation
+    double lingualRise = 0;    ///< height of the cervical line lingually above that buccally
     double projectionX = -0.2, cervicalHalfWidth = 4.5;
-    double enamel = 1.5;        ///< thickness at the sides
+    double enamel = 1.45;       ///< thickness at the cusps
     double functionalSide = 1;  ///< side of the thicker enamel: 1 buccal (lower teeth), -1 lingual (upper teeth)
     Vec3 chamber, chamberHalf;  ///< middle and half size of the pulp chamber
     double chamberRound = 0.7;

@@ -16,7 +16,7 @@ PosteriorToothPlan premolar(const char* name, int fdi, const CrownForm& crown, d
     plan.crown = crownSections(crown);
     plan.tip = 0.30;
     plan.skewFrom = 0.8;
-    plan.enamel = 1.35;
+    plan.enamel = 1.3;
     plan.projection = 0;
     plan.mesialRise = 1.0;
     plan.distalRise = 0.3;
@@ -41,8 +41,8 @@ PosteriorToothPlan upperFirstPremolar() {
                     .cervixBuccolingual = 7.90,
                     .mesialContact = 0.62,
                     .distalContact = 0.56,
-                    .buccalCrest = 0.42,
-                    .lingualCrest = 0.45,
+                    .buccalCrest = 0.45,
+                    .lingualCrest = 0.43,
                     .mesialTop = 0.74,
                     .distalTop = 0.74,
                     .buccalTop = 0.62,
@@ -68,7 +68,7 @@ PosteriorToothPlan upperFirstPremolar() {
                     {-0.80, 0.25, -1.15, 1.50, 0.14, 0.30, 0.03}};
     plan.pits = {{-1.80, -0.05, 0.20, 0.42}, {1.60, 0.20, 0.16, 0.40}};
     plan.top = 8.5;
-    plan.landmarks = {{0.30, 2.38, 0.00}, {0.22, -2.32, 0.72}};
+    plan.landmarks = {{0.28, 2.38, 0.00}, {0.22, -2.32, 0.72}};
     plan.trunkEnd = -2.6;
     addRoot(plan,
             {.length = 14.0,
@@ -155,7 +155,7 @@ PosteriorToothPlan lowerFirstPremolar() {
                     .cervixMesiodistal = 4.78,
                     .cervixBuccolingual = 6.40,
                     .mesialContact = 0.60,
-                    .distalContact = 0.56,
+                    .distalContact = 0.66,
                     .buccalCrest = 0.42,
                     .lingualCrest = 0.58,
                     .mesialTop = 0.66,
@@ -169,6 +169,7 @@ PosteriorToothPlan lowerFirstPremolar() {
     PosteriorToothPlan plan = premolar("Lower right first premolar", 44, crown, 14.0);
     plan.outline = {{-0.02, 0},      {0, 0},          {-0.017, 0.014}, {0.011, -0.113},
                     {0.021, -0.006}, {-0.011, 0.027}, {0.017, -0.022}};
+    plan.enamel = 1.15;
     plan.narrowsLingually = 0.055;
     plan.fossa = 4.9;
     // The transverse ridge runs to distal of the lingual cusp; the distal fossa is the deeper one.
@@ -209,7 +210,7 @@ PosteriorToothPlan lowerSecondPremolar() {
                     .cervixMesiodistal = 4.86,
                     .cervixBuccolingual = 6.78,
                     .mesialContact = 0.62,
-                    .distalContact = 0.58,
+                    .distalContact = 0.62,
                     .buccalCrest = 0.42,
                     .lingualCrest = 0.55,
                     .mesialTop = 0.78,

@@ -23,6 +23,7 @@ PosteriorToothPlan upperMolar(const char* name, int fdi, double length, double c
     plan.skew = 0.11;
     plan.narrowsDistally = 0.012;
     plan.tip = 0.40;
+    plan.enamel = 1.55;
     plan.functionalSide = -1;
     plan.trunkEnd = -3.0;
     plan.mesialRise = 1.0;

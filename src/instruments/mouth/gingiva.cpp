@@ -185,9 +185,11 @@ void Gingiva::addSide(const JawQuadrant& side, bool right, const std::vector<int
             return Vec3(0, y, z);
         };
         constexpr double kSulcus = 1.0;  // mm
-        const double neck = -shape.cervical(Vec3::Zero());
-        const Vec3 facial = place.shapeInMouth * wallAt(1, neck + kSulcus);
-        const Vec3 lingual = place.shapeInMouth * wallAt(-1, neck + kSulcus);
+        const auto marginAt = [&](double direction) {
+            const double neck = -shape.cervical(wallAt(direction, 0));
+            return Vec3(place.shapeInMouth * wallAt(direction, neck + kSulcus));
+        };
+        const Vec3 facial = marginAt(1), lingual = marginAt(-1);
         const auto at = line_.of(facial.x(), facial.y()), in = line_.of(lingual.x(), lingual.y());
         ToothMargin margin;
         margin.s = (right ? 1 : -1) * (std::abs(at.s) + std::abs(in.s)) / 2;
@@ -354,10 +356,12 @@ double Gingiva::operator()(const Vec3& p) const {
     const Place place = placeOf(p);
     constexpr double kMarginRound = 0.55, kSlope = 1.3, kSocketRound = 0.45, kTipRound = 0.5;
     double body = bounded(smoothIntersection(tissue(p, place), -place.depth / kSlope, kMarginRound), p, place);
-    constexpr double kGap = 0.15;      // mm: the periodontal ligament's
+    // mm: the periodontal ligament's; around the ends of roots wider, which are narrower than the facets of the socket.
+    constexpr double kGap = 0.15, kDeepGap = 0.4, kRoots = 6, kEnds = 11;
+    const double gap = std::lerp(kGap, kDeepGap, smoothStep(kRoots, kEnds, place.depth));
     constexpr double kThinnest = 0.7;  // mm between two teeth; no tissue is in a narrower gap
     body = smoothIntersection(body, kThinnest - (place.tooth + place.next), kTipRound);
-    return smoothIntersection(body, kGap - place.tooth, kSocketRound);
+    return smoothIntersection(body, gap - place.tooth, kSocketRound);
 }
 
 /// The margin falls away from the tooth like a knife's edge that lies on it, and a papilla fills the embrasure.
