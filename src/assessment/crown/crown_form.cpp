@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "assessment/crown/face_part.h"
 #include "collision/bvh/closest_point.h"
 
 namespace tactooth {
@@ -52,22 +53,34 @@ double CrownForm::girthAbove(double side) const {
 
 void CrownForm::findAxialFaces(const CrownOutline& crown) {
     const TriangleMesh& mesh = outer_->mesh();
-    const std::array girths = {girthAbove(-1), girthAbove(1)};
-    TriangleMesh buccal{mesh.vertices, {}}, lingual{mesh.vertices, {}};
+    std::vector<double> facing(mesh.vertices.size());  // to buccal: of the normals of the vertices
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const double buccal = line_.aside().dot(mesh.areaVector(i));
+        for (const std::uint32_t vertex : mesh.triangles[i]) facing[vertex] += buccal;
         const Vec3 centre = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
         if (line_.axis().dot(centre) < line_.lowest() - kAround) continue;
         for (int corner = 0; corner < 3; ++corner) box_.extend(mesh.corner(i, corner));
-        const bool isBuccal = line_.aside().dot(mesh.areaVector(i)) > 0;
-        if (line_.placeOf(centre).above <= std::max(kOverLine, girths.at(isBuccal ? 1 : 0))) continue;
-        (isBuccal ? buccal : lingual).triangles.push_back(mesh.triangles[i]);
     }
     box_ = Box3(box_.min() - Vec3::Constant(kAround), box_.max() + Vec3::Constant(kAround));
-    const auto add = [&](TriangleMesh faces, double depth) {
+    const auto add = [&](double side, double depth) {
+        TriangleMesh faces = aboveLine(partAbove(mesh, facing), std::max(kOverLine, girthAbove(side)));
         if (!faces.triangles.empty()) sides_.push_back({std::make_shared<const SurfacePart>(std::move(faces)), depth});
     };
-    add(std::move(buccal), crown.buccal);
-    add(std::move(lingual), crown.lingual);
+    add(1, crown.buccal);
+    for (double& toBuccal : facing) toBuccal = -toBuccal;
+    add(-1, crown.lingual);
+}
+
+/// The part of the faces that lies more than this above the finish line, mm.
+TriangleMesh CrownForm::aboveLine(const TriangleMesh& faces, double least) const {
+    std::vector<double> above;
+    above.reserve(faces.vertices.size());
+    for (const Vec3f& vertex : faces.vertices) {
+        const Vec3 place = vertex.cast<double>();
+        const bool isNear = line_.axis().dot(place) > line_.lowest();
+        above.push_back(isNear ? line_.placeOf(place).above - least : -least);
+    }
+    return partAbove(faces, above);
 }
 
 /// The incisal edge as seen from the cheek, evened out, lowered by the reduction.

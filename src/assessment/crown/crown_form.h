@@ -36,6 +36,7 @@ private:
     CrownForm(const PreparationPlan& plan, FinishLine line, std::shared_ptr<const SurfacePart> outer);
     [[nodiscard]] double girthAbove(double side) const;
     void findAxialFaces(const CrownOutline& crown);
+    [[nodiscard]] TriangleMesh aboveLine(const TriangleMesh& faces, double least) const;
     void findEdge(const CrownOutline& crown);
     [[nodiscard]] Depth belowEdge(const Vec3& place) const;
 

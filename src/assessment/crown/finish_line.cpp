@@ -23,6 +23,8 @@ constexpr double kNoEnamel = 0.04;     // mm of enamel: thinner is none
 constexpr double kDown = 0.1;          // mm between two heights of the search
 constexpr double kFarAside = 60;       // mm
 constexpr double kSlimmestNeck = 1.0;  // mm from the axis
+constexpr double kBlend = 0.1;  // mm of the line, over which its height counts for a place on it: standard deviation
+constexpr double kBlendInside = 0.4;  // further mm for each mm inside
 
 /// The body of one tissue of the tooth itself.
 std::shared_ptr<const SurfacePart> tissueOf(const LayeredTooth& tooth, MaterialRole role) {
@@ -145,12 +147,16 @@ Expected<FinishLine> FinishLine::on(const PreparationPlan& plan, const LayeredTo
         line.flat_.emplace_back(line.u_.dot(*place), line.v_.dot(*place));
         line.heights_.push_back(height);
     }
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const Vec2d &before = line.flat_[(i + kPoints - 1) % kPoints], &after = line.flat_[(i + 1) % kPoints];
+        line.lengths_.push_back(((line.flat_[i] - before).norm() + (after - line.flat_[i]).norm()) / 2);
+    }
     return line;
 }
 
 FinishLine::Place FinishLine::placeOf(const Vec3& point) const {
     const Vec2d flat(u_.dot(point), v_.dot(point));
-    double least = std::numeric_limits<double>::infinity(), height = 0, slope = 0;
+    double least = std::numeric_limits<double>::infinity();
     Vec2d nearest = flat, along = Vec2d::UnitX();
     bool isInside = false;
     for (std::size_t i = 0; i < flat_.size(); ++i) {
@@ -164,18 +170,41 @@ FinishLine::Place FinishLine::placeOf(const Vec3& point) const {
         least = squared;
         nearest = flat_[i] + share * side;
         along = side.normalized();
-        height = heights_[i] + share * (heights_[next] - heights_[i]);
-        slope = (heights_[next] - heights_[i]) / side.norm();
     }
     const double distance = std::sqrt(least);
     // On the line itself, inwards is to the left of it.
     Vec2d inward(-along.y(), along.x());
     if (distance > 1e-9) inward = (isInside ? 1 : -1) / distance * (flat - nearest);
-    const Vec2d tangent(inward.y(), -inward.x());
-    return {.inside = isInside ? distance : -distance,
-            .above = axis_.dot(point) - height,
+    const double inside = isInside ? distance : -distance;
+    const Height height = heightBy(flat, inside, inward);
+    return {.inside = inside,
+            .above = axis_.dot(point) - height.value,
             .inward = inward.x() * u_ + inward.y() * v_,
-            .upward = axis_ - slope * (tangent.x() * u_ + tangent.y() * v_)};
+            .upward = axis_ - (height.gradient.x() * u_ + height.gradient.y() * v_)};
+}
+
+/// A mean of the heights of the points near `flat`. The height of the nearest one would jump where another becomes the
+/// nearest, at the corners of the stump.
+FinishLine::Height FinishLine::heightBy(const Vec2d& flat, double inside, const Vec2d& inward) const {
+    const double depth = kBlendInside * std::max(inside, 0.0), variance = kBlend * kBlend + depth * depth;
+    const Vec2d widening = 2 * kBlendInside * depth * inward;  // gradient of the variance
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2d& each : flat_) least = std::min(least, (flat - each).squaredNorm());
+    double weights = 0, heights = 0;
+    Vec2d change = Vec2d::Zero(), heightChange = Vec2d::Zero();  // gradients of these sums but for a common part
+    for (std::size_t i = 0; i < flat_.size(); ++i) {
+        const double farther = (flat - flat_[i]).squaredNorm() - least;
+        constexpr double kNothing = 24;  // variances: e^-12
+        if (farther > kNothing * variance) continue;
+        const double weight = lengths_[i] * std::exp(-farther / (2 * variance));
+        const Vec2d gradient = weight / variance * (flat_[i] - flat + farther / (2 * variance) * widening);
+        weights += weight;
+        heights += weight * heights_[i];
+        change += gradient;
+        heightChange += heights_[i] * gradient;
+    }
+    const double height = heights / weights;
+    return {height, (heightChange - height * change) / weights};
 }
 
 double FinishLine::lowest() const { return *std::ranges::min_element(heights_); }

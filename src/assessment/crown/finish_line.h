@@ -18,7 +18,7 @@ public:
     /// A place as seen along the axis.
     struct Place {
         double inside;  ///< distance inwards from the line, mm; negative outside
-        double above;   ///< height above the nearest point of the line, mm
+        double above;   ///< height above the line near by, mm
         Vec3 inward;    ///< gradient of `inside`
         Vec3 upward;    ///< gradient of `above`
     };
@@ -37,11 +37,17 @@ public:
 
 private:
     explicit FinishLine(const Vec3& axis);
+    struct Height {
+        double value;  // along the axis, mm
+        Eigen::Vector2d gradient;
+    };
+    [[nodiscard]] Height heightBy(const Eigen::Vector2d& flat, double inside, const Eigen::Vector2d& inward) const;
 
     Vec3 axis_, u_, v_;
     std::vector<Vec3> points_;
     std::vector<Eigen::Vector2d> flat_;  // of the points, along u_ and v_
     std::vector<double> heights_;        // of the points
+    std::vector<double> lengths_;        // of the line around each of the points, mm
     Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
 };
 

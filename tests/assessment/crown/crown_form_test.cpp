@@ -166,6 +166,56 @@ TEST_P(CrownOfAnIncisor, FollowsTheLingualFossa) {
     EXPECT_NEAR(reductions[reductions.size() / 2], plan_->crown->lingual, 0.05);
 }
 
+// The ends of the faces that the fossa follows must not show in the stump.
+TEST_P(CrownOfAnIncisor, IsSmoothWhereTheLingualWallMeetsTheFossa) {
+    const auto form = CrownForm::make(*plan_, *tooth_, tooth_->ownOuter());
+    ASSERT_TRUE(form) << form.error().message();
+    constexpr double kStep = 0.1, kHalf = 1.2,
+                     kRough = 0.015;  // mm: a circle of 0.7 mm departs so far from its tangent
+    double roughest = 0;
+    for (double above = 0.65; above < 1.05; above += 0.05) {
+        const double z = form->finishLine().lowest() + above;
+        std::vector<double> wall;  // y of the stump's lingual side, from distal to mesial
+        for (double x = -kHalf; x <= kHalf; x += kStep) {
+            double removed = -6, stands = 1;
+            while (stands - removed > 1e-4) {
+                const double middle = (removed + stands) / 2;
+                (form->depthAt(Vec3(x, middle, z)).value > 0 ? removed : stands) = middle;
+            }
+            wall.push_back(stands);
+        }
+        for (std::size_t i = 1; i + 1 < wall.size(); ++i) {
+            roughest = std::max(roughest, std::abs(wall[i - 1] - 2 * wall[i] + wall[i + 1]));
+        }
+    }
+    EXPECT_LT(roughest, kRough);
+}
+
+// A jump would be a crease in the stump.
+TEST_P(CrownOfAnIncisor, HasAFinishLineWhoseHeightDoesNotJumpOverTheShoulder) {
+    const auto form = CrownForm::make(*plan_, *tooth_, tooth_->ownOuter());
+    ASSERT_TRUE(form) << form.error().message();
+    const FinishLine& line = form->finishLine();
+    constexpr double kStep = 0.03, kDeep = 1.2, kSteepest = 2;  // mm; mm for each mm
+    double steepest = 0, wrongest = 0;
+    for (double x = -4; x < 4; x += kStep) {
+        for (double y = -4; y < 4; y += kStep) {
+            const Vec3 place = line.middle() + x * line.across() + y * line.aside();
+            const FinishLine::Place at = line.placeOf(place);
+            if (at.inside < 0 || at.inside > kDeep) continue;
+            for (const Vec3& step : {line.across(), line.aside()}) {
+                const double change = line.placeOf(place + kStep * step).above - at.above;
+                steepest = std::max(steepest, std::abs(change) / kStep);
+                constexpr double kLittle = 1e-5;  // mm
+                const double slope = (line.placeOf(place + kLittle * step).above - at.above) / kLittle;
+                wrongest = std::max(wrongest, std::abs(slope - at.upward.dot(step)));
+            }
+        }
+    }
+    EXPECT_LT(steepest, kSteepest);
+    EXPECT_LT(wrongest, 0.15);  // most where another point of the line becomes the nearest
+}
+
 TEST_P(CrownOfAnIncisor, LeavesDentinOverThePulp) {
     for (const LayeredTooth::Layer& layer : tooth_->layers()) {
         if (layer.material != test::kPulp) continue;
