@@ -18,7 +18,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0x570d6da114ebd19eULL;
+constexpr std::uint64_t kGolden = 0xa027f198366d61eULL;
 
 using test::kTick;
 constexpr double kVoxel = 0.05;
