@@ -21,7 +21,7 @@ namespace {
 
 /// Voxels. Vertices of sharp edges keep this distance from a face that the boundary crosses, so that vertices on both
 /// sides of it do not meet. A larger value moves the vertex of an edge near a face too far off the edge.
-constexpr double kFaceGap = 0.05;
+constexpr double kFaceGap = 0.15;
 /// Bits of the corners on the lower side of each axis.
 constexpr std::array<unsigned, 3> kLowCorners = {0x55, 0x33, 0x0F};
 
