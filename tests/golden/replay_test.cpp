@@ -18,7 +18,7 @@
 namespace tactooth {
 namespace {
 
-constexpr std::uint64_t kGolden = 0xa027f198366d61eULL;
+constexpr std::uint64_t kGolden = 0x8b23c6fb2bc809ffULL;
 
 using test::kTick;
 constexpr double kVoxel = 0.05;

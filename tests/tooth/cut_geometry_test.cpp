@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "collision/bvh/closest_point.h"
 #include "support/materials.h"
@@ -136,6 +137,39 @@ TEST(CutGeometry, ABowlIsASphere) {
     const double cap = kPi * 0.35 * 0.35 * (kRadius - 0.35 / 3);
     EXPECT_NEAR(removed, cap, 0.003 * cap);
     EXPECT_NEAR(block.lost(), removed, 0.003 * removed);
+}
+
+/// The mean distance of the walls of eight cavities beyond their exact places, mm. Each has a volume of `exact` and an
+/// area of `area`.
+double meanBeyond(const RevolutionEnvelope& bur, const std::function<Pose(std::mt19937&)>& place, double exact,
+                  double area) {
+    std::mt19937 random(1);
+    double sum = 0;
+    for (int i = 0; i < 8; ++i) {
+        Block block(0.05);
+        const Pose pose = place(random);
+        block.cut(bur, pose, pose);
+        sum += (block.lost() - exact) / area;
+    }
+    return sum / 8;
+}
+
+TEST(CutGeometry, BentWallsEncloseTheVolumeThatWasCut) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (const double r : {0.25, 0.4}) {
+        const auto anywhere = [&](std::mt19937& random) {
+            return Pose{0.1 * Vec3(unit(random), unit(random), unit(random)) - 1.5 * Vec3::UnitZ(), Quat::Identity()};
+        };
+        const auto ball = *RevolutionEnvelope::make(test::sphere(Vec3::Zero(), r, 512, 256));
+        EXPECT_NEAR(meanBeyond(ball, anywhere, 4.0 / 3 * kPi * r * r * r, 4 * kPi * r * r), 0, 0.25e-3) << r;
+        const auto upright = [&](std::mt19937& random) {
+            Pose pose = anywhere(random);
+            pose.position.z() = -4;
+            return pose;
+        };
+        const auto rod = *RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), r, 6, 512));
+        EXPECT_NEAR(meanBeyond(rod, upright, 3 * kPi * r * r, 6 * kPi * r), 0, 0.1e-3) << r;
+    }
 }
 
 TEST(CutGeometry, ATiltedHoleIsATiltedCylinder) {

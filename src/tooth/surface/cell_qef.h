@@ -20,8 +20,8 @@ public:
     /// Means of the crossing points.
     [[nodiscard]] Vec3x8 means() const { return {points_.x / count_, points_.y / count_, points_.z / count_}; }
 
-    /// `isFlat` is 1 for cells whose normals agree so well that the mean normal alone counts, else 0. `points` are the
-    /// points on the boundary along the mean normal, starting from the means.
+    /// `isFlat` is 1 for cells whose normals agree so well that the mean normal alone counts, else 0. `points` are on
+    /// the mean normal through the means. With them for vertices, a bent boundary encloses the right volume.
     struct Flat {
         Float8 isFlat;
         Vec3x8 points;
