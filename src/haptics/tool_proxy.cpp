@@ -207,14 +207,14 @@ ProxyState ToolProxy::follow(const Pose& deviceInTooth, const Pose& goal, double
     state.offset = solver_.pose().position - state.deviceTip;
     state.travel = (solver_.pose().position - before).norm();
     if (move.status == MoveStatus::OutOfBudget) state.late = (goal.position - state.proxy.position).norm();
+    const bool isOverBudget = move.status == MoveStatus::OutOfIterations || move.status == MoveStatus::OutOfBudget;
+    const bool isShort = move.status == MoveStatus::Reached && goal.position != deviceInTooth.position;
     // A tool that is late must not pull back a hand that leaves.
-    const bool isLeaving = move.status == MoveStatus::OutOfBudget && state.offset.dot(exitDirection_) <= 0;
+    const bool isLeaving = isOverBudget && state.offset.dot(exitDirection_) <= 0;
     const int held = isLeaving ? 0 : move.contactCount;
     state.contacts = state.contactPointCount = held;
-    const bool isOverBudget = move.status == MoveStatus::OutOfIterations || move.status == MoveStatus::OutOfBudget;
-    const bool stuck = isOverBudget && held == 0 && !isLeaving;
-    const bool paused = move.status == MoveStatus::Reached && goal.position != deviceInTooth.position;
-    if (paused || (stuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
+    const bool isStuck = isOverBudget && held == 0 && !isLeaving;
+    if (isShort || (isStuck && (touching_ || state.travel == 0))) holdWithoutContact(state);
     for (int i = 0; i < held; ++i) {
         const ProxyContact& contact = move.contacts[i];
         state.held[i] = {contact.point, contact.normal, contact.multiplier};
