@@ -18,6 +18,38 @@ constexpr double kOverLine = 1.0;   // mm above the finish line, from which on t
 constexpr double kEdgeStep = 0.25;  // mm between two heights of an incisal edge
 constexpr double kEdgeReach = 0.8;  // mm to both sides, over which an edge is evened out
 constexpr double kAround = 0.3;     // mm around the tooth
+constexpr int kSmoothings = 10;     // of the direction of the surface, where its buccal and lingual faces meet
+
+/// The mean of each vertex and its neighbours, those of large triangles counting more.
+void smooth(const TriangleMesh& mesh, std::vector<double>& values) {
+    std::vector<double> sums(values.size()), weights(values.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto [a, b, c] = mesh.triangles[i];
+        const double area = mesh.areaVector(i).norm();
+        const double mean = (values[a] + values[b] + values[c]) / 3;
+        for (const std::uint32_t vertex : mesh.triangles[i]) {
+            sums[vertex] += area * mean;
+            weights[vertex] += area;
+        }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (weights[i] > 0) values[i] = sums[i] / weights[i];
+    }
+}
+
+/// How far the surface faces to buccal at each vertex: 1 if it does, -1 to lingual. Smoothed, so that the line between
+/// both does not follow single triangles.
+std::vector<double> facingBuccal(const TriangleMesh& mesh, const Vec3& buccal) {
+    std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t vertex : mesh.triangles[i]) normals[vertex] += mesh.areaVector(i);
+    }
+    std::vector<double> facing;
+    facing.reserve(normals.size());
+    for (const Vec3& normal : normals) facing.push_back(buccal.dot(normal.normalized()));
+    for (int i = 0; i < kSmoothings; ++i) smooth(mesh, facing);
+    return facing;
+}
 
 }  // namespace
 
@@ -53,10 +85,8 @@ double CrownForm::girthAbove(double side) const {
 
 void CrownForm::findAxialFaces(const CrownOutline& crown) {
     const TriangleMesh& mesh = outer_->mesh();
-    std::vector<double> facing(mesh.vertices.size());  // to buccal: of the normals of the vertices
+    std::vector<double> facing = facingBuccal(mesh, line_.aside());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const double buccal = line_.aside().dot(mesh.areaVector(i));
-        for (const std::uint32_t vertex : mesh.triangles[i]) facing[vertex] += buccal;
         const Vec3 centre = (mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3;
         if (line_.axis().dot(centre) < line_.lowest() - kAround) continue;
         for (int corner = 0; corner < 3; ++corner) box_.extend(mesh.corner(i, corner));
