@@ -32,11 +32,11 @@ public:
         Eigen::AlignedBox2d box;
         for (const Vec3f& vertex : body->mesh().vertices) {
             const Vec3 place = vertex.cast<double>();
-            box.extend(Eigen::Vector2d(u_.dot(place), v_.dot(place)));
+            box.extend(Vec2(u_.dot(place), v_.dot(place)));
             top = std::max(top, outward_.dot(place));
         }
         const double floor = plan.body->below ? top - *plan.body->below : kNowhere;
-        corner_ = box.min() - Eigen::Vector2d::Constant(kPitch);
+        corner_ = box.min() - Vec2::Constant(kPitch);
         columns_ = static_cast<int>(std::ceil(box.sizes().x() / kPitch)) + 3;
         rows_ = static_cast<int>(std::ceil(box.sizes().y() / kPitch)) + 3;
         tips_.assign(static_cast<std::size_t>(columns_ * rows_), kNowhere);
@@ -122,7 +122,7 @@ private:
     }
 
     Vec3 outward_, u_, v_;
-    Eigen::Vector2d corner_;
+    Vec2 corner_;
     int columns_ = 0, rows_ = 0;
     std::vector<double> tips_;
 };

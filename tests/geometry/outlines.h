@@ -11,7 +11,7 @@
 
 namespace tactooth::test {
 
-using Outline = std::vector<Eigen::Vector2d>;
+using Outline = std::vector<Vec2>;
 using Random = std::mt19937;
 
 inline double uniform(Random& random, double low, double high) {
@@ -24,7 +24,7 @@ inline Outline star(Random& random) {
     const int corners = std::uniform_int_distribution<int>(4, 40)(random);
     for (int i = 0; i < corners; ++i) {
         const double angle = 2 * std::numbers::pi * (i + uniform(random, 0.1, 0.9)) / corners;
-        outline.emplace_back(Eigen::Vector2d(std::cos(angle), std::sin(angle)) * uniform(random, 0.5, 6));
+        outline.emplace_back(Vec2(std::cos(angle), std::sin(angle)) * uniform(random, 0.5, 6));
     }
     return outline;
 }
@@ -46,7 +46,7 @@ inline Outline spiral(Random& random) {
     const int corners = std::uniform_int_distribution<int>(20, 60)(random);
     for (int i = 0; i < corners; ++i) {
         const double angle = 0.4 * i, radius = 1 + 0.3 * angle;
-        const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+        const Vec2 way(std::cos(angle), std::sin(angle));
         inner.emplace_back(way * radius);
         outer.emplace_back(way * (radius + 0.8));
     }
@@ -74,7 +74,7 @@ inline Outline dividedStar(Random& random) {
     const Outline corners = star(random);
     Outline outline;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
+        const Vec2& next = corners[(i + 1) % corners.size()];
         outline.push_back(corners[i]);
         if (uniform(random, 0, 1) < 0.3) outline.push_back(corners[i]);
         for (const double share : {0.25, 0.5}) outline.emplace_back(corners[i] + share * (next - corners[i]));

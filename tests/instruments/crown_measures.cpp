@@ -60,7 +60,7 @@ double sectionDeviation(const TriangleMesh& mesh, int fdi) {
 /// The outline from above of a set of edges: distances from the middle of its box in equal directions.
 class Outline {
 public:
-    using Points = std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>>;
+    using Points = std::vector<std::pair<Vec2, Vec2>>;
     explicit Outline(const Points& edges) {
         for (const auto& [a, b] : edges) box_.extend(a).extend(b);
         for (const auto& [a, b] : edges) add(a - box_.center(), b - box_.center());
@@ -82,20 +82,18 @@ public:
 
 private:
     /// The outermost place of the edge in each direction that it covers.
-    void add(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        const auto cross = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) {
-            return p.x() * q.y() - p.y() * q.x();
-        };
+    void add(const Vec2& a, const Vec2& b) {
+        const auto cross = [](const Vec2& p, const Vec2& q) { return p.x() * q.y() - p.y() * q.x(); };
         const double turn = cross(a, b);
         if (turn == 0) return;
-        const Eigen::Vector2d& first = turn > 0 ? a : b;
-        const Eigen::Vector2d& last = turn > 0 ? b : a;
+        const Vec2& first = turn > 0 ? a : b;
+        const Vec2& last = turn > 0 ? b : a;
         const double from = std::atan2(first.y(), first.x()) / kStep;
         const double angle = std::atan2(std::abs(turn), a.dot(b)) / kStep;
         for (int i = static_cast<int>(std::ceil(from)); i <= from + angle; ++i) {
-            const Eigen::Vector2d direction(std::cos(i * kStep), std::sin(i * kStep));
+            const Vec2 direction(std::cos(i * kStep), std::sin(i * kStep));
             double& radius = radii_[static_cast<std::size_t>((i + kDirections) % kDirections)];
-            radius = std::max(radius, std::abs(turn) / cross(direction, Eigen::Vector2d(last - first)));
+            radius = std::max(radius, std::abs(turn) / cross(direction, Vec2(last - first)));
         }
     }
 
@@ -118,7 +116,7 @@ Outline outlineOf(const TriangleMesh& mesh, double length) {
 
 /// A measured outline, stretched to the diameters of the average tooth.
 Outline outlineOf(const MeasuredOutline& measured) {
-    std::vector<Eigen::Vector2d> points;
+    std::vector<Vec2> points;
     Eigen::AlignedBox2d box;
     for (int i = 0; i < Outline::kDirections; ++i) {
         const double angle = i * Outline::kStep;

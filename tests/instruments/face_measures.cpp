@@ -47,23 +47,23 @@ double outsideOf(const MeasuredContour& range, double depth) {
     return std::max({0.0, range.least - depth, depth - range.greatest});
 }
 
-using Line = std::vector<Eigen::Vector2d>;
+using Line = std::vector<Vec2>;
 
 /// mm that a line with increasing first coordinate runs above its lower convex hull, square to that.
 double hollow(const Line& line) {
-    const auto turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
         return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
     };
     Line hull;
-    for (const Eigen::Vector2d& place : line) {
+    for (const Vec2& place : line) {
         while (hull.size() > 1 && turn(hull[hull.size() - 2], hull.back(), place) <= 0) hull.pop_back();
         hull.push_back(place);
     }
     double deepest = 0;
     std::size_t after = 1;
-    for (const Eigen::Vector2d& place : line) {
+    for (const Vec2& place : line) {
         while (after + 1 < hull.size() && hull[after].x() < place.x()) ++after;
-        const Eigen::Vector2d &from = hull[after - 1], &to = hull[after];
+        const Vec2 &from = hull[after - 1], &to = hull[after];
         deepest = std::max(deepest, turn(from, to, place) / (to - from).norm());
     }
     return deepest;
@@ -77,7 +77,7 @@ Line sectionOfFace(const ReliefMap& tongue, double z) {
         if (const auto y = tongue.at(x, z)) all.emplace_back(x, *y);
     }
     const double middle = (all.front().x() + all.back().x()) / 2, half = kLeft * (all.back().x() - middle);
-    std::erase_if(all, [&](const Eigen::Vector2d& place) { return std::abs(place.x() - middle) > half; });
+    std::erase_if(all, [&](const Vec2& place) { return std::abs(place.x() - middle) > half; });
     return all;
 }
 

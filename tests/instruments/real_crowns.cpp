@@ -84,8 +84,8 @@ double reliefDistance(const TriangleMesh& model, const TriangleMesh& real, Crown
         if (vertex.z() > from) crown.extend(vertex.cast<double>());
     }
     constexpr double kInner = 0.36;  // of the size, to both sides of the middle
-    const Eigen::Vector2d middle(crown.center().x(), crown.center()[across]),
-        half = kInner * Eigen::Vector2d(crown.sizes().x(), crown.sizes()[across]);
+    const Vec2 middle(crown.center().x(), crown.center()[across]),
+        half = kInner * Vec2(crown.sizes().x(), crown.sizes()[across]);
     return reliefDifference(ReliefMap(model, 0, across, toward, sign), ReliefMap(real, 0, across, toward, sign),
                             {middle - half, middle + half});
 }

@@ -43,7 +43,7 @@ std::vector<Place> withoutParaboloid(std::vector<Place> places) {
 }  // namespace
 
 ReliefMap::ReliefMap(const TriangleMesh& mesh, int u, int v, int axis, double sign) : sign_(sign) {
-    for (const Vec3f& vertex : mesh.vertices) box_.extend(Eigen::Vector2d(vertex[u], vertex[v]));
+    for (const Vec3f& vertex : mesh.vertices) box_.extend(Vec2(vertex[u], vertex[v]));
     columns_ = static_cast<int>(box_.sizes().x() / kCell) + 1;
     rows_ = static_cast<int>(box_.sizes().y() / kCell) + 1;
     heights_.assign(static_cast<std::size_t>(columns_ * rows_), kNone);

@@ -37,7 +37,7 @@ AxialWalls::Taper AxialWalls::taperAt(const Vec3& place) const {
 
 RemovedBody::Depth AxialWalls::outside(const Vec3& place, const FinishLine::Place& at) const {
     const Taper taper = taperAt(place);
-    const Eigen::Vector2d flat(at.inside, at.above);
+    const Vec2 flat(at.inside, at.above);
     const auto [height, slope] = FinishProfile(width_, taper.angle, tipRadius_).above(flat);
     Vec3 gradient = slope.x() * at.inward + slope.y() * at.upward;
     if (taper.gradient != Vec3::Zero()) {

@@ -15,8 +15,6 @@
 namespace tactooth {
 namespace {
 
-using Vec2d = Eigen::Vector2d;
-
 constexpr int kPoints = 240;           // of the line
 constexpr double kSmoothing = 5;       // points: standard deviation of the smoothing of heights
 constexpr double kNoEnamel = 0.04;     // mm of enamel: thinner is none
@@ -64,11 +62,11 @@ public:
         Eigen::AlignedBox2d box;
         for (const Vec3f& vertex : vertices) {
             const Vec3 place = vertex.cast<double>();
-            if (axis_.dot(place) > above) box.extend(Vec2d(u_.dot(place), v_.dot(place)));
+            if (axis_.dot(place) > above) box.extend(Vec2(u_.dot(place), v_.dot(place)));
         }
         if (!box.isEmpty()) middle_ = box.center();
     }
-    [[nodiscard]] const Vec2d& middle() const { return middle_; }
+    [[nodiscard]] const Vec2& middle() const { return middle_; }
 
     [[nodiscard]] static double angleOf(int i) { return 2 * std::numbers::pi * i / kPoints; }
 
@@ -100,7 +98,7 @@ public:
 private:
     Surface surface_;
     Vec3 axis_, u_, v_;
-    Vec2d middle_ = Vec2d::Zero();
+    Vec2 middle_ = Vec2::Zero();
 };
 
 }  // namespace
@@ -148,20 +146,20 @@ Expected<FinishLine> FinishLine::on(const PreparationPlan& plan, const LayeredTo
         line.heights_.push_back(height);
     }
     for (std::size_t i = 0; i < kPoints; ++i) {
-        const Vec2d &before = line.flat_[(i + kPoints - 1) % kPoints], &after = line.flat_[(i + 1) % kPoints];
+        const Vec2 &before = line.flat_[(i + kPoints - 1) % kPoints], &after = line.flat_[(i + 1) % kPoints];
         line.lengths_.push_back(((line.flat_[i] - before).norm() + (after - line.flat_[i]).norm()) / 2);
     }
     return line;
 }
 
 FinishLine::Place FinishLine::placeOf(const Vec3& point) const {
-    const Vec2d flat(u_.dot(point), v_.dot(point));
+    const Vec2 flat(u_.dot(point), v_.dot(point));
     double least = std::numeric_limits<double>::infinity();
-    Vec2d nearest = flat, along = Vec2d::UnitX();
+    Vec2 nearest = flat, along = Vec2::UnitX();
     bool isInside = false;
     for (std::size_t i = 0; i < flat_.size(); ++i) {
         const std::size_t next = (i + 1) % flat_.size();
-        const Vec2d side = flat_[next] - flat_[i], from = flat - flat_[i];
+        const Vec2 side = flat_[next] - flat_[i], from = flat - flat_[i];
         const double share = std::clamp(from.dot(side) / side.squaredNorm(), 0.0, 1.0);
         const double squared = (from - share * side).squaredNorm();
         const bool crosses = (flat_[i].y() > flat.y()) != (flat_[next].y() > flat.y());
@@ -173,7 +171,7 @@ FinishLine::Place FinishLine::placeOf(const Vec3& point) const {
     }
     const double distance = std::sqrt(least);
     // On the line itself, inwards is to the left of it.
-    Vec2d inward(-along.y(), along.x());
+    Vec2 inward(-along.y(), along.x());
     if (distance > 1e-9) inward = (isInside ? 1 : -1) / distance * (flat - nearest);
     const double inside = isInside ? distance : -distance;
     const Height height = heightBy(flat, inside, inward);
@@ -185,19 +183,19 @@ FinishLine::Place FinishLine::placeOf(const Vec3& point) const {
 
 /// A mean of the heights of the points near `flat`. The height of the nearest one would jump where another becomes the
 /// nearest, at the corners of the stump.
-FinishLine::Height FinishLine::heightBy(const Vec2d& flat, double inside, const Vec2d& inward) const {
+FinishLine::Height FinishLine::heightBy(const Vec2& flat, double inside, const Vec2& inward) const {
     const double depth = kBlendInside * std::max(inside, 0.0), variance = kBlend * kBlend + depth * depth;
-    const Vec2d widening = 2 * kBlendInside * depth * inward;  // gradient of the variance
+    const Vec2 widening = 2 * kBlendInside * depth * inward;  // gradient of the variance
     double least = std::numeric_limits<double>::infinity();
-    for (const Vec2d& each : flat_) least = std::min(least, (flat - each).squaredNorm());
+    for (const Vec2& each : flat_) least = std::min(least, (flat - each).squaredNorm());
     double weights = 0, heights = 0;
-    Vec2d change = Vec2d::Zero(), heightChange = Vec2d::Zero();  // gradients of these sums but for a common part
+    Vec2 change = Vec2::Zero(), heightChange = Vec2::Zero();  // gradients of these sums but for a common part
     for (std::size_t i = 0; i < flat_.size(); ++i) {
         const double farther = (flat - flat_[i]).squaredNorm() - least;
         constexpr double kNothing = 24;  // variances: e^-12
         if (farther > kNothing * variance) continue;
         const double weight = lengths_[i] * std::exp(-farther / (2 * variance));
-        const Vec2d gradient = weight / variance * (flat_[i] - flat + farther / (2 * variance) * widening);
+        const Vec2 gradient = weight / variance * (flat_[i] - flat + farther / (2 * variance) * widening);
         weights += weight;
         heights += weight * heights_[i];
         change += gradient;

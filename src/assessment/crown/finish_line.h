@@ -39,16 +39,16 @@ private:
     explicit FinishLine(const Vec3& axis);
     struct Height {
         double value;  // along the axis, mm
-        Eigen::Vector2d gradient;
+        Vec2 gradient;
     };
-    [[nodiscard]] Height heightBy(const Eigen::Vector2d& flat, double inside, const Eigen::Vector2d& inward) const;
+    [[nodiscard]] Height heightBy(const Vec2& flat, double inside, const Vec2& inward) const;
 
     Vec3 axis_, u_, v_;
     std::vector<Vec3> points_;
-    std::vector<Eigen::Vector2d> flat_;  // of the points, along u_ and v_
-    std::vector<double> heights_;        // of the points
-    std::vector<double> lengths_;        // of the line around each of the points, mm
-    Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
+    std::vector<Vec2> flat_;       // of the points, along u_ and v_
+    std::vector<double> heights_;  // of the points
+    std::vector<double> lengths_;  // of the line around each of the points, mm
+    Vec2 middle_ = Vec2::Zero();
 };
 
 }  // namespace tactooth

@@ -8,11 +8,7 @@
 #include "geometry/util/assert.h"
 
 namespace tactooth {
-namespace {
-
-using Vec2d = Eigen::Vector2d;
-
-}  // namespace
+namespace {}  // namespace
 
 FinishProfile::FinishProfile(double width, double taper, double radius) : taper_(taper), radius_(radius) {
     TACTOOTH_ASSERT(width > 0 && taper > 0 && radius >= 0);
@@ -21,31 +17,31 @@ FinishProfile::FinishProfile(double width, double taper, double radius) : taper_
     floorEnd_ = std::max(0.0, x);
     const double missing = std::min(x, 0.0);
     TACTOOTH_ASSERT(-missing <= radius);
-    centre_ = Vec2d(x, std::sqrt(std::max(0.0, radius * radius - missing * missing)));
-    foot_ = centre_ + radius * Vec2d(std::cos(taper), -std::sin(taper));
+    centre_ = Vec2(x, std::sqrt(std::max(0.0, radius * radius - missing * missing)));
+    foot_ = centre_ + radius * Vec2(std::cos(taper), -std::sin(taper));
 }
 
-FinishProfile::Height FinishProfile::above(const Vec2d& place) const {
-    const Vec2d along(std::sin(taper_), std::cos(taper_)), outward(-std::cos(taper_), std::sin(taper_));
+FinishProfile::Height FinishProfile::above(const Vec2& place) const {
+    const Vec2 along(std::sin(taper_), std::cos(taper_)), outward(-std::cos(taper_), std::sin(taper_));
     // Of the wall.
     const double up = std::max(0.0, (place - foot_).dot(along));
-    Vec2d nearest = foot_ + up * along, normal = outward;
+    Vec2 nearest = foot_ + up * along, normal = outward;
     double least = (place - nearest).norm();
-    const auto take = [&](const Vec2d& point, const Vec2d& direction) {
+    const auto take = [&](const Vec2& point, const Vec2& direction) {
         const double distance = (place - point).norm();
         if (distance >= least) return;
         least = distance;
         nearest = point;
         normal = direction;
     };
-    take(Vec2d(std::min(place.x(), floorEnd_), 0), Vec2d::UnitY());
-    const Vec2d from = place - centre_;
+    take(Vec2(std::min(place.x(), floorEnd_), 0), Vec2::UnitY());
+    const Vec2 from = place - centre_;
     if (radius_ > 0 && from.norm() > 0) {
         // Of the arc, between the end of the floor and the foot of the wall.
         const double first = std::atan2(-centre_.y(), floorEnd_ - centre_.x()), last = -taper_;
         const double angle = std::atan2(from.y(), from.x());
         if (angle >= first && angle <= last) {
-            const Vec2d direction(std::cos(angle), std::sin(angle));
+            const Vec2 direction(std::cos(angle), std::sin(angle));
             take(centre_ + radius_ * direction, -direction);
         }
     }

@@ -16,16 +16,16 @@ public:
     FinishProfile(double width, double taper, double radius);
 
     struct Height {
-        double value;              ///< distance above the profile, mm; negative below it
-        Eigen::Vector2d gradient;  ///< unit
+        double value;   ///< distance above the profile, mm; negative below it
+        Vec2 gradient;  ///< unit
     };
-    [[nodiscard]] Height above(const Eigen::Vector2d& place) const;
+    [[nodiscard]] Height above(const Vec2& place) const;
 
 private:
     double taper_, radius_;
-    Eigen::Vector2d centre_;  // of the arc
-    Eigen::Vector2d foot_;    // of the straight wall
-    double floorEnd_;         // x
+    Vec2 centre_;      // of the arc
+    Vec2 foot_;        // of the straight wall
+    double floorEnd_;  // x
 };
 
 }  // namespace tactooth

@@ -27,7 +27,7 @@ OcclusalMap::OcclusalMap(const CrownOutline& crown, const FinishLine& line, std:
     Eigen::AlignedBox2d box;
     for (const Vec3f& vertex : outer->mesh().vertices) {
         const Vec3 place = vertex.cast<double>();
-        if (axis_.dot(place) > line.lowest()) box.extend(Eigen::Vector2d(u_.dot(place), v_.dot(place)));
+        if (axis_.dot(place) > line.lowest()) box.extend(Vec2(u_.dot(place), v_.dot(place)));
     }
     corner_ = box.min();
     columns_ = static_cast<int>(std::ceil(box.sizes().x() / kGrid)) + 1;

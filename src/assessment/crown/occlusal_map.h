@@ -28,7 +28,7 @@ private:
     void lower(const CrownOutline& crown, const std::vector<double>& uncut, double middle);
 
     Vec3 axis_, u_, v_;
-    Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
+    Vec2 corner_ = Vec2::Zero();
     int columns_ = 0, rows_ = 0;
     std::vector<double> heights_;  // of the stump along the axis, mm
 };

@@ -12,7 +12,7 @@ namespace tactooth {
 /// A closed line on the surface of a tooth, seen along a direction: a polygon in the plane square to it, mm.
 class FlatOutline {
 public:
-    using Point = Eigen::Vector2d;
+    using Point = Vec2;
 
     /// `corners`: tooth frame, mm, the first not repeated; `outward`: unit, toward the eye.
     FlatOutline(std::span<const Vec3> corners, const Vec3& outward);

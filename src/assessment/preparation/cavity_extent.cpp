@@ -15,8 +15,6 @@
 namespace tactooth {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 constexpr double kStations = 0.05;      // mm between two widths
 constexpr double kLeastLength = 0.5;    // mm of isthmus between the ends
 constexpr double kSideCosine = 0.7071;  // 45 degrees: an outside faces its direction

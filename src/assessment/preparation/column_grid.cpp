@@ -66,7 +66,7 @@ ColumnGrid::Range ColumnGrid::rangeOf(const Vec2& low, const Vec2& high) const {
             std::max(0, cell(low.y(), rows_)), std::min(static_cast<int>(rows_) - 1, cell(high.y(), rows_))};
 }
 
-ColumnGrid::Vec2 ColumnGrid::lineOf(int i, int j) const {
+Vec2 ColumnGrid::lineOf(int i, int j) const {
     const auto number = static_cast<double>(static_cast<std::size_t>(j) * columns_ + static_cast<std::size_t>(i));
     const double x = 0.5 + number / kRoot, y = 0.5 + number / (kRoot * kRoot);
     return spacing_ * Vec2(i + x - std::floor(x), j + y - std::floor(y));

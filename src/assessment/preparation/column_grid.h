@@ -48,8 +48,6 @@ public:
     }
 
 private:
-    using Vec2 = Eigen::Vector2d;
-
     [[nodiscard]] Vec3 local(const Vec3f& place) const {
         const Vec3 from = place.cast<double>();
         return {u_.dot(from) - low_.x(), v_.dot(from) - low_.y(), axis_.dot(from)};

@@ -14,8 +14,6 @@
 namespace tactooth {
 namespace {
 
-using Vec2 = Eigen::Vector2d;
-
 constexpr double kSame = 0.05;     // mm: nearer places are one
 constexpr double kBeside = 0.6;    // mm: a path beside another one is not farther away
 constexpr double kAbreast = 0.15;  // mm: more than half of the distance of two places of a path

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kParallel = 1e-9;  // sine of the angle below which edges have no common normal
 
-using Point2 = Eigen::Vector2d;
+using Point2 = Vec2;
 
 double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -8,8 +8,6 @@
 
 namespace tactooth {
 
-using Vec2 = Eigen::Vector2d;
-
 /// A plane with two directions in it.
 struct SectionPlane {
     Vec3 origin = Vec3::Zero();                      ///< mm

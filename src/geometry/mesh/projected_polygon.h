@@ -31,12 +31,12 @@ public:
 
     /// Twice the signed area of a triangle of corners, rounded.
     [[nodiscard]] double doubledArea(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-        const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
+        const Vec2 u = points_[b] - points_[a], v = points_[c] - points_[a];
         return u.x() * v.y() - u.y() * v.x();
     }
     /// Its exact sign: 1 if c is to the left of the line from a to b.
     [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-        const Eigen::Vector2d u = points_[b] - points_[a], v = points_[c] - points_[a];
+        const Vec2 u = points_[b] - points_[a], v = points_[c] - points_[a];
         const double left = u.x() * v.y(), right = u.y() * v.x();
         constexpr double kFilter = 4.5e-16;  // Shewchuk's (3 + 16 e) e, e = 2^-53, rounded up
         const double bound = kFilter * (std::abs(left) + std::abs(right));
@@ -60,7 +60,7 @@ private:
 
     std::span<const Vec3f> positions_;
     std::vector<std::uint32_t> corners_;
-    std::vector<Eigen::Vector2d> points_;
+    std::vector<Vec2> points_;
     int axis_ = 2;
     bool isMirrored_ = false;
 };

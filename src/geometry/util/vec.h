@@ -7,6 +7,7 @@
 
 namespace tactooth {
 
+using Vec2 = Eigen::Vector2d;   ///< in a plane or a picture
 using Vec3 = Eigen::Vector3d;   ///< mm (points, steps), unit-less (directions), N (forces)
 using Vec3f = Eigen::Vector3f;  ///< the same, as an STL file stores it
 using Mat3 = Eigen::Matrix3d;

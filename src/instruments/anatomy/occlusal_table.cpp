@@ -21,9 +21,9 @@ void raiseLandmarks(PosteriorToothPlan& plan, double x, double y, double rise) {
 
 void raiseLandmarks(PosteriorToothPlan& plan, const OcclusalRidge& ridge, double rise) {
     constexpr double kReach = 0.9;  // mm: the crest and the upper part of its slopes
-    const Eigen::Vector2d from(ridge.ax, ridge.ay), along = Eigen::Vector2d(ridge.bx, ridge.by) - from;
+    const Vec2 from(ridge.ax, ridge.ay), along = Vec2(ridge.bx, ridge.by) - from;
     for (OcclusalLandmark& landmark : plan.landmarks) {
-        const Eigen::Vector2d place(landmark.x, landmark.y);
+        const Vec2 place(landmark.x, landmark.y);
         const double part = std::clamp((place - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
         const double left = bump((place - from - part * along).norm(), kReach);
         landmark.depth = std::max(0.0, landmark.depth - left * rise);

@@ -6,8 +6,6 @@
 
 namespace tactooth {
 
-using Vec2 = Eigen::Vector2d;
-
 /// The picture that the mouse points into, seen by a camera in the tooth's frame.
 class PointerView {
 public:

@@ -13,18 +13,17 @@
 namespace tactooth {
 namespace {
 
-using Points = std::vector<Eigen::Vector2d>;
+using Points = std::vector<Vec2>;
 
 /// A triangle counts as flat if its doubled area is less than this share of the square of its longer edge. Cut lines
 /// are some hundredths of a millimetre long, and rounding to floats moves their ends by about 1e-6 mm.
 constexpr double kFlat = 1e-4;
 
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-bool properlyCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                   const Eigen::Vector2d& d) {
+bool properlyCross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
 }
 
@@ -121,17 +120,17 @@ private:
 
     /// Square of the longer one of the two edges at a corner.
     [[nodiscard]] double squaredSizeAt(std::size_t i) const {
-        const Eigen::Vector2d& corner = points_[loop_[i]];
+        const Vec2& corner = points_[loop_[i]];
         return std::max((points_[before(i)] - corner).squaredNorm(), (points_[after(i)] - corner).squaredNorm());
     }
 
     [[nodiscard]] bool isEmpty(std::size_t ear, double tolerance) const {
-        const Eigen::Vector2d& a = points_[before(ear)];
-        const Eigen::Vector2d& b = points_[loop_[ear]];
-        const Eigen::Vector2d& c = points_[after(ear)];
+        const Vec2& a = points_[before(ear)];
+        const Vec2& b = points_[loop_[ear]];
+        const Vec2& c = points_[after(ear)];
         const double least = -tolerance * squaredSizeAt(ear);
         for (std::size_t i = 0; i < loop_.size(); ++i) {
-            const Eigen::Vector2d& p = points_[loop_[i]];
+            const Vec2& p = points_[loop_[i]];
             if (p == a || p == b || p == c || turnAt(i) > tolerance * squaredSizeAt(i)) continue;
             if (turn(a, b, p) >= least && turn(b, c, p) >= least && turn(c, a, p) >= least) return false;
         }
@@ -153,11 +152,11 @@ double doubledArea(const Points& points, const PolygonLoop& loop) {
     return area;
 }
 
-bool isWithin(const Points& points, const PolygonLoop& loop, const Eigen::Vector2d& point) {
+bool isWithin(const Points& points, const PolygonLoop& loop, const Vec2& point) {
     bool inside = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Eigen::Vector2d& a = points[loop[i]];
-        const Eigen::Vector2d& b = points[loop[(i + 1) % loop.size()]];
+        const Vec2& a = points[loop[i]];
+        const Vec2& b = points[loop[(i + 1) % loop.size()]];
         if ((a.y() > point.y()) == (b.y() > point.y())) continue;
         if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
     }

@@ -214,7 +214,7 @@ private:
     std::pmr::vector<Stop> ring_{&pool_};
     std::pmr::vector<PolygonLoop> outlines_{&pool_}, holes_{&pool_};
     std::pmr::vector<std::vector<PolygonLoop>> holesOf_{&pool_};
-    std::vector<Eigen::Vector2d> flat_;
+    std::vector<Vec2> flat_;
 };
 
 }  // namespace

@@ -9,7 +9,6 @@
 
 namespace tactooth {
 
-using Vec2 = Eigen::Vector2d;
 using Mat4 = Eigen::Matrix4d;
 
 /// Size of a picture in pixels.

@@ -12,16 +12,13 @@
 namespace tactooth {
 namespace {
 
-using Vec2d = Eigen::Vector2d;
-
 TEST(FinishProfile, OfAFlatBurIsAFloorAndAWall) {
     const FinishProfile shoulder(1, 6 * kDegree, 0);
     EXPECT_NEAR(shoulder.above({0.3, 0.2}).value, 0.2, 1e-12);
     EXPECT_NEAR(shoulder.above({-2, -0.4}).value, -0.4, 1e-12);
     EXPECT_NEAR(shoulder.above({1, 0}).value, 0, 1e-12);
     for (const double height : {0.5, 3.0}) {  // on the wall, and 0.1 mm to both sides of it
-        const Vec2d wall(1 + height * std::tan(6 * kDegree), height),
-            out(-std::cos(6 * kDegree), std::sin(6 * kDegree));
+        const Vec2 wall(1 + height * std::tan(6 * kDegree), height), out(-std::cos(6 * kDegree), std::sin(6 * kDegree));
         EXPECT_NEAR(shoulder.above(wall).value, 0, 1e-12);
         EXPECT_NEAR(shoulder.above(wall + 0.1 * out).value, 0.1, 1e-12);
         EXPECT_NEAR(shoulder.above(wall - 0.1 * out).value, -0.1, 1e-12);
@@ -36,9 +33,9 @@ TEST(FinishProfile, OfARoundEndTouchesFloorAndWallWithItsRadius) {
         const double y = x >= 0 ? radius : std::sqrt(radius * radius - x * x);
         EXPECT_NEAR(round.above({x, y}).value, x >= 0 ? radius : std::min(radius, y), 1e-9) << radius;
         EXPECT_NEAR(round.above({0, 0}).value, 0, 1e-9) << "the finish line lies on the profile";
-        const Vec2d below(std::sin(40 * kDegree), -std::cos(40 * kDegree));
-        EXPECT_NEAR(round.above(Vec2d(x, y) + radius * below).value, 0, 1e-9);
-        EXPECT_NEAR(round.above(Vec2d(x, y) + (radius + 0.1) * below).value, -0.1, 1e-9);
+        const Vec2 below(std::sin(40 * kDegree), -std::cos(40 * kDegree));
+        EXPECT_NEAR(round.above(Vec2(x, y) + radius * below).value, 0, 1e-9);
+        EXPECT_NEAR(round.above(Vec2(x, y) + (radius + 0.1) * below).value, -0.1, 1e-9);
     }
 }
 
@@ -49,12 +46,12 @@ TEST(FinishProfile, HasTheGradientOfItsHeight) {
         const FinishProfile profile(0.6, 8 * kDegree, radius);
         int hits = 0;
         for (int i = 0; i < 2000; ++i) {
-            const Vec2d place(x(random), y(random));
+            const Vec2 place(x(random), y(random));
             const auto [value, gradient] = profile.above(place);
             EXPECT_NEAR(gradient.norm(), 1, 1e-9);
             constexpr double kStep = 1e-6;
-            const Vec2d measured((profile.above(place + Vec2d(kStep, 0)).value - value) / kStep,
-                                 (profile.above(place + Vec2d(0, kStep)).value - value) / kStep);
+            const Vec2 measured((profile.above(place + Vec2(kStep, 0)).value - value) / kStep,
+                                (profile.above(place + Vec2(0, kStep)).value - value) / kStep);
             if (std::abs(measured.norm() - 1) > 1e-3) continue;  // where two pieces are as near
             EXPECT_LT((measured - gradient).norm(), 1e-3) << place.transpose();
             ++hits;

@@ -22,7 +22,7 @@ using namespace test;
 double areaOf(const Outline& outline) {
     double area = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Eigen::Vector2d &a = outline[i], &b = outline[(i + 1) % outline.size()];
+        const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
         area += 0.5 * (a.x() * b.y() - a.y() * b.x());
     }
     return area;
@@ -40,7 +40,7 @@ Face faceOf(const Outline& outline, const Quat& turn, const Vec3& place, std::si
     std::map<std::pair<double, double>, Vec3f> placed;
     Face face;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Eigen::Vector2d& at = outline[(i + first) % outline.size()];
+        const Vec2& at = outline[(i + first) % outline.size()];
         const double height = random == nullptr ? 0 : uniform(*random, -bumps, bumps);
         const Vec3f position = (turn * Vec3(at.x(), at.y(), height) + place).cast<float>();
         face.corners.push_back(welder.add(placed.try_emplace({at.x(), at.y()}, position).first->second));
@@ -127,7 +127,7 @@ TEST_P(AnyOutline, MakesNoFlatTriangleInItsOwnPlane) {
     PolygonTriangulator splitter;
     for (int round = 0; round < 100; ++round) {
         Outline outline = GetParam().make(random);
-        for (Eigen::Vector2d& corner : outline) corner = (corner * 4096).array().round().matrix() / 4096;  // exact
+        for (Vec2& corner : outline) corner = (corner * 4096).array().round().matrix() / 4096;  // exact
         const Face face = faceOf(outline, Quat::Identity(), Vec3::Zero(), random() % outline.size());
         std::vector<Triangle> triangles;
         ASSERT_EQ(splitter.split(face.positions, face.corners, triangles), nullptr) << round;
@@ -141,7 +141,7 @@ TEST_P(AnyOutline, ScaleDoesNotMatter) {
         PolygonTriangulator splitter;
         for (int round = 0; round < 30; ++round) {
             Outline outline = GetParam().make(random);
-            for (Eigen::Vector2d& corner : outline) corner *= scale;
+            for (Vec2& corner : outline) corner *= scale;
             const Face face = faceOf(outline, anyRotation(random), Vec3::Zero(), random() % outline.size());
             std::vector<Triangle> triangles;
             ASSERT_EQ(splitter.split(face.positions, face.corners, triangles), nullptr) << round;
@@ -200,7 +200,7 @@ TEST(PolygonTriangulator, CornersThatRoundingPutBesideALineMakeNoFlatTriangle) {
         for (std::size_t first = 0; first < tenths.size(); ++first) {
             Outline outline = tenths;
             std::ranges::rotate(outline, outline.begin() + static_cast<std::ptrdiff_t>(first));
-            for (Eigen::Vector2d& corner : outline) corner *= 0.1;
+            for (Vec2& corner : outline) corner *= 0.1;
             const Face face = faceOf(outline, Quat::Identity(), Vec3::Zero(), 0);
             for (const Triangle& triangle : splitPlain(outline)) EXPECT_GT(areaOf(face, {triangle}), 1e-4) << first;
         }

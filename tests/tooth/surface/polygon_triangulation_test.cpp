@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-using Points = std::vector<Eigen::Vector2d>;
+using Points = std::vector<Vec2>;
 
 double coveredArea(const Points& points, const std::vector<Triangle>& triangles, bool& allForward) {
     double sum = 0;
@@ -28,13 +28,13 @@ double coveredArea(const Points& points, const std::vector<Triangle>& triangles,
 }
 
 /// Adds the points of a star-shaped ring and returns their numbers.
-PolygonLoop addStar(Points& points, const Eigen::Vector2d& centre, double radius, int count, std::mt19937& random) {
+PolygonLoop addStar(Points& points, const Vec2& centre, double radius, int count, std::mt19937& random) {
     std::uniform_real_distribution<double> share(0.4, 1);
     PolygonLoop loop;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * std::numbers::pi * i / count;
         loop.push_back(static_cast<std::uint32_t>(points.size()));
-        points.push_back(centre + radius * share(random) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        points.push_back(centre + radius * share(random) * Vec2(std::cos(angle), std::sin(angle)));
     }
     return loop;
 }
