@@ -189,7 +189,7 @@ void WindowReplayTest::aCommentIsPinnedToAMomentBesideTheRecording() {
     QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>("replayNote").text().contains("too steep"), kPatience);
     emit menu.aboutToShow();
     menu.actions().back()->trigger();
-    QVERIFY(ReplayComments::open(folder_ / "a.ttsession")->all().empty());
+    QVERIFY(ReplayComments::open(folder_ / "a.ttsession").value().all().empty());
 }
 
 void WindowReplayTest::anotherRecordingIsShownAsAGhost() {

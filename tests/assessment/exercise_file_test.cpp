@@ -76,7 +76,7 @@ TEST(ExerciseFile, KnowsWhereMesialIs) {
     const auto side = [](const char* tooth, const char* name) {
         std::string text = exerciseWith("tooth = 36", tooth);
         text.replace(text.find("depth"), 0, std::string("side = ") + name + "\n");
-        return std::get<PreparationPlan>(parsed(text)->ideal).outward;
+        return std::get<PreparationPlan>(parsed(text).value().ideal).outward;
     };
     EXPECT_EQ(side("tooth = 36", "\"mesial\""), Vec3::UnitX());
     EXPECT_EQ(side("tooth = 46", "\"mesial\""), -Vec3::UnitX());
@@ -100,8 +100,8 @@ TEST(ExerciseFile, SaysWhatListsAndMarksNeed) {
     EXPECT_EQ(exercise->rubric, "class-1");
     EXPECT_TRUE(exercise->inMouth);
     EXPECT_THAT(exercise->otherBurs, ::testing::ElementsAre("245"));
-    EXPECT_EQ(parsed(exerciseWith())->words(Language::Japanese).name, "Pit");  // it has no other words
-    EXPECT_EQ(parsed(exerciseWith())->group, ExerciseGroup::Own);
+    EXPECT_EQ(parsed(exerciseWith()).value().words(Language::Japanese).name, "Pit");  // it has no other words
+    EXPECT_EQ(parsed(exerciseWith()).value().group, ExerciseGroup::Own);
 }
 
 TEST(ExerciseFile, EndsAFissureWithARidgeOrABox) {

@@ -50,7 +50,7 @@ TEST(MergedLayers, LayersThatOverlapAreJoinedByDistance) {
 TEST(MergedLayers, ASingleLayerIsTheTooth) {
     std::vector<LayerMesh> layers = stacked(0);
     layers.pop_back();
-    EXPECT_EQ(mergeLayers(layers)->outer.triangles, layers.front().mesh.triangles);
+    EXPECT_EQ(mergeLayers(layers).value().outer.triangles, layers.front().mesh.triangles);
 }
 
 }  // namespace

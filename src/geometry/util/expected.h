@@ -33,7 +33,9 @@ template <class... Arguments>
 }
 [[nodiscard]] inline Unexpected unexpected(Message message) { return {Error(std::move(message))}; }
 
-/// A value or an Error. Member names follow std::expected (C++23).
+/// A value or an Error. Member names follow std::expected (C++23). Unlike there, nothing refers into an Expected that
+/// is about to end: `for (x : f()->parts)` would read freed memory, so that an unnamed one gives its value away
+/// instead.
 template <class T>
 class [[nodiscard]] Expected {
 public:
@@ -45,12 +47,14 @@ public:
 
     [[nodiscard]] T& value() & { return TACTOOTH_ASSERT(has_value()), *std::get_if<0>(&state_); }
     [[nodiscard]] const T& value() const& { return TACTOOTH_ASSERT(has_value()), *std::get_if<0>(&state_); }
-    [[nodiscard]] T&& value() && { return TACTOOTH_ASSERT(has_value()), std::move(*std::get_if<0>(&state_)); }
+    [[nodiscard]] T value() && { return TACTOOTH_ASSERT(has_value()), std::move(*std::get_if<0>(&state_)); }
     [[nodiscard]] T& operator*() & { return value(); }
     [[nodiscard]] const T& operator*() const& { return value(); }
-    [[nodiscard]] T&& operator*() && { return std::move(*this).value(); }
-    [[nodiscard]] T* operator->() { return &value(); }
-    [[nodiscard]] const T* operator->() const { return &value(); }
+    [[nodiscard]] T operator*() && { return std::move(*this).value(); }
+    [[nodiscard]] T* operator->() & { return &value(); }
+    [[nodiscard]] const T* operator->() const& { return &value(); }
+    T* operator->() && = delete;
+    const T* operator->() const&& = delete;
 
     [[nodiscard]] const Error& error() const { return TACTOOTH_ASSERT(!has_value()), *std::get_if<1>(&state_); }
 

@@ -48,8 +48,8 @@ TEST(HaplyMessage, EachArmHasTheGripOfItsOwnNumberThoseWithACableFirst) {
 }
 
 TEST(HaplyMessage, AnArmIsFoundByItsNameAndTheFirstWithoutOne) {
-    EXPECT_EQ(findHaply(kTwoArms, "")->device, "049D");
-    EXPECT_EQ(findHaply(kTwoArms, "0B1C")->grip, "61576");
+    EXPECT_EQ(findHaply(kTwoArms, "").value().device, "049D");
+    EXPECT_EQ(findHaply(kTwoArms, "0B1C").value().grip, "61576");
     const auto none = findHaply(kTwoArms, "FFFF");
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().message(), "The Haply Inverse Service knows no Inverse3 'FFFF': it finds 049D, 0B1C.");

@@ -26,7 +26,7 @@ using ::testing::StartsWith;
 
 const auto kTime = std::chrono::sys_days(std::chrono::year(2026) / 11 / 27) + 7h + 8min + 22s + 123ms;
 
-std::string textOf(const fs::path& file) { return std::string(readFile(file)->text()); }
+std::string textOf(const fs::path& file) { return std::string(readFile(file).value().text()); }
 
 TEST(FaultLog, IsACsvFileThatTheProgramReadsBack) {
     const test::TemporaryFolder folder;

@@ -39,12 +39,12 @@ TEST(LoadMesh, AnotherMeshFormatIsNamed) {
 TEST(LoadMesh, ReadsObjByItsNameAndPlyByItsContent) {
     const test::TemporaryFolder folder;
     write(folder / "a.OBJ", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    EXPECT_EQ(loadMesh(folder / "a.OBJ")->triangles.size(), 1U);
+    EXPECT_EQ(loadMesh(folder / "a.OBJ").value().triangles.size(), 1U);
     write(folder / "a.stl",
           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
           "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    EXPECT_EQ(loadMesh(folder / "a.stl")->triangles.size(), 1U);
+    EXPECT_EQ(loadMesh(folder / "a.stl").value().triangles.size(), 1U);
 }
 
 TEST(LoadMesh, TextInUtf16IsNamed) {

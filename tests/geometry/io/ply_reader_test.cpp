@@ -145,16 +145,17 @@ std::string strips(const std::string& type, const std::string& lists, int count 
 
 TEST(PlyReader, ReadsTriangleStrips) {
     const std::vector<Triangle> three = {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}};
-    EXPECT_EQ(parse(strips("int", "5 0 1 2 3 4"))->triangles, three);
-    EXPECT_EQ(parse(strips("int", "8 0 1 2 -1 2 1 3 -1"))->triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
-    EXPECT_EQ(parse(strips("uint", "7 0 1 2 4294967295 2 1 3"))->triangles,
+    EXPECT_EQ(parse(strips("int", "5 0 1 2 3 4")).value().triangles, three);
+    EXPECT_EQ(parse(strips("int", "8 0 1 2 -1 2 1 3 -1")).value().triangles,
               (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
-    EXPECT_EQ(parse(strips("short", "3 0 1 2\n4 2 1 3 4", 2))->triangles,
+    EXPECT_EQ(parse(strips("uint", "7 0 1 2 4294967295 2 1 3")).value().triangles,
+              (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}}));
+    EXPECT_EQ(parse(strips("short", "3 0 1 2\n4 2 1 3 4", 2)).value().triangles,
               (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {3, 1, 4}}));
     // Duplicate corners continue the strip, and the orientation still alternates.
-    EXPECT_EQ(parse(strips("int", "7 0 1 2 2 2 1 3"))->triangles.size(), 2u);
-    EXPECT_GT(parse(strips("int", "7 0 1 2 2 2 1 3"))->areaVector(1).z(), 0);
-    EXPECT_EQ(parse(strips("int", "6 -1 -1 0 1 2 -1"))->triangles, (std::vector<Triangle>{{0, 1, 2}}));
+    EXPECT_EQ(parse(strips("int", "7 0 1 2 2 2 1 3")).value().triangles.size(), 2u);
+    EXPECT_GT(parse(strips("int", "7 0 1 2 2 2 1 3")).value().areaVector(1).z(), 0);
+    EXPECT_EQ(parse(strips("int", "6 -1 -1 0 1 2 -1")).value().triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 
 TEST(PlyReader, RefusesStripsOfNothing) {

@@ -105,11 +105,11 @@ TEST(JournalReader, ABlockThatIsMissingOrOfAnotherFileEndsTheChain) {
     Bytes shorter = bytes;
     shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(missing.offset),
                   shorter.begin() + static_cast<std::ptrdiff_t>(missing.end()));
-    EXPECT_EQ(JournalReader::parse(shorter, "sample")->blocks().size(), 3U);
+    EXPECT_EQ(JournalReader::parse(shorter, "sample").value().blocks().size(), 3U);
 
     Bytes mixed(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(missing.offset));
     mixed.insert(mixed.end(), other.begin() + static_cast<std::ptrdiff_t>(second->blocks()[3].offset), other.end());
-    EXPECT_EQ(JournalReader::parse(mixed, "sample")->blocks().size(), 3U);
+    EXPECT_EQ(JournalReader::parse(mixed, "sample").value().blocks().size(), 3U);
 }
 
 TEST(JournalReader, NothingIsReadBehindTheEnd) {
@@ -163,7 +163,7 @@ TEST(JournalReader, ABlockThatHasChangedSinceIsRefused) {
 
 TEST(JournalReader, ABlockThatDoesNotUnpackIsRefused) {
     Bytes bytes = test::journalBytes(test::sampleBlocks(29, 1), true);
-    const std::uint64_t events = JournalReader::parse(bytes, "sample")->blocks()[1].offset;
+    const std::uint64_t events = JournalReader::parse(bytes, "sample").value().blocks()[1].offset;
     bytes[events + kBlockHeaderBytes] ^= std::byte{0xFF};  // the magic of zstd
     test::reseal(bytes);
     const auto journal = JournalReader::parse(bytes, "sample");

@@ -64,7 +64,7 @@ TEST_F(JournalRepairTest, KeepsTheWholeBlocksByteForByte) {
 TEST_F(JournalRepairTest, ARecordingWithoutBlocksGetsAnEnd) {
     const Bytes bytes = test::journalBytes({}, false);
     EXPECT_EQ(repaired(bytes).blocks, 0U);
-    EXPECT_TRUE(JournalReader::open(folder_ / "out")->isRecovered());
+    EXPECT_TRUE(JournalReader::open(folder_ / "out").value().isRecovered());
 }
 
 TEST_F(JournalRepairTest, CopiesWhatHasAnEnd) {
@@ -92,7 +92,7 @@ TEST_F(JournalRepairTest, InPlaceOfTheSameFile) {
     const Bytes bytes = test::journalBytes(test::sampleBlocks(54, 1), false);
     ASSERT_TRUE(writeFile(folder_ / "in", std::span(bytes).first(bytes.size() - 3)));
     ASSERT_TRUE(repairJournal(folder_ / "in", folder_ / "in"));
-    EXPECT_TRUE(JournalReader::open(folder_ / "in")->isRecovered());
+    EXPECT_TRUE(JournalReader::open(folder_ / "in").value().isRecovered());
 }
 
 TEST_F(JournalRepairTest, WritesNothingWhereItRefuses) {

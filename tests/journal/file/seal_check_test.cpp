@@ -148,7 +148,7 @@ std::vector<std::byte> rechained(Bytes bytes, const std::function<bool(std::size
 }
 
 TEST_F(Seal, ABlockThatIsLeftOutIsMissed) {
-    const std::size_t count = JournalReader::parse(bytes_, "sample")->blocks().size();
+    const std::size_t count = JournalReader::parse(bytes_, "sample").value().blocks().size();
     EXPECT_EQ(rechained(bytes_, [](std::size_t, const BlockHeader&) { return false; }), bytes_);
     for (std::size_t left = 0; left < count; ++left) {
         const auto forged = rechained(bytes_, [&](std::size_t i, const BlockHeader&) { return i == left; });
@@ -169,7 +169,7 @@ TEST_F(Seal, AnEarlySignatureIsNoEnd) {
         const auto added = encoder.encode(block).value();
         forged.insert(forged.end(), added.begin(), added.end());
     }
-    ASSERT_TRUE(JournalReader::parse(forged, "sample")->isComplete());
+    ASSERT_TRUE(JournalReader::parse(forged, "sample").value().isComplete());
     const SealCheck found = check(forged).value();
     EXPECT_EQ(found.state, State::Changed);
     EXPECT_EQ(found.signedBytes, sign->end());

@@ -56,7 +56,7 @@ TEST_F(ExaminationSession, NothingIsTakenBackAndTheRecordingIsSigned) {
     const fs::path file = fs::directory_iterator(folder_.path())->path();
     const auto recording = SessionRecording::open(file);
     ASSERT_TRUE(recording) << recording.error().message();
-    EXPECT_EQ(checkRecordingSeal(*recording, key_->publicKey())->verdict, SealReport::Verdict::Intact);
+    EXPECT_EQ(checkRecordingSeal(*recording, key_->publicKey()).value().verdict, SealReport::Verdict::Intact);
     int edits = 0;
     ASSERT_TRUE(recording->forEach([&](const SessionEvent& event) {
         edits += std::holds_alternative<EditEvent>(event) ? 1 : 0;

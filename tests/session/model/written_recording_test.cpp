@@ -41,14 +41,14 @@ TEST_F(WrittenRecording, GoesOnAfterwards) {
     model_.recordTo(RecordingFolder(folder_.path()));
     cutBlock();
     model_.setPaused(true);
-    const std::uint64_t before = SessionRecording::open(model_.writtenRecording())->ticks();
+    const std::uint64_t before = SessionRecording::open(model_.writtenRecording()).value().ticks();
     model_.setPaused(false);
     ASSERT_TRUE(test::stepUntil(model_, [&] {  // a busy machine leaves ticks out
         return model_.runner() != nullptr && model_.runner()->feed().timing().ticks > 200 &&
                model_.log().newest().time > 0.2;
     }));
     EXPECT_TRUE(model_.isRecording());
-    EXPECT_GT(SessionRecording::open(model_.writtenRecording())->ticks(), before + 100);
+    EXPECT_GT(SessionRecording::open(model_.writtenRecording()).value().ticks(), before + 100);
     EXPECT_TRUE(test::stepUntil(model_, [&] { return model_.runner() != nullptr; }));
 }
 

@@ -142,7 +142,7 @@ TEST(ToothFile, OfTheFirstVersionIsStillRead) {
     std::memcpy(bytes.data() + bytes.size() - sizeof sum, &sum, sizeof sum);
     const auto parsed = parseSavedTooth(bytes, "old");
     ASSERT_TRUE(parsed) << parsed.error().message();
-    EXPECT_EQ(parsed->cuts.size(), openTooth(oldFile())->piece->volume().cutBricks().size());
+    EXPECT_EQ(parsed->cuts.size(), openTooth(oldFile()).value().piece->volume().cutBricks().size());
     EXPECT_EQ(parsed->layers[2].material, test::kCaries);
     EXPECT_EQ(parsed->toothContext.mesialX, 1);
     EXPECT_EQ(parsed->toothContext.firstAdjacent, UINT32_MAX);

@@ -145,7 +145,7 @@ TEST(RevolutionEnvelopeAsserts, PointsAreFiniteAndAReachIsNotNegative) {
 TEST(RevolutionEnvelope, KeepsItsInvariantsForEachShape) {
     for (const TriangleMesh& mesh : {test::cylinder(Vec3::Zero(), 0.5, 4, 32), test::sphere(Vec3(0, 0, 1), 1, 48, 24),
                                      test::box(Vec3(-1, -1, 0), Vec3(1, 1, 3))}) {
-        RevolutionEnvelope::make(mesh)->validate();
+        RevolutionEnvelope::make(mesh).value().validate();
     }
 }
 

@@ -111,7 +111,7 @@ TEST(BrickSampler, BodiesThatStandApartAreNoOverlap) {
     TriangleMesh outer = test::box(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     const auto first = static_cast<std::uint32_t>(outer.triangles.size());
     append(outer, test::box(Vec3(1.01, -1, -1), Vec3(2, 1, 1)));
-    EXPECT_FALSE(LayeredTooth::make(outer, {}, test::kDentin, {.firstAdjacent = first})->bodiesOverlap());
+    EXPECT_FALSE(LayeredTooth::make(outer, {}, test::kDentin, {.firstAdjacent = first}).value().bodiesOverlap());
 }
 
 }  // namespace
