@@ -31,7 +31,8 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
       measure_(new MeasureTool(*this)),
       outlines_(new OutlineOverlay(this)),
       secondFrame_(new SecondViewFrame(this)),
-      overlays_(new ViewOverlays(*this)) {
+      overlays_(new ViewOverlays(*this)),
+      fade_([this] { update(); }) {
     secondFrame_->hide();
     connect(&overlays_->cube(), &ViewCube::viewChosen, this, qOverload<StandardView>(&ToothView::setView));
     connect(&overlays_->cube(), &ViewCube::apicalChosen, this, [this] {
@@ -49,9 +50,9 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
         // On a slow machine the next quick picture may just be late. A full-quality picture now would delay it more.
-        careful_ = changeTo(contents()) == FramePacer::Change::None;
-        if (careful_) {
+        if (changeTo(contents()) == FramePacer::Change::None) {
             redraw();
+            careful_ = true;
         } else {
             rest_.start(kRestMs);
         }
@@ -69,6 +70,7 @@ void ToothView::forgetRenderer() {
     if (!renderer_) return;
     makeCurrent();
     renderer_.reset();
+    fade_.forget();
     doneCurrent();
 }
 
@@ -101,6 +103,7 @@ void ToothView::initializeGL() {
     // Qt calls it again for each new context. All objects of the old context are lost.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &ToothView::forgetRenderer);
     isStale_ = true;
+    careful_ = false;  // there is no last picture yet
     Expected<Renderer> renderer = Renderer::create();
     if (renderer) {
         renderer_.emplace(std::move(*renderer));
@@ -113,6 +116,7 @@ void ToothView::initializeGL() {
 /// Draws the picture again. When only the desktop needs it, Qt reuses the last one.
 void ToothView::redraw() {
     isStale_ = true;
+    careful_ = false;  // what wants another picture has moved
     overlays_->follow(camera_, pictureSize(*this), model_.mesialX());
     followLines();
     update();
@@ -126,12 +130,14 @@ void ToothView::followLines() {
 void ToothView::paintGL() {
     if (!renderer_ || failed_) return;
     SceneContents now = contents();
-    if (!std::exchange(isStale_, false) && changeTo(now) == FramePacer::Change::None) return;
+    const bool isSame = changeTo(now) == FramePacer::Change::None;
+    if (!std::exchange(isStale_, false) && isSame) return fade_.draw(defaultFramebufferObject());
+    fade_.stop();
     now.camera = camera_.camera();
     addGlass(now);
     drawn_ = now;
     sinceDrawn_.start();
-    const bool careful = std::exchange(careful_, false);
+    const bool careful = std::exchange(careful_, false) && isSame;
     showsCareful_ = careful;
     const FramePacer::Change change = std::exchange(change_, FramePacer::Change::Motion);
     RenderSettings settings = kFine;
@@ -143,15 +149,25 @@ void ToothView::paintGL() {
     Scene scene = sceneFor(now);
     scene.second = secondPicture();
     if (magnifies() && now.tool) scene.magnified = now.tool->toolInTooth * Vec3(0, 0, 0.5 * now.tool->head.length);
-    auto done = renderer_->render(scene, defaultFramebufferObject(), pictureSize(*this), settings);
-    if (!done) report(done.error());
+    if (const auto done = draw(scene, settings, careful); !done) report(done.error());
     context()->functions()->glFinish();  // a software renderer still works after the last call
     if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
     ++pictures_;
 }
 
+/// `fades`: the picture comes gradually, in place of the one that is shown.
+Expected<void> ToothView::draw(const Scene& scene, const RenderSettings& settings, bool fades) {
+    const unsigned shown = defaultFramebufferObject();
+    const ImageSize size = pictureSize(*this);
+    if (fades) {
+        if (auto done = fade_.prepare(shown, size); !done) return done;
+    }
+    if (auto done = renderer_->render(scene, shown, size, settings); !done || !fades) return done;
+    return fade_.start(shown);
+}
+
 bool ToothView::isAtRest() const {
-    return showsCareful_ && !isStale_ && changeTo(contents()) == FramePacer::Change::None;
+    return showsCareful_ && !isFading() && !isStale_ && changeTo(contents()) == FramePacer::Change::None;
 }
 
 Scene ToothView::sceneFor(const SceneContents& contents) const {
@@ -301,6 +317,7 @@ void ToothView::setSecondView(std::optional<StandardView> view, const QString& t
 
 void ToothView::resizeEvent(QResizeEvent* event) {
     isStale_ = true;
+    careful_ = false;  // the last picture is lost
     QOpenGLWidget::resizeEvent(event);
     secondFrame_->fitTo(pictureSize(*this));
     aim_->setGeometry(rect());

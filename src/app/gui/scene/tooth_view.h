@@ -17,6 +17,7 @@
 #include "app/gui/scene/frame_pacer.h"
 #include "app/gui/scene/measure_tool.h"
 #include "app/gui/scene/outline_overlay.h"
+#include "app/gui/scene/rest_fade.h"
 #include "app/gui/scene/second_view_frame.h"
 #include "app/gui/scene/surface_tool.h"
 #include "app/gui/scene/view_overlays.h"
@@ -28,7 +29,8 @@
 namespace tactooth {
 
 /// The picture in the middle of the window, with the mouse in it. It draws when something has changed: quickly and as
-/// often as the machine can while things move, and once with full quality when they have come to rest.
+/// often as the machine can while things move, and once with full quality when they have come to rest. That picture
+/// takes the place of the last quick one gradually.
 class ToothView final : public QOpenGLWidget {
     Q_OBJECT
 
@@ -46,6 +48,8 @@ public:
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
     /// Whether it shows the full-quality picture of a scene at rest.
     [[nodiscard]] bool isAtRest() const;
+    /// Whether it shows something between that picture and the last one before it.
+    [[nodiscard]] bool isFading() const { return fade_.isRunning(); }
     /// Lets the crown fill the picture.
     void fit();
     void setView(StandardView view);
@@ -146,6 +150,7 @@ private:
     void report(const Error& error);
     void forgetRenderer();
     void redraw();
+    [[nodiscard]] Expected<void> draw(const Scene& scene, const RenderSettings& settings, bool fades);
 
     SessionModel& model_;
     MirrorMouse mirrorMouse_;
@@ -180,6 +185,7 @@ private:
     bool isPressedByKey_ = false;
     Vec2 mouse_ =
         Vec2::Constant(-1);  // position of the mouse or of the arrow keys, pixels; outside until the first event
+    RestFade fade_;
 };
 
 }  // namespace tactooth
