@@ -217,6 +217,9 @@ TEST_P(EachRubric, PassesACarefulBeginnersCrownButDoesNotPraiseIt) {
     ASSERT_TRUE(meant) << meant.error().message();
     const std::vector<MetricResult> work =
         measure(cut(UnsteadyWork(std::move(*meant), usualHabits(HandLevel::Student).uneven)));
+    // Uneven walls have an angle, too. The cheek's and the tongue's follow the planes of the tooth besides.
+    EXPECT_NEAR(valueIn(work, "toc_md"), 2 * crown.taper, 6);
+    EXPECT_GT(valueIn(work, "toc_bl"), 0);
     const Mark mark = markOf(rubric_, work);
     for (const CriterionScore& each : mark.criteria)
         std::printf("  %s: %.2f costs %.1f\n", each.criterion->title.c_str(), each.measured.value.value_or(-1),

@@ -84,7 +84,9 @@ Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, 
         if (level.normalized().dot(facing) > std::cos(45 * kDegree)) wall.push_back(i);
     }
     if (areaOf(surfaces, wall) < kLeastWall) return Measured::none(msg::kWallTooSmall);
-    const CutPatch inner = withoutBorder(surfaces, wall, kRounding);
+    // An uneven hand leaves places that do not count as wall: with their borders, little may be left.
+    CutPatch inner = withoutBorder(surfaces, wall, kRounding);
+    if (areaOf(surfaces, inner) < kLeastInner) inner = withoutBorder(surfaces, wall, kRounding / 2);
     const double area = areaOf(surfaces, inner);
     if (area < kLeastInner) return Measured::none(msg::kWallTooLow);
     double cosine = 0;
