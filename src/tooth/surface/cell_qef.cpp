@@ -19,10 +19,10 @@ namespace {
 /// vertex stays at the mean of the crossings. Edges sharper than about 20 degrees stay sharp.
 constexpr double kFlat = 0.03;
 
-/// How far a vertex goes from the mean of its crossings to the point where bent planes meet. A boundary of radius r
-/// that crosses a cell of width d bends by s = d^2 / 8r: the mean lies s within the chord, the meeting point s beyond
-/// the curve. A polygon encloses the area of its curve with its corners 2/3 s beyond it (at s, walls of a hole lie s/3
-/// too far out, 0.4 um with a bur of 0.5 mm and voxels of 0.05 mm).
+/// How far a vertex goes from the mean of its crossings toward the point where bent planes meet. A boundary of radius r
+/// bends by s = d^2 / 8r within a cell of width d: the mean lies s on one side of it, where the planes meet s on the
+/// other. A polygon encloses the area of its curve with its corners 2/3 s beyond it. (At s, the walls of a hole would
+/// lie s/3 too far out: 0.4 um with a bur of 0.5 mm and voxels of 0.05 mm.)
 constexpr float kBentShare = 5.0F / 6;
 
 Vec3 clamped(const Vec3& point, const Box3& bounds) { return point.cwiseMax(bounds.min()).cwiseMin(bounds.max()); }
