@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "view/gl/messages.h"
-#include "view/gl/render_target.h"
+#include "view/gl/reusable_target.h"
 #include "view/gl/shader_program.h"
 #include "view/gl/shaders.h"
 
@@ -14,20 +14,16 @@ namespace tactooth {
 struct CrossFade::Parts {
     ShaderProgram program;
     gl::VertexArray noVertices;
-    RenderTarget first = {}, last = {};
+    ReusableTarget first = {}, last = {};
 
-    static Expected<void> keep(GLuint shown, ImageSize size, RenderTarget& in);
+    static Expected<void> keep(GLuint shown, ImageSize size, ReusableTarget& in);
 };
 
-Expected<void> CrossFade::Parts::keep(GLuint shown, ImageSize size, RenderTarget& in) {
-    if (in.size() != size) {
-        in = {};
-        auto made = RenderTarget::create(size, 0);
-        if (!made) return Unexpected{made.error()};
-        in = std::move(*made);
-    }
+Expected<void> CrossFade::Parts::keep(GLuint shown, ImageSize size, ReusableTarget& in) {
+    const auto kept = in.fit(size, 0);
+    if (!kept) return Unexpected{kept.error()};
     glBindFramebuffer(GL_READ_FRAMEBUFFER, shown);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, in.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (*kept)->framebuffer());
     glDisable(GL_SCISSOR_TEST);
     glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, shown);
@@ -47,10 +43,13 @@ CrossFade::~CrossFade() = default;
 
 Expected<void> CrossFade::keepFirst(unsigned shown, ImageSize size) { return Parts::keep(shown, size, parts_->first); }
 
-Expected<void> CrossFade::keepLast(unsigned shown) { return Parts::keep(shown, parts_->first.size(), parts_->last); }
+Expected<void> CrossFade::keepLast(unsigned shown) {
+    return Parts::keep(shown, parts_->first.target().size(), parts_->last);
+}
 
 void CrossFade::draw(unsigned target, double share) const {
-    const ImageSize size = parts_->last.size();
+    const RenderTarget &first = parts_->first.target(), &last = parts_->last.target();
+    const ImageSize size = last.size();
     glBindFramebuffer(GL_FRAMEBUFFER, target);
     glViewport(0, 0, size.width, size.height);
     glDisable(GL_BLEND);
@@ -63,8 +62,8 @@ void CrossFade::draw(unsigned target, double share) const {
     program.set("firstPicture", 0);
     program.set("lastPicture", 1);
     program.set("share", static_cast<float>(share));
-    gl::bindTexture(1, GL_TEXTURE_2D, parts_->last.colourTexture());
-    gl::bindTexture(0, GL_TEXTURE_2D, parts_->first.colourTexture());
+    gl::bindTexture(1, GL_TEXTURE_2D, last.colourTexture());
+    gl::bindTexture(0, GL_TEXTURE_2D, first.colourTexture());
     glBindVertexArray(parts_->noVertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

@@ -4,6 +4,7 @@
 
 #include "view/camera/magnifier.h"
 #include "view/gl/messages.h"
+#include "view/gl/reusable_target.h"
 #include "view/gl/shape_cache.h"
 #include "view/passes/antialiasing_pass.h"
 #include "view/passes/ghost_pass.h"
@@ -15,30 +16,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace tactooth {
 
 namespace {
-
-/// A render target that is made again only when its size or its number of samples changes.
-class ReusableTarget {
-public:
-    Expected<const RenderTarget*> fit(ImageSize size, int samples) {
-        if (!target_ || target_->size() != size || asked_ != samples) {
-            target_.reset();
-            auto made = RenderTarget::create(size, samples);
-            if (!made) return Unexpected{made.error()};
-            target_ = std::move(*made);
-            asked_ = samples;
-        }
-        return &*target_;
-    }
-
-private:
-    std::optional<RenderTarget> target_;
-    int asked_ = 0;
-};
 
 /// The render targets of one view.
 struct ViewTargets {
