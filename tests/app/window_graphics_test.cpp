@@ -18,7 +18,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/gui/panels/tick_trace.h"
+#include "app/gui/panels/plot_panel.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 
@@ -34,7 +34,7 @@ private slots:
     void withoutOpenGl41TheProgramSaysWhatToDo();
     void whatTheDesktopWantsAgainIsNotDrawnAnew();
     void thePictureComesToRestGradually();
-    void whatMovesEndsTheWayToRestAtOnce();
+    void whatMovesEndsTheCrossFadeAtOnce();
     void aWindowThatNobodyUsesRests();
     void panelsBehindTabsAreReachedByKeys();
     void cleanupTestCase();
@@ -135,7 +135,7 @@ void WindowGraphicsTest::whatTheDesktopWantsAgainIsNotDrawnAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(view().pictures() > drawn, kPatience);
 }
 
-/// Turns the tooth until the picture is on its way to rest. A slow machine may miss the fifth of a second.
+/// Turns the tooth until the cross-fade to rest has begun. A slow machine may miss the fifth of a second.
 bool WindowGraphicsTest::waitForFade() {
     constexpr int kTries = 50;
     for (int i = 0; i < kTries; ++i) {
@@ -151,10 +151,12 @@ bool WindowGraphicsTest::waitForFade() {
 void WindowGraphicsTest::thePictureComesToRestGradually() {
     QVERIFY(waitForQuietPicture());
     QVERIFY(waitForFade());
+    const QSignalSpy swapped(&view(), &QOpenGLWidget::frameSwapped);
     std::vector<QImage> seen;
     while (view().isFading()) {
         seen.push_back(view().grabFramebuffer());
-        QTest::qWait(1);
+        const auto composed = swapped.count();
+        QTRY_VERIFY_WITH_TIMEOUT(swapped.count() > composed || !view().isFading(), kPatience);
     }
     QVERIFY(!seen.empty());
     const QImage atRest = view().grabFramebuffer();
@@ -165,7 +167,7 @@ void WindowGraphicsTest::thePictureComesToRestGradually() {
     QCOMPARE(differenceOf(view().grabFramebuffer(), atRest), 0.0);
 }
 
-void WindowGraphicsTest::whatMovesEndsTheWayToRestAtOnce() {
+void WindowGraphicsTest::whatMovesEndsTheCrossFadeAtOnce() {
     QVERIFY(waitForQuietPicture());
     QVERIFY(waitForFade());
     const std::uint64_t drawn = view().pictures();
@@ -179,16 +181,17 @@ void WindowGraphicsTest::whatMovesEndsTheWayToRestAtOnce() {
 /// The processor time of all threads. On a quiet machine it is 4 % of a core, half of it the servo's; on one that also
 /// builds on its two cores, up to 9. A hypervisor may count in the time that it gives to others: one second below the
 /// bound is enough, since a window that keeps drawing exceeds it in each of them. The threads of software OpenGL may
-/// still draw the last picture, which the window has long left to them: they come to their end first. The plots are
-/// drawn on while they show anything that has moved.
+/// still draw the last picture, which the window has long left to them: they come to their end first, and so
+/// do the plots, which are drawn on while they show anything that has moved.
 void WindowGraphicsTest::aWindowThatNobodyUsesRests() {
     waitForRest();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<PlotPanel*>()->isFlat(), kPatience);
     view().makeCurrent();
     QOpenGLContext::currentContext()->functions()->glFinish();
     view().doneCurrent();
     const auto used = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
     constexpr double kBound = 0.15;  // of a core
-    constexpr int kTries = static_cast<int>(TickTrace::kShown) + 5;
+    constexpr int kTries = 5;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kTries && least >= kBound; ++i) {
         const double before = used();

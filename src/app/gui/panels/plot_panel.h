@@ -34,6 +34,8 @@ public:
     void show(const Recorded& first, const Recorded& other);
     /// The trace that is drawn.
     [[nodiscard]] const TickTrace& shown() const { return shown_.trace; }
+    /// Whether that is flat, so that it is not drawn again.
+    [[nodiscard]] bool isFlat() const { return flat_; }
     /// That of the other recording, if there is one.
     [[nodiscard]] const std::optional<Recorded>& shownOther() const { return shownOther_; }
     [[nodiscard]] QWidget& plots() { return *plots_; }
