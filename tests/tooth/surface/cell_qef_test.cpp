@@ -113,6 +113,22 @@ TEST(CellQef, AFlatVertexLiesOnItsPlaneAtEachAngle) {
     }
 }
 
+TEST(CellQef, ABoundaryThatBendsBothWaysHasItsVertexALittleBeyondIt) {
+    // A ball with a radius of ten steps.
+    const Vec3f middle(0.1F, -0.2F, -10);
+    std::vector<Crossing> crossings;
+    for (int i = 0; i < 4; ++i) {
+        const float x = (i & 1) != 0 ? 0.5F : -0.5F;
+        const float y = (i >> 1) != 0 ? 0.5F : -0.5F;
+        const float z = middle.z() + std::sqrt(100 - std::pow(x - middle.x(), 2.0F) - std::pow(y - middle.y(), 2.0F));
+        crossings.push_back({{x, y, z}, Vec3f(x, y, z) - middle});
+    }
+    const auto point = pointOfFlat(planesOf(crossings), 0);
+    ASSERT_TRUE(point);
+    EXPECT_NEAR((*point - middle).norm(), 10, 0.03);
+    EXPECT_GT((*point - middle).norm(), 10);  // planes touch a ball from outside
+}
+
 TEST(CellQef, ABentBoundaryHasItsVertexTwoThirdsOfTheBendBeyondIt) {
     // A cylinder about y with a radius of ten steps, of which a step bends by 1/80.
     const float radius = 10;
