@@ -8,7 +8,6 @@
 #include "geometry/util/assert.h"
 
 namespace tactooth {
-namespace {}  // namespace
 
 FinishProfile::FinishProfile(double width, double taper, double radius) : taper_(taper), radius_(radius) {
     TACTOOTH_ASSERT(width > 0 && taper > 0 && radius >= 0);

@@ -9,7 +9,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kFadeMs = 200;  // long enough for the eye to follow, too short to wait for
-constexpr int kFadeStepMs = 25;  // between two pictures of it: each is at most an eighth of the way
+constexpr int kFadeStepMs = 25;  // between two pictures of it: eight lead to the last one
 
 }  // namespace
 

@@ -22,7 +22,7 @@ public:
     explicit RestFade(std::function<void()> redraw);
     /// Call it before the full-quality picture is drawn over the last one in `framebuffer`.
     [[nodiscard]] Expected<void> prepare(unsigned framebuffer, ImageSize size);
-    /// Call it when that is drawn: from now on `framebuffer` shows the way to it.
+    /// Call it when that is drawn: from now on `framebuffer` shows a mixture of both.
     [[nodiscard]] Expected<void> start(unsigned framebuffer);
     /// Whether it does not yet show the full-quality picture.
     [[nodiscard]] bool isRunning() const { return since_.isValid(); }
