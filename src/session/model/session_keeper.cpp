@@ -14,7 +14,7 @@ void SessionKeeper::setFolder(std::optional<RecordingFolder> folder, std::shared
     if (folder_) return;
     beginning_.cancel();
     endRecording();
-    ending_ = {};  // joins: it reads the tooth, which may be cut further
+    closing_ = {};  // joins: it reads the tooth, which may be cut further
 }
 
 void SessionKeeper::describe(const std::string& work) {
@@ -73,10 +73,12 @@ void SessionKeeper::endRecording() {
     hasStopped_ = false;
     if (recording_ == nullptr) return;
     // The assignment waits for the one before, which has mostly ended long ago.
-    ending_ = executor_([recording = std::exchange(recording_, nullptr), faults = lateFaults_, file = endedFile_] {
+    closing_ = executor_([recording = std::exchange(recording_, nullptr), faults = lateFaults_, file = endedFile_,
+                          kept = ending_ ? ending_() : Kept()] {
         const Expected<void> done = recording->finish();
         if (done) {
             *file = recording->file();
+            if (kept && !file->empty()) kept(*file);
             return;
         }
         const std::lock_guard lock(faults->mutex);
@@ -90,7 +92,7 @@ std::filesystem::path SessionKeeper::writtenFile() {
         const bool isWhole = !hasStopped_ && recording_->recorder().flush();
         return isWhole ? recording_->file() : std::filesystem::path();
     }
-    ending_ = {};  // joins
+    closing_ = {};  // joins
     return *endedFile_;
 }
 
@@ -101,7 +103,7 @@ void SessionKeeper::finish() {
     }
     endRecording();
     tooth_.reset();
-    ending_ = {};
+    closing_ = {};
 }
 
 std::optional<Message> SessionKeeper::takeFault() {

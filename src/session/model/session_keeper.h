@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,6 +28,11 @@ public:
     /// works on the tooth then. `seal`: signs the recordings; null: nobody does.
     void setFolder(std::optional<RecordingFolder> folder, std::shared_ptr<const SigningKey> seal = {});
     [[nodiscard]] const std::optional<RecordingFolder>& folder() const { return folder_; }
+    /// Hears where a recording is in the end; another thread may call it.
+    using Kept = std::function<void(const std::filesystem::path& file)>;
+    /// `ending`: called when a recording ends; what it returns is called when the file has its final name, and not if
+    /// nothing was kept. Null: nobody wants to know.
+    void setEnding(std::function<Kept()> ending) { ending_ = std::move(ending); }
     /// What somebody is doing (workText), if it has changed: recordings hold it.
     void describe(const std::string& work);
 
@@ -80,7 +86,8 @@ private:
     Task<Recording> beginning_;
     // The file of the tooth's recording that has ended; the thread that ends it shares it.
     std::shared_ptr<std::filesystem::path> endedFile_ = std::make_shared<std::filesystem::path>();
-    std::jthread ending_;  // waits for the disk
+    std::function<Kept()> ending_;
+    std::jthread closing_;  // waits for the disk
 };
 
 }  // namespace tactooth

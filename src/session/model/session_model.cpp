@@ -143,7 +143,20 @@ std::filesystem::path SessionModel::writtenRecording() {
 
 std::unique_ptr<SessionKeeper> SessionModel::releaseKeeper() {
     stop();
-    return std::exchange(keeper_, std::make_unique<SessionKeeper>());
+    keeper_->setEnding(nullptr);
+    auto released = std::exchange(keeper_, std::make_unique<SessionKeeper>());
+    keeper_->setEnding(recordingEnding_);
+    return released;
+}
+
+void SessionModel::adopt(std::unique_ptr<SessionKeeper> keeper) {
+    keeper_ = std::move(keeper);
+    keeper_->setEnding(recordingEnding_);
+}
+
+void SessionModel::setRecordingEnding(std::function<SessionKeeper::Kept()> ending) {
+    recordingEnding_ = std::move(ending);
+    keeper_->setEnding(recordingEnding_);
 }
 
 bool SessionModel::isModified() const {

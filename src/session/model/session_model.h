@@ -87,6 +87,8 @@ public:
     [[nodiscard]] bool isSealing() const { return keeper_->isSealing(); }
     /// What somebody is doing, for the recording (workText).
     void describeWork(const std::string& work) { keeper_->describe(work); }
+    /// See SessionKeeper::setEnding; it holds for the recordings of this model.
+    void setRecordingEnding(std::function<SessionKeeper::Kept()> ending);
     /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.
     void finishRecording();
     /// Stops the runner, and gives the file with the recording of the tooth so far, which may go on afterwards. Waits
@@ -95,7 +97,7 @@ public:
     /// For another model that goes on with this tooth: the recording that runs. Stops the runner.
     [[nodiscard]] std::unique_ptr<SessionKeeper> releaseKeeper();
     /// Goes on with the recording of another model. Call it before the tooth is installed.
-    void adopt(std::unique_ptr<SessionKeeper> keeper) { keeper_ = std::move(keeper); }
+    void adopt(std::unique_ptr<SessionKeeper> keeper);
 
     /// Whether an instrument has touched the tooth since it came.
     [[nodiscard]] bool isTouched() const { return tooth_ && isTouched_; }
@@ -182,6 +184,7 @@ private:
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument
     std::unique_ptr<SessionKeeper> keeper_;
+    std::function<SessionKeeper::Kept()> recordingEnding_;
     std::unique_ptr<LiveRunner> runner_;  // last: it uses the members above
 };
 

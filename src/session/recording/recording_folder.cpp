@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <ctime>
+#include <ranges>
 #include <regex>
 
 #include "geometry/files/file_bytes.h"
@@ -165,15 +166,22 @@ std::uint64_t RecordingFolder::bytes() const {
     return sum;
 }
 
+std::vector<fs::path> RecordingFolder::finished() const {
+    std::vector<std::pair<Clock::time_point, fs::path>> found;
+    for (const fs::path& file : filesIn(folder_)) {
+        if (isOurName(file.filename().string())) found.emplace_back(writtenAt(file), file);
+    }
+    std::ranges::sort(found, std::greater());
+    std::vector<fs::path> files;
+    for (auto& [time, file] : found) files.push_back(std::move(file));
+    return files;
+}
+
 void RecordingFolder::tidy() const {
     std::uint64_t all = bytes();
     if (all <= mostBytes_) return;
-    std::vector<std::pair<Clock::time_point, fs::path>> finished;
-    for (const fs::path& file : filesIn(folder_)) {
-        if (isOurName(file.filename().string())) finished.emplace_back(writtenAt(file), file);
-    }
-    std::ranges::sort(finished);
-    for (const auto& [time, file] : finished) {
+    const std::vector<fs::path> newestFirst = finished();
+    for (const fs::path& file : std::views::reverse(newestFirst)) {
         if (all <= mostBytes_) return;
         if (isBeingRecorded(file)) continue;  // somebody restores it
         const std::uint64_t freed = sizeOf(file);

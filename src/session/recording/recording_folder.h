@@ -72,6 +72,8 @@ public:
     /// Removes the oldest finished recordings until all files take no more than the cap: never one that is live, was
     /// left by a crash, or has a name that this class has not given.
     void tidy() const;
+    /// The recordings that sessions have ended, newest first.
+    [[nodiscard]] std::vector<std::filesystem::path> finished() const;
     /// What all recordings and teeth in the folder take.
     [[nodiscard]] std::uint64_t bytes() const;
 

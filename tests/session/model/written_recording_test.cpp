@@ -65,6 +65,40 @@ TEST_F(WrittenRecording, IsThatOfTheSameToothAfterItsEnd) {
     EXPECT_TRUE(model_.writtenRecording().empty());
 }
 
+/// Who listens learns the final name once, and gets back what it prepared when the recording ended.
+TEST_F(WrittenRecording, ItsEndIsHeardWithTheFinalName) {
+    int endings = 0;
+    std::vector<std::pair<int, std::filesystem::path>> heard;
+    model_.setRecordingEnding([&] {
+        return [&, number = ++endings](const std::filesystem::path& file) { heard.emplace_back(number, file); };
+    });
+    model_.recordTo(RecordingFolder(folder_.path()));
+    cutBlock();
+    EXPECT_EQ(endings, 0);
+    model_.install(test::blockTooth());
+    (void)model_.step(0);
+    (void)model_.writtenRecording();
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard.front().first, 1);
+    EXPECT_EQ(RecordingFolder(folder_.path()).finished(), std::vector{heard.front().second});
+    model_.finishRecording();
+    EXPECT_EQ(heard.size(), 1U) << "nothing was touched, so that nothing was kept";
+}
+
+TEST_F(WrittenRecording, ItsEndIsHeardByTheModelThatGoesOn) {
+    int first = 0, second = 0;
+    model_.setRecordingEnding([&] { return [&](const std::filesystem::path&) { ++first; }; });
+    model_.recordTo(RecordingFolder(folder_.path()));
+    cutBlock();
+    std::unique_ptr<SessionKeeper> keeper = model_.releaseKeeper();
+    SessionModel other(sound_, test::runInline);
+    other.setRecordingEnding([&] { return [&](const std::filesystem::path&) { ++second; }; });
+    other.adopt(std::move(keeper));
+    other.finishRecording();
+    EXPECT_EQ(first, 0);
+    EXPECT_EQ(second, 1);
+}
+
 TEST_F(WrittenRecording, IsEmptyWhereNothingIsRecorded) {
     cutBlock();
     EXPECT_TRUE(model_.writtenRecording().empty());

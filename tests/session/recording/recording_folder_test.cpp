@@ -109,6 +109,20 @@ TEST(RecordingFolder, TheOldestFinishedRecordingsGoFirstAndNothingElse) {
                                        "live-1-0.ttsession", "my lesson.ttsession"));
 }
 
+TEST(RecordingFolder, NamesWhatHasEndedNewestFirst) {
+    const test::TemporaryFolder home;
+    makeFile(home / "2026-11-24 10.00 Molar.ttsession", 10, 2h);
+    makeFile(home / "2026-11-26 10.00 Molar.ttsession", 10, 1h);
+    makeFile(home / "2026-11-25 10.00 Molar.ttsession", 10, 3h);
+    makeFile(home / "live-1-0.ttsession", 10);
+    makeFile(home / "my lesson.ttsession", 10);
+    EXPECT_THAT(
+        RecordingFolder(home.path()).finished(),
+        ::testing::ElementsAre(home / "2026-11-26 10.00 Molar.ttsession", home / "2026-11-24 10.00 Molar.ttsession",
+                               home / "2026-11-25 10.00 Molar.ttsession"));
+    EXPECT_TRUE(RecordingFolder(home / "nothing here").finished().empty());
+}
+
 TEST(RecordingFolder, ARecordingThatIsReadOrWrittenIsNotRemoved) {
     const test::TemporaryFolder home;
     const fs::path file = home / "2026-11-24 10.00 Molar.ttsession";
