@@ -20,6 +20,16 @@ void passOnMessages(QtMsgType, const QMessageLogContext&, const QString& text) {
     if (!text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
+Expected<void> save(const QImage& image, const char* format, int quality, const std::filesystem::path& path) {
+    QByteArray encoded;
+    QBuffer buffer(&encoded);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, format, quality)) {
+        return unexpected(msg::kPlotTooLarge, displayName(path));
+    }
+    return writeFile(path, std::as_bytes(std::span(encoded.constData(), static_cast<std::size_t>(encoded.size()))));
+}
+
 }  // namespace
 
 OffscreenApplication::OffscreenApplication() {
@@ -34,14 +44,11 @@ OffscreenApplication::OffscreenApplication() {
 
 OffscreenApplication::~OffscreenApplication() = default;
 
-Expected<void> savePng(const QImage& image, const std::filesystem::path& path) {
-    QByteArray encoded;
-    QBuffer buffer(&encoded);
-    buffer.open(QIODevice::WriteOnly);
-    if (!image.save(&buffer, "PNG")) {
-        return unexpected(msg::kPlotTooLarge, displayName(path));
-    }
-    return writeFile(path, std::as_bytes(std::span(encoded.constData(), static_cast<std::size_t>(encoded.size()))));
+Expected<void> savePng(const QImage& image, const std::filesystem::path& path) { return save(image, "PNG", -1, path); }
+
+Expected<void> saveJpeg(const QImage& image, const std::filesystem::path& path) {
+    constexpr int kQuality = 88;  // of 100: no fringes beside the edges of a cavity
+    return save(image, "JPG", kQuality, path);
 }
 
 }  // namespace tactooth

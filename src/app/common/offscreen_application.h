@@ -27,5 +27,7 @@ private:
 
 /// Writes `image` as PNG; the file appears when it is complete.
 [[nodiscard]] Expected<void> savePng(const QImage& image, const std::filesystem::path& path);
+/// The same as JPEG, for small pictures that the program brings along.
+[[nodiscard]] Expected<void> saveJpeg(const QImage& image, const std::filesystem::path& path);
 
 }  // namespace tactooth

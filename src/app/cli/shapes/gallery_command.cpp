@@ -7,11 +7,13 @@
 #include <array>
 #include <utility>
 
+#include "app/cli/shapes/exercise_pictures.h"
 #include "app/cli/shapes/gallery_pictures.h"
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/contact_sheet.h"
 #include "app/common/exit_code.h"
+#include "app/common/image_view.h"
 #include "app/common/offscreen_application.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
@@ -101,13 +103,39 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
     return sheet.save(out / "instruments.png");
 }
 
-std::vector<const char*> sheetsOf(const GalleryOptions& options) {
-    return options.teeth.empty() ? std::vector{"teeth.png", "instruments.png"} : std::vector{"teeth.png"};
+Expected<void> drawExercises(OffscreenRenderer& renderer, const std::filesystem::path& out) {
+    constexpr ImageSize kDrawn{960, 640}, kSaved{360, 240};  // drawn larger: smooth edges
+    for (const auto& exercise : exercises()) {
+        const auto picture = exercisePicture(renderer, exercise, kDrawn);
+        if (!picture) return Unexpected{picture.error()};
+        const QImage saved = viewOf(*picture)
+                                 .convertToFormat(QImage::Format_RGB32)
+                                 .scaled(kSaved.width, kSaved.height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        if (auto done = saveJpeg(saved, out / (exercise->id + ".jpg")); !done) return done;
+    }
+    return {};
+}
+
+/// The files that a run leaves.
+std::vector<std::string> picturesOf(const GalleryOptions& options) {
+    if (!options.exercises) {
+        return options.teeth.empty() ? std::vector<std::string>{"teeth.png", "instruments.png"}
+                                     : std::vector<std::string>{"teeth.png"};
+    }
+    std::vector<std::string> names;
+    for (const auto& exercise : exercises()) names.push_back(exercise->id + ".jpg");
+    return names;
+}
+
+Expected<void> drawSheets(OffscreenRenderer& renderer, const GalleryOptions& options) {
+    if (!options.teeth.empty()) return drawSome(renderer, options);
+    if (auto done = drawTeeth(renderer, options); !done) return done;
+    return drawInstruments(renderer, options.out);
 }
 
 Expected<void> openFiles(const GalleryOptions& options, FileTransaction& files) {
     if (auto made = files.makeFolder(options.out); !made) return made;
-    for (const char* name : sheetsOf(options)) {
+    for (const std::string& name : picturesOf(options)) {
         if (auto opened = files.open(options.out / name); !opened) return opened;
     }
     return {};
@@ -130,13 +158,10 @@ int runGallery(const GalleryOptions& options) {
     const OffscreenApplication application;
     Expected<OffscreenRenderer> renderer = OffscreenRenderer::create();
     if (!renderer) return reportError(renderer.error());
-    const auto teeth = options.teeth.empty() ? drawTeeth(*renderer, options) : drawSome(*renderer, options);
-    if (!teeth) return reportError(teeth.error());
-    if (options.teeth.empty()) {
-        if (const auto done = drawInstruments(*renderer, options.out); !done) return reportError(done.error());
-    }
+    const auto drawn = options.exercises ? drawExercises(*renderer, options.out) : drawSheets(*renderer, options);
+    if (!drawn) return reportError(drawn.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
-    for (const char* name : sheetsOf(options)) print("{}\n", displayName(options.out / name));
+    for (const std::string& name : picturesOf(options)) print("{}\n", displayName(options.out / name));
     return kExitOk;
 }
 

@@ -13,10 +13,12 @@ struct GalleryOptions {
     int triangles = 20000;   ///< per tooth
     std::uint32_t seed = 0;  ///< of the teeth
     std::vector<int> teeth;  ///< FDI numbers, each on a page of its own; empty: all on one sheet
+    bool exercises = false;  ///< the ideal of each built-in exercise, in place of the sheets
     bool noCache = false;    ///< makes all teeth again, and does not store them
 };
 
-/// Draws the built-in teeth and instruments as contact sheets: teeth.png and instruments.png.
+/// Draws the built-in teeth and instruments as contact sheets: teeth.png and instruments.png; or a picture of the ideal
+/// of each built-in exercise: ID.jpg.
 [[nodiscard]] int runGallery(const GalleryOptions& options);
 
 }  // namespace tactooth

@@ -117,9 +117,15 @@ void addGallery(CLI::App& program, CommandAction& chosen) {
     command->add_option("--seed", options->seed, withDefault("Seed of the patient", options->seed, ", average teeth"))
         ->transform(seedNumber())
         ->type_name("N");
-    command->add_option("--teeth", options->teeth, "Draws only these teeth (FDI numbers), larger, without instruments")
-        ->transform(fdiNumber())
-        ->type_name("N");
+    CLI::Option* teeth =
+        command
+            ->add_option("--teeth", options->teeth, "Draws only these teeth (FDI numbers), larger, without instruments")
+            ->transform(fdiNumber())
+            ->type_name("N");
+    command
+        ->add_flag("--exercises", options->exercises,
+                   "Draws the ideal of each built-in exercise instead: ID.jpg. Takes some minutes")
+        ->excludes(teeth);
     command->add_flag("--no-cache", options->noCache, "Generates all teeth again and does not use the cache");
 }
 
