@@ -169,7 +169,7 @@ void PadSessionTest::initTestCase() {
     WindowSettings settings = window_->settings();
     settings.hand.device = "gamepad";
     window_->apply(settings);
-    window_->welcome();
+    window_->welcome().open();
     QTRY_VERIFY_WITH_TIMEOUT(window_->model().devices().first() != nullptr, kPatience);
     if (auto joysticks = SdlJoysticks::shared()) joysticks_ = *joysticks;
     waitForTooth();

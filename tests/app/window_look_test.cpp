@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The window beside the drilling: looking inside, plots, files, colours, languages, welcome.
+// The window beside the drilling: looking inside, plots, files, colours, languages.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
@@ -20,7 +19,6 @@
 #include <fstream>
 
 #include "app/gui/dialogs/guided_tour.h"
-#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/panels/elided_label.h"
 #include "app/gui/panels/timing_panel.h"
 #include "app/gui/settings/window_setup.h"
@@ -53,7 +51,6 @@ private slots:
     void darkColoursAndBack();
     void anotherLanguageComesAtOnceWithTheToothAsItIs();
     void aJapaneseWindowSpeaksJapanese();
-    void theWelcomeOffersThreeWaysToBegin();
     void theDemonstrationTouchesAndEndsWithAClick();
     void cleanupTestCase();
 
@@ -361,25 +358,6 @@ void WindowLookTest::aJapaneseWindowSpeaksJapanese() {
         }
     }
     QApplication::removeTranslator(&japanese);
-}
-
-void WindowLookTest::theWelcomeOffersThreeWaysToBegin() {
-    const auto choose = [&](const char* name) {
-        window_->welcome();
-        auto* dialog = window_->findChild<WelcomeDialog*>();
-        QTest::mouseClick(dialog->findChild<QPushButton*>(name), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<WelcomeDialog*>() == nullptr, kPatience);
-    };
-    choose("practise");
-    choose("openMine");
-    auto* dialog = window_->findChild<QFileDialog*>();  // of the import
-    QVERIFY(dialog != nullptr);
-    QVERIFY2(dialog->windowTitle().contains("scan"), qPrintable(dialog->windowTitle()));
-    QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
-    window_->welcome();
-    QTest::keyClick(window_->findChild<WelcomeDialog*>(), Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<WelcomeDialog*>() == nullptr, kPatience);
 }
 
 void WindowLookTest::theDemonstrationTouchesAndEndsWithAClick() {

@@ -82,9 +82,9 @@ void WindowTest::initTestCase() {
     openWindow();
 }
 
-/// A user who reads nothing takes the first of the three choices and presses on the tooth.
+/// A user who reads nothing takes the first of the choices and presses on the tooth.
 void WindowTest::aNewcomerTouchesTheToothWithinHalfAMinute() {
-    window_->welcome();
+    window_->welcome().open();
     auto* welcome = window_->findChild<WelcomeDialog*>();
     QTest::mouseClick(welcome->findChild<QPushButton*>("practise"), Qt::LeftButton);
     waitForTooth();

@@ -1176,10 +1176,6 @@ It can be overcome, and is off in an examination.</source>
         <translation>ヘルプ(&amp;H)</translation>
     </message>
     <message>
-        <source>&amp;Welcome</source>
-        <translation>ようこそ(&amp;W)</translation>
-    </message>
-    <message>
         <source>Watch the &amp;demonstration</source>
         <translation>デモを見る(&amp;D)</translation>
     </message>
@@ -1986,8 +1982,63 @@ It can be overcome, and is off in an examination.</source>
         <translation>20秒：触れる、削る、取り消す。</translation>
     </message>
     <message>
-        <source>All of this is in the menus, too, and the menu Help has a manual.</source>
-        <translation>どれもメニューから選べます。「ヘルプ」メニューには説明書もあります。</translation>
+        <source>Read the manual</source>
+        <translation>説明書を読む</translation>
+    </message>
+    <message>
+        <source>The first ten minutes, keys, exercises and reports; also with F1.</source>
+        <translation>最初の10分、キー、課題、レポート。F1 キーでも開きます。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Show this page at each start</source>
+        <translation>起動のたびにこのページを表示</translation>
+    </message>
+    <message>
+        <source>Recent work</source>
+        <translation>最近の作業</translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>課題</translation>
+    </message>
+    <message>
+        <source>d MMM</source>
+        <translation>M月d日</translation>
+    </message>
+    <message>
+        <source>Case, %1</source>
+        <translation>症例、%1</translation>
+    </message>
+    <message>
+        <source>Exercise, %1</source>
+        <translation>課題、%1</translation>
+    </message>
+    <message>
+        <source>Recording, %1</source>
+        <translation>記録、%1</translation>
+    </message>
+    <message>
+        <source>Tooth, %1</source>
+        <translation>歯、%1</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::WelcomeEntry</name>
+    <message>
+        <source>&amp;Welcome…</source>
+        <translation>ようこそ(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Exercises, recent work, the manual and the language</source>
+        <translation>課題、最近の作業、説明書、言語</translation>
     </message>
 </context>
 <context>

@@ -182,6 +182,7 @@ bool ToothController::saveTooth(const QString& file) {
     }
     model_.markSaved(removed);
     messages_.setHint(tr("The tooth was saved to %1").arg(file));
+    emit toothSaved(file);
     return true;
 }
 

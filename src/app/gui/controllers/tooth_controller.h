@@ -82,6 +82,7 @@ public:
 
 signals:
     void fileOpened(const QString& file);
+    void toothSaved(const QString& file);
     void exerciseFileChosen(const QString& file);
     void recordingChosen(const QString& file);
     /// The second is compared with the first.

@@ -77,6 +77,7 @@ constexpr std::array kRows = {
     KeyRow{KeyId::Cube, "cube", "K", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyCube},
     KeyRow{KeyId::Fogged, "fogged", "B", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyFogged},
     KeyRow{KeyId::Drops, "drops", "D", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyDrops},
+    KeyRow{KeyId::Welcome, "welcome", "Ctrl+N", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyWelcome},
     KeyRow{KeyId::Open, "open", "Ctrl+O", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyOpen},
     KeyRow{KeyId::Import, "import", "Ctrl+I", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyImport},
     KeyRow{KeyId::Chart, "chart", "Ctrl+T", KeyKind::Shortcut, KeyGroup::Program, &msg::kKeyChart},

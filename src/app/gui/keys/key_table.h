@@ -73,6 +73,7 @@ enum class KeyId {
     Fogged,
     Drops,
     // Files and program.
+    Welcome,
     Open,
     Import,
     Chart,

@@ -108,6 +108,8 @@ inline constexpr MessageText kKeyFogged{"key_fogged", "Breath on the mirror", "�
 inline constexpr MessageText kKeyDrops{"key_drops", "Drops on the mirror", "ミラーの水滴"};
 
 // Files and program.
+inline constexpr MessageText kKeyWelcome{"key_welcome", "Show the exercises and what you worked on last",
+                                         "課題と最近の作業を表示"};
 inline constexpr MessageText kKeyOpen{"key_open", "Open a tooth", "歯を開く"};
 inline constexpr MessageText kKeyImport{"key_import", "Import a scan", "スキャンを取り込む"};
 inline constexpr MessageText kKeyChart{"key_chart",

@@ -9,6 +9,7 @@
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/settings/window_setup.h"
+#include "app/gui/text/language_names.h"
 
 namespace tactooth {
 
@@ -45,25 +46,26 @@ void AppearanceMenu::setTextScale(double scale) {
     emit textScaleChanged();
 }
 
-/// Each language by its own name.
 void AppearanceMenu::addLanguages(QMenu& menu) {
     QMenu* names = menu.addMenu(tr("&Language"));
     names->setObjectName("language");
     setLineIcon(*names->menuAction(), "language");
     languages_ = new QActionGroup(names);
-    const std::pair<QString, const char*> languages[] = {
-        {tr("As the system"), ""}, {"English", "en"}, {QStringLiteral("\u65e5\u672c\u8a9e"), "ja"}};
-    for (const auto& [name, code] : languages) {
-        QAction* action = names->addAction(name);
+    for (const auto& [title, code] : languageNames()) {
+        QAction* action = names->addAction(title);
         action->setCheckable(true);
         action->setData(code);
         languages_->addAction(action);
     }
     setLanguage({});
-    connect(languages_, &QActionGroup::triggered, this, [this](QAction* chosen) {
-        const QString code = chosen->data().toString();
-        if (code != std::exchange(language_, code)) emit languageChosen();
-    });
+    connect(languages_, &QActionGroup::triggered, this,
+            [this](QAction* chosen) { chooseLanguage(chosen->data().toString()); });
+}
+
+void AppearanceMenu::chooseLanguage(const QString& code) {
+    if (code == language_) return;
+    setLanguage(code);
+    emit languageChosen();
 }
 
 void AppearanceMenu::setLanguage(const QString& code) {

@@ -22,6 +22,9 @@ public:
 
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
+    /// As if it had been chosen in the menu.
+    void chooseLanguage(const QString& code);
+    [[nodiscard]] const QString& language() const { return language_; }
 
 signals:
     void coloursChanged();

@@ -12,7 +12,7 @@
 
 namespace tactooth {
 
-ExerciseMenu::ExerciseMenu(QMenuBar& bar, ExerciseController& exercise, const ExercisePanel& panel)
+ExerciseMenu::ExerciseMenu(QMenuBar& bar, QAction& choice, ExerciseController& exercise, const ExercisePanel& panel)
     : exercise_(exercise) {
     QMenu* menu = bar.addMenu(tr("E&xercise"));
     menu->setObjectName("exerciseMenu");
@@ -21,6 +21,8 @@ ExerciseMenu::ExerciseMenu(QMenuBar& bar, ExerciseController& exercise, const Ex
         action->setObjectName(name);
         setLineIcon(*action, icon);
     };
+    menu->addAction(&choice);
+    menu->addSeparator();
     add(tr("&New exercise…"), "newExercise", "new-exercise", &ExerciseMenu::newExerciseWanted);
     add(tr("Edit a &copy…"), "copyExerciseEntry", "edit-exercise", &ExerciseMenu::copyWanted);
     menu->addSeparator();

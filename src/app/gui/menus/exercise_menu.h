@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+class QAction;
 class QMenu;
 class QMenuBar;
 
@@ -17,8 +18,8 @@ class ExerciseMenu final : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds a menu to `bar`; all outlive the menu.
-    ExerciseMenu(QMenuBar& bar, ExerciseController& exercise, const ExercisePanel& panel);
+    /// Adds a menu to `bar`; all outlive the menu. `choice`: opens all exercises to choose from.
+    ExerciseMenu(QMenuBar& bar, QAction& choice, ExerciseController& exercise, const ExercisePanel& panel);
 
 signals:
     void newExerciseWanted();

@@ -24,6 +24,7 @@ FileMenu::FileMenu(QMainWindow& window, QToolBar& bar, SessionModel& model, Toot
     : model_(model), teeth_(teeth), exercise_(exercise), chart_(window, model, teeth, exercise) {
     build(window, bar, recordings, examinations);
     connect(&teeth_, &ToothController::fileOpened, this, &FileMenu::remember);
+    connect(&teeth_, &ToothController::toothSaved, this, &FileMenu::remember);
     connect(&exercise_, &ExerciseController::fileOpened, this, &FileMenu::remember);
 }
 

@@ -33,6 +33,8 @@ public:
     void showTooth() { chart_.showTooth(); }
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
+    /// The files that were opened or saved last, newest first.
+    [[nodiscard]] const QStringList& recent() const { return recent_; }
 
 signals:
     /// The user wants to choose a recording to open.

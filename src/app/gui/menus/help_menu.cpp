@@ -7,37 +7,30 @@
 
 #include "app/gui/controllers/key_controller.h"
 #include "app/gui/controllers/manual_controller.h"
-#include "app/gui/controllers/tooth_controller.h"
 #include "app/gui/controllers/window_messages.h"
 #include "app/gui/dialogs/guided_tour.h"
 #include "app/gui/dialogs/text_dialog.h"
-#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/keys/key_page.h"
+#include "app/gui/menus/welcome_entry.h"
 #include "app/gui/text/translation.h"
 #include "session/io/commit.h"
 
 namespace tactooth {
 
-HelpMenu::HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
-                   const KeyController& keys, ManualController& manual)
-    : window_(window), teeth_(teeth), tour_(tour), messages_(messages), keys_(keys), manual_(manual) {
+HelpMenu::HelpMenu(QMenuBar& bar, QWidget& window, const WelcomeEntry& welcome, GuidedTour& tour,
+                   WindowMessages& messages, const KeyController& keys, ManualController& manual)
+    : window_(window), messages_(messages), keys_(keys) {
     QMenu* menu = bar.addMenu(tr("&Help"));
-    setLineIcon(*menu->addAction(tr("&Welcome"), this, &HelpMenu::welcome), "welcome");
-    setLineIcon(*menu->addAction(tr("Watch the &demonstration"), &tour_, &GuidedTour::start), "demonstration");
-    QAction* entry = menu->addAction(tr("Ma&nual"), &manual_, &ManualController::openForFocus);
+    menu->setObjectName("helpMenu");
+    menu->addAction(&welcome.action());
+    setLineIcon(*menu->addAction(tr("Watch the &demonstration"), &tour, &GuidedTour::start), "demonstration");
+    QAction* entry = menu->addAction(tr("Ma&nual"), &manual, &ManualController::openForFocus);
     bindKey(*entry, KeyId::Help);
     setLineIcon(*entry, "manual");
     setLineIcon(*menu->addAction(tr("&Mouse and keys"), this, &HelpMenu::showMouseAndKeys), "keys");
     setLineIcon(*menu->addAction(tr("&About Tactooth"), this, &HelpMenu::showAbout), "about");
-}
-
-void HelpMenu::welcome() {
-    auto* dialog = new WelcomeDialog(&window_);
-    connect(dialog, &WelcomeDialog::toothRequested, &teeth_, &ToothController::askForScan);
-    connect(dialog, &WelcomeDialog::demonstrationRequested, &tour_, &GuidedTour::start);
-    dialog->open();
 }
 
 void HelpMenu::showMouseAndKeys() {

@@ -12,7 +12,7 @@ namespace tactooth {
 class GuidedTour;
 class KeyController;
 class ManualController;
-class ToothController;
+class WelcomeEntry;
 class WindowMessages;
 
 /// The help menu and its dialogs.
@@ -21,22 +21,16 @@ class HelpMenu final : public QObject {
 
 public:
     /// Adds the menu to `bar`. All others outlive it; `window` is the parent of its dialogs.
-    HelpMenu(QMenuBar& bar, QWidget& window, ToothController& teeth, GuidedTour& tour, WindowMessages& messages,
+    HelpMenu(QMenuBar& bar, QWidget& window, const WelcomeEntry& welcome, GuidedTour& tour, WindowMessages& messages,
              const KeyController& keys, ManualController& manual);
-
-    /// Shows three ways to begin.
-    void welcome();
 
 private:
     void showMouseAndKeys();
     void showAbout();
 
     QWidget& window_;
-    ToothController& teeth_;
-    GuidedTour& tour_;
     WindowMessages& messages_;
     const KeyController& keys_;
-    ManualController& manual_;
 };
 
 }  // namespace tactooth

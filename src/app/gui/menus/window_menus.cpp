@@ -26,9 +26,11 @@ WindowMenus::WindowMenus(QMainWindow& window, const DockLayout& docks, const Win
       instruments_(model.instruments()) {
     addViewMenu(window, docks.viewBar(), panels);
     addDrillMenu(*window.menuBar(), panels);
-    exercise_ = std::make_unique<ExerciseMenu>(*window.menuBar(), exercise, *panels.exercise);
+    welcome_ = std::make_unique<WelcomeEntry>(
+        WelcomeEntry::Parts{window, teeth, exercise, recordings, file_, *appearance_, manual, *panels.tour});
+    exercise_ = std::make_unique<ExerciseMenu>(*window.menuBar(), welcome_->action(), exercise, *panels.exercise);
     addSoundMenu(*window.menuBar(), *panels.sound);
-    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, teeth, *panels.tour, messages, keys, manual);
+    help_ = std::make_unique<HelpMenu>(*window.menuBar(), window, *welcome_, *panels.tour, messages, keys, manual);
 }
 
 void WindowMenus::addViewMenu(QMainWindow& window, QToolBar& bar, const WindowPanels& panels) {
@@ -96,6 +98,7 @@ void WindowMenus::restore(const WindowSettings& settings) {
     file_.restore(settings);
     burs_.restore(settings);
     instruments_.restore(settings);
+    welcome_->restore(settings);
 }
 
 void WindowMenus::store(WindowSettings& settings) const {
@@ -105,6 +108,7 @@ void WindowMenus::store(WindowSettings& settings) const {
     file_.store(settings);
     burs_.store(settings);
     instruments_.store(settings);
+    welcome_->store(settings);
 }
 
 }  // namespace tactooth

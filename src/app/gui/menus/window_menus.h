@@ -14,6 +14,7 @@
 #include "app/gui/menus/measure_menu.h"
 #include "app/gui/menus/view_aids_menu.h"
 #include "app/gui/menus/view_menu.h"
+#include "app/gui/menus/welcome_entry.h"
 
 namespace tactooth {
 
@@ -32,8 +33,7 @@ public:
     [[nodiscard]] AppearanceMenu& appearance() const { return *appearance_; }
     [[nodiscard]] InstrumentMenus& instruments() { return instruments_; }
     [[nodiscard]] ExerciseMenu& exercise() const { return *exercise_; }
-    /// Shows three ways to begin.
-    void welcome() { help_->welcome(); }
+    [[nodiscard]] WelcomeEntry& welcome() const { return *welcome_; }
 
     /// An entry of the replay, in the menu View.
     void addReplayEntry(QAction& entry);
@@ -61,6 +61,7 @@ private:
     std::unique_ptr<MeasureMenu> measure_;
     std::unique_ptr<AppearanceMenu> appearance_;
     std::unique_ptr<ExerciseMenu> exercise_;
+    std::unique_ptr<WelcomeEntry> welcome_;
     std::unique_ptr<HelpMenu> help_;
 };
 

@@ -14,6 +14,9 @@ inline constexpr MessageText kOptionWindowNotation{"option_window_notation", "Nu
                                                    "歯列図の歯の番号"};
 inline constexpr MessageText kOptionWindowLanguage{"option_window_language", "Language of the window",
                                                    "ウィンドウの言語"};
+inline constexpr MessageText kOptionWindowWelcome{"option_window_welcome",
+                                                  "Shows the page with exercises and recent work at each start",
+                                                  "起動のたびに、課題と最近の作業のページを表示する"};
 inline constexpr MessageText kOptionWindowDark{"option_window_dark", "Dark colours", "暗い配色"};
 inline constexpr MessageText kOptionWindowText{"option_window_text", "Size of all texts, as a factor",
                                                "すべての文字の大きさ（倍率）"};

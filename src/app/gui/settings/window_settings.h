@@ -115,6 +115,7 @@ struct WindowSettings {
     bool headphones = false;
     std::string ownSounds;  ///< file of the user's sounds; empty: synthesised sounds
     std::string language;   ///< "en" or "ja"; empty: the language of the system
+    bool welcome = true;    ///< the page with exercises and recent work comes at each start
     bool dark = false;
     std::string recent;            ///< paths of the last teeth, one a line, newest first
     std::string notation = "fdi";  ///< of the tooth chart: "fdi", "universal" or "palmer"

@@ -159,6 +159,7 @@ void MainWindow::connectNumbers() {
         if (isInSight(*frame_.panels.exercise)) work_.exercise.showProgress();
         input_.devices.showState();
         help_.hints.update();
+        tools_.thumbnails.update();
     });
 }
 

@@ -43,8 +43,7 @@ public:
     [[nodiscard]] bool isBusy() const {
         return work_.teeth.isBusy() || model_.instruments().isBusy() || model_.isPreparing();
     }
-    /// Shows three ways to begin.
-    void welcome() { menus_.welcome(); }
+    [[nodiscard]] WelcomeEntry& welcome() { return menus_.welcome(); }
 
     /// The window as it was the last time. Call it before the window is shown.
     void apply(const WindowSettings& settings);

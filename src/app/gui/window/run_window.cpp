@@ -150,8 +150,6 @@ void releaseWithoutDisplay() {
 int runWindow(const WindowOptions& options) {
     const Expected<void> display = checkDisplay();  // before there are threads; reported after errors in the files
     const std::filesystem::path settingsFile = windowSettingsFile();
-    std::error_code ignored;
-    const bool isFirstTime = !std::filesystem::exists(settingsFile, ignored);
     Expected<ParsedSettings> settings = readWindowSettings(settingsFile);
     const std::optional<Error> forgotten = settings ? resetUnknownDevices(settings->hand, settingsFile) : std::nullopt;
     Expected<WindowSettings> start = withFlags(settings ? *settings : WindowSettings(), options);
@@ -201,10 +199,8 @@ int runWindow(const WindowOptions& options) {
     const bool isOwnTooth = tooth->has_value();
     if (isOwnTooth) {
         window.model().install(std::move(**tooth));
-    } else if (options.mouth) {
-        window.teeth().loadMouth(*options.mouth);
     } else {
-        window.teeth().loadBuiltinTooth(kBuiltinTeeth.front());
+        window.teeth().loadMouth(options.mouth.value_or(MouthChoice()));
     }
     if (bur) window.model().install(std::move(*bur));
     window.show();
@@ -213,7 +209,8 @@ int runWindow(const WindowOptions& options) {
     }
     if (forgotten) window.messages().showError(*forgotten);
     if (options.recording) window.teeth().openFile(QString::fromStdString(options.recording->string()));
-    if (isFirstTime && !isOwnTooth && !options.mouth && !options.recording) window.welcome();
+    const bool hasWork = isOwnTooth || options.mouth || options.recording || options.sealed;
+    if (!hasWork && window.welcome().comesAtStart()) window.welcome().open();
     window.restorer().offer();
     SettingsAutosave autosave([&] { return holder.window().settings(); }, settingsFile);
     std::atexit(releaseWithoutDisplay);

@@ -29,13 +29,15 @@ void WindowOwner::reopen() {
     seal_ = window_->examination().seal();
     MainWindow::SessionState work = window_->releaseSession();
     if (work.bur && !work.bur->file.empty()) settings.bur.clear();
+    const bool welcomes = window_->welcome().isOpen();
     const bool quits = QApplication::quitOnLastWindowClosed();
     QApplication::setQuitOnLastWindowClosed(false);
     window_.reset();
     open(settings);
-    if (!work.tooth) window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());  // no tooth had come yet
+    if (!work.tooth) window_->teeth().loadMouth({});  // no tooth had come yet
     window_->restoreSession(std::move(work));
     window_->show();
+    if (welcomes) window_->welcome().open();
     QApplication::setQuitOnLastWindowClosed(quits);
 }
 

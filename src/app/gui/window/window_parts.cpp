@@ -36,6 +36,12 @@ OutputControllers::OutputControllers(SoundOutput& sound, SessionModel& model, Wi
 WorkTools::WorkTools(const Parts& parts)
     : replay(parts.window, parts.model, parts.mode, parts.frame.panels, parts.frame.messages, parts.frame.files,
              parts.output.updater, parts.sound),
+      thumbnails(parts.model, *parts.frame.panels.view, parts.work.teeth,
+                 [this, &teeth = parts.work.teeth] {
+                     using Shown = ThumbnailController::Shown;
+                     if (teeth.isBusy() || replay.isLoading()) return Shown::Loading;
+                     return replay.isActive() ? Shown::Recording : Shown::Session;
+                 }),
       finish({parts.window, parts.model, parts.mode, parts.work.examinations, parts.frame.panels, parts.frame.messages,
               parts.frame.files, parts.work.exercise, replay}),
       editor({parts.window, parts.model, parts.mode, parts.frame.panels, parts.frame.messages, parts.frame.files,

@@ -23,6 +23,7 @@
 #include "app/gui/editor/editor_controller.h"
 #include "app/gui/finish/finish_controller.h"
 #include "app/gui/replay/replay_controller.h"
+#include "app/gui/window/thumbnail_controller.h"
 
 class QMainWindow;
 
@@ -93,6 +94,7 @@ struct WorkTools {
     explicit WorkTools(const Parts& parts);
 
     ReplayController replay;
+    ThumbnailController thumbnails;
     FinishController finish;
     EditorController editor;
 };

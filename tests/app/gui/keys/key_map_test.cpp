@@ -131,10 +131,10 @@ TEST(KeyMap, AHeldKeyHasNoModifiers) {
 
 TEST(KeyMap, ThePictureGetsItsKeys) {
     KeyMap map;
-    map.set(KeyId::MoveLeft, keys("N", KeyId::MoveLeft));
+    map.set(KeyId::MoveLeft, keys(";", KeyId::MoveLeft));
     map.set(KeyId::Lean, keys("Alt", KeyId::Lean));
     const PictureKeys picture(map);
-    EXPECT_EQ(picture.left, Qt::Key_N);
+    EXPECT_EQ(picture.left, Qt::Key_Semicolon);
     EXPECT_EQ(picture.right, Qt::Key_Right);
     EXPECT_EQ(picture.lean, Qt::AltModifier);
     EXPECT_EQ(picture.fineDepth, Qt::ShiftModifier);

@@ -38,6 +38,7 @@ WindowSettings unusual() {
             .headphones = true,
             .ownSounds = "/home/someone/school.toml",
             .language = "ja",
+            .welcome = false,
             .dark = true,
             .recent = "/a.stl\n/b.tactooth",
             .notation = "palmer",
@@ -73,6 +74,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.headphones, b.headphones);
     EXPECT_EQ(a.ownSounds, b.ownSounds);
     EXPECT_EQ(a.language, b.language);
+    EXPECT_EQ(a.welcome, b.welcome);
     EXPECT_EQ(a.dark, b.dark);
     EXPECT_EQ(a.recent, b.recent);
     EXPECT_EQ(a.notation, b.notation);
