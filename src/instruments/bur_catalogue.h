@@ -46,6 +46,7 @@ struct BurSpec {
     double headLength = 1;       ///< from the tip to the end of the blades or of the grit
     double taperDegrees = 0;     ///< full cone angle, positive where the head widens toward the shank
     int flutes = 6;              ///< number of blades; 0 for a diamond
+    int contactFlutes = 0;       ///< blades of the coarse mesh that feels the tooth; 0: as many as `flutes`
     double sharpness = 1;        ///< cutting ability: 1 as new, 0 does not cut
     int isoShape = 1;            ///< third group of the ISO 6360 number
     bool crossCut = false;       ///< blades with notches

@@ -51,8 +51,9 @@ constexpr double kNeckAngle = 12 * pi / 180;   // half angle of the cone from ne
 constexpr double kVisibleLength = 11.0;        // mm from the tip to the end that is hidden in the handpiece
 [[maybe_unused]] constexpr double kMaxHeadLength = 8.5;  // mm; longer heads would end in the handpiece
 
+constexpr int kCoarse = 700;  // triangles: below this number, each is needed along the axis
+
 std::span<const BladeVertex> bladeSection(int triangles) {
-    constexpr int kCoarse = 700;  // below this number, each triangle is needed along the axis
     constexpr int kMiddle = 2500;
     if (triangles < kCoarse) return kBlade2;
     if (triangles < kMiddle) return kBlade3;
@@ -208,7 +209,8 @@ Lathe latheFor(const BurSpec& spec, int triangles) {
     constexpr int kSmooth = 6;         // a diamond is as round as a six-blade bur
     constexpr int kBladesShown = 700;  // least number of triangles for many blades
     const bool bladed = spec.flutes > 0 && (spec.flutes < kManyBlades || triangles >= kBladesShown);
-    const int around = bladed ? spec.flutes : triangles < kFine ? kSmooth : 2 * kSmooth;
+    const int blades = triangles < kCoarse && spec.contactFlutes > 0 ? spec.contactFlutes : spec.flutes;
+    const int around = bladed ? blades : triangles < kFine ? kSmooth : 2 * kSmooth;
     return {around, bladeSection(spec.flutes < kManyBlades ? triangles : triangles / 2)};
 }
 

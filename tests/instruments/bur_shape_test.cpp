@@ -150,7 +150,33 @@ TEST(BurShape, RoundBurLiesOnItsBallAndTouchesItAtTheBladeEdges) {
         EXPECT_LE(distance, 1e-6);
         if (distance > -1e-6) ++onBall;
     }
-    EXPECT_GE(onBall, 6 * spec.flutes);
+    EXPECT_GE(onBall, 6 * spec.contactFlutes);
+}
+
+/// Blade edges at the equator of a ball, in a picture: vertices on it, with a gullet on both sides.
+int bladesShown(const BurSpec& spec) {
+    const TriangleMesh surface = makeBur(spec, 20000).surface;
+    const double radius = spec.headDiameter / 2;
+    const auto apart = [&](const Vec3f& v) { return std::abs(v.z() - radius); };
+    const auto nearest = std::ranges::min_element(surface.vertices, {}, apart);
+    std::vector<std::pair<double, double>> ring;  // angle, radius
+    double widest = 0;
+    for (const Vec3f& v : surface.vertices) {
+        if (v.z() != nearest->z()) continue;
+        ring.emplace_back(std::atan2(v.y(), v.x()), radiusOf(v));
+        widest = std::max(widest, radiusOf(v));
+    }
+    std::ranges::sort(ring);
+    return static_cast<int>(std::ranges::count_if(ring, [&](const auto& at) { return at.second > widest - 1e-5; }));
+}
+
+TEST(BurShape, RoundCarbidesShowEightBlades) {
+    for (const std::string number : {"1/4", "1/2", "1", "2", "3", "4", "5", "6", "7", "8"}) {
+        const BurSpec spec = findBur(number).value();
+        EXPECT_EQ(spec.flutes, 8) << number;
+        EXPECT_EQ(bladesShown(spec), 8) << number;
+    }
+    EXPECT_EQ(bladesShown(findBur("7006").value()), 12);
 }
 
 TEST(BurShape, FissureBurIsACylinderWithAFlatEnd) {
