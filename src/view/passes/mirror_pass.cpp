@@ -74,7 +74,7 @@ void MirrorPass::draw(const SceneMirror& mirror, const FrameBlock& frame, const 
     program_.set("up", extended(up));
     program_.set("sectors", kSectors);
     program_.set("reflection", 0);
-    program_.set("reflectance", std::pow(mirror.reflectance, 1 / 2.2F));
+    program_.set("reflectance", std::pow(mirror.dimmedReflectance(), 1 / 2.2F));
     program_.set("fog", mirror.fog);
     program_.set("drops", mirror.drops);
     Eigen::Vector4i corners;

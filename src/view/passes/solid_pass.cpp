@@ -35,13 +35,14 @@ constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 1}, {0, 12}, {12
 std::string definesFor(ShadowTaps taps, bool rich) {
     return "#define SHADOW_TAPS " + std::to_string(taps.light) + "\n#define BLOCKER_TAPS " +
            std::to_string(taps.blockers) + "\n#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) +
-           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n";
+           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n#define LIQUIDS 1\n";
 }
 
 Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, bool rich) {
-    auto program = ShaderProgram::create("solid", definesFor(taps, rich), {shaders::kFrame, shaders::kNoise, vertex},
+    auto program = ShaderProgram::create("solid", definesFor(taps, rich),
+                                         {shaders::kFrame, shaders::kNoise, shaders::kLiquids, vertex},
                                          {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
-                                          shaders::kSight, shaders::kSolidFrag});
+                                          shaders::kMachined, shaders::kSight, shaders::kSolidFrag});
     if (!program) return program;
     program->use();
     program->set("noiseTexture", kNoiseUnit);
@@ -56,6 +57,15 @@ Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, bool rich)
 bool isRich(const SolidInputs& inputs, const Drawable& drawable) {
     return drawable.object->inner || drawable.object->distances || drawable.isTransparent() ||
            mayTurnToGlass(inputs, drawable);
+}
+
+void setLiquids(const ShaderProgram& program, const SurfaceLiquids& liquids) {
+    const auto at = [](const Vec3& place, double amount) {
+        return Eigen::Vector4d(place.x(), place.y(), place.z(), amount).cast<float>().eval();
+    };
+    program.set("waterFilm", at(liquids.spot, liquids.water));
+    program.set("bloodFilm", at(liquids.opening, liquids.blood));
+    program.set("slurry", static_cast<float>(liquids.slurry));
 }
 
 bool hasSection(const SolidInputs& inputs) { return !inputs.view.section.head<3>().isZero(); }
@@ -224,6 +234,7 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, 
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     program.set("objectToWorld", drawable.objectToWorld);
     program.set("sectioned", drawable.object->sectioned ? 1 : 0);
+    setLiquids(program, drawable.object->liquids);
     if (rich) setRichUniforms(program, inputs, drawable, part);
     const bool hidesBack =
         drawable.cullsBackFaces(hasSection(inputs)) && !(part == Part::Solid && isOpenedByGlass(inputs, drawable));

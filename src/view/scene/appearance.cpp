@@ -64,6 +64,13 @@ Appearance bone() {
     return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};
 }
 Appearance steel() { return {.colour = {0.83F, 0.84F, 0.86F}, .roughness = 0.14F, .metalness = 1.0F, .grain = 0.05F}; }
+Appearance handpiece() {
+    return {.colour = {0.80F, 0.81F, 0.83F},
+            .roughness = 0.22F,
+            .metalness = 1,
+            .grain = 0.05F,
+            .finish = Finish::Machined};
+}
 Appearance carbide() {
     return {.colour = {0.74F, 0.75F, 0.77F}, .roughness = 0.20F, .metalness = 1.0F, .grain = 0.06F};
 }

@@ -6,6 +6,12 @@
 
 namespace tactooth {
 
+/// How a metal surface was worked.
+enum class Finish {
+    Smooth,
+    Machined,  ///< a handpiece, in its tool frame: brushed, knurled grip, spray holes and a light in the head's face
+};
+
 /// The appearance of a material.
 struct Appearance {
     Vec3f colour = Vec3f(0.8F, 0.8F, 0.8F);  ///< sRGB, 0..1, as in a colour picker
@@ -16,6 +22,7 @@ struct Appearance {
     float grain = 0;                         ///< 0..1: fine variation of surface and colour
     float opacity = 1;                       ///< 0..1: below 1 the background shows through, most at perpendicular view
     float hiddenOpacity = 1;                 ///< 0..1: of an opaque line of a ghost, where the tooth hides it
+    Finish finish = Finish::Smooth;          ///< of metal
 };
 
 /// sRGB to linear light, channel by channel.
@@ -39,7 +46,8 @@ namespace appearances {
 [[nodiscard]] Appearance freeGingiva();  ///< its margin around the teeth: smooth
 [[nodiscard]] Appearance mucosa();       ///< beyond the mucogingival line: red and shiny
 [[nodiscard]] Appearance bone();
-[[nodiscard]] Appearance steel();       ///< turbine, mirror frame, shank
+[[nodiscard]] Appearance steel();       ///< mirror frame, hand instruments
+[[nodiscard]] Appearance handpiece();   ///< machined steel
 [[nodiscard]] Appearance carbide();     ///< tungsten carbide bur head
 [[nodiscard]] Appearance diamond();     ///< diamond-coated bur head
 [[nodiscard]] Appearance toCut();       ///< wall of a cavity to be cut, as a ghost: blue means still to cut

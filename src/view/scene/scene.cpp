@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/scene/scene.h"
 
+#include <algorithm>
+
 namespace tactooth {
 
 namespace {
@@ -13,6 +15,8 @@ const TriangleMesh* meshOf(const SceneShape& shape) {
 }
 
 }  // namespace
+
+float SceneMirror::dimmedReflectance() const { return reflectance * (1 - std::clamp(dirt, 0.0F, 1.0F) / 3); }
 
 Plane SceneMirror::planeInWorld() const {
     const Vec3 worldNormal = mirrorInWorld.rotation * normal;

@@ -18,6 +18,7 @@
 #include "view/mesh/distance_colour.h"
 #include "view/scene/appearance.h"
 #include "view/scene/particle.h"
+#include "view/scene/surface_liquids.h"
 
 namespace tactooth {
 
@@ -54,6 +55,7 @@ struct SceneObject {
     /// The part above this height along the object's own z axis, mm, turns to glass where it hides Scene::sight from
     /// the eye; kAllGlass: all of it. Nothing: it stays solid.
     std::optional<float> glassAbove;
+    SurfaceLiquids liquids = {};  ///< on its surface
 };
 inline constexpr float kAllGlass = -1e9F;
 /// One for each material of a tooth, and some for the zones between them.
@@ -68,8 +70,11 @@ struct SceneMirror {
     float reflectance = 0.93F;    ///< 0..1, of a rhodium front coating
     float fog = 0;                ///< 0..1: condensed breath on the glass
     float drops = 0;              ///< 0..1: share of the glass that drops of spray cover
+    float dirt = 0;               ///< 0..1: dried slurry and dust, which take up to a third of the light
 
     [[nodiscard]] Plane planeInWorld() const;
+    /// The share of the light that comes back from the glass as it is, 0..1.
+    [[nodiscard]] float dimmedReflectance() const;
 };
 
 /// A section of the scene: removes the parts of sectioned objects on the positive side of `plane` (world).

@@ -5,11 +5,10 @@ in vec3 worldNormal;
 #if RICH
 in vec3 objectPosition;
 #endif
-in vec3 noisePlace;  // in the noise texture
+in vec3 noisePlace;  // in the noise texture; of a machined surface: object frame, mm
 in vec4 surfaceAppearance;
 in vec4 materialAppearance;
 
-uniform sampler3D noiseTexture;
 #if RICH
 in float appearanceOpacity;
 uniform sampler2D shellDepth;      // of the body around an inner object
@@ -169,9 +168,16 @@ void main() {
     vec3 toEye = normalize(eye.xyz - worldPosition);
     vec3 smoothNormal = normalize(worldNormal);
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
-    vec4 bumps = texture(noiseTexture, noisePlace) - 0.5;
-    vec3 normal = normalize(smoothNormal + grain * 0.6 * bumps.xyz);
-    colour *= 1.0 + grain * 0.25 * bumps.w;
+    float lamp = 0.0;  // what the surface itself shines
+    vec3 normal;
+    if (metalness > 1.0) {
+        metalness -= 1.0;
+        normal = machined(noisePlace, smoothNormal, colour, roughness, metalness, lamp);
+    } else {
+        vec4 bumps = texture(noiseTexture, noisePlace) - 0.5;
+        normal = normalize(smoothNormal + grain * 0.6 * bumps.xyz);
+        colour *= 1.0 + grain * 0.25 * bumps.w;
+    }
 
     float nv = clamp(dot(normal, toEye), 0.02, 1.0);
     float nl = dot(normal, toKey.xyz);
@@ -207,6 +213,12 @@ void main() {
 
     // A film of saliva on top: 2 % reflection, smooth, following only the broad shape.
     vec3 filmNormal = mix(smoothNormal, normal, 0.17);
+#if SHADOW_TAPS > 1
+    if (wetness > 1.0) {  // running water
+        vec3 waves = textureLod(noiseTexture, 0.23 * noisePlace, 0.0).xyz - 0.5;
+        filmNormal = normalize(filmNormal + 0.75 * min(wetness - 1.0, 0.5) * waves);
+    }
+#endif
     float filmNv = clamp(dot(filmNormal, toEye), 0.02, 1.0);
     float filmNh = clamp(dot(filmNormal, halfway), 0.0, 1.0);
     float filmNl = max(dot(filmNormal, toKey.xyz), 0.0);
@@ -231,6 +243,7 @@ void main() {
         light += metalness * 1.9 * (room + bib(reflected, blur)) * roomShare;
     }
 
+    light += lamp;
 #if RICH
     // Like glass: a rim at grazing view hides more than a face at perpendicular view.
     float opacity = mix(appearanceOpacity, 1.0, 0.75 * edgeOn * edgeOn * step(appearanceOpacity, 0.999));

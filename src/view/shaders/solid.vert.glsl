@@ -30,12 +30,16 @@ void main() {
     worldPosition = world.xyz;
     worldNormal = mat3(objectToWorld) * normal.xyz;
     objectPosition = position;
-    noisePlace = noisePlaceOf(position);
     int first = 2 * min(int(appearanceMix & 255u), appearanceCount - 1);
     int second = 2 * min(int((appearanceMix >> 8) & 255u), appearanceCount - 1);
     float share = float((appearanceMix >> 16) & 255u) / 255.0;
     surfaceAppearance = mix(appearances[first], appearances[second], share);
     materialAppearance = mix(appearances[first + 1], appearances[second + 1], share);
+    // A machined surface needs the place itself (machined.glsl).
+    noisePlace = materialAppearance.x > 1.0 ? position : noisePlaceOf(position);
+#ifdef LIQUIDS
+    addLiquids(world.xyz, surfaceAppearance, materialAppearance);
+#endif
     gl_Position = worldToClip * world;
     gl_ClipDistance[0] = dot(clipPlane, world);
     // Mesa's software renderer clips by every distance that is written, also where its plane is switched off.
