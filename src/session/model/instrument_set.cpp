@@ -53,6 +53,7 @@ void InstrumentSet::updateMirror() {
 
 void InstrumentSet::setMirror(const MirrorState& mirror) {
     const bool isOtherSize = mirror.diameter != mirror_.diameter;
+    if (mirror.fogged != mirror_.fogged || mirror.dims != mirror_.dims) glass_.wipe();
     mirror_ = mirror;
     if (isOtherSize && meshes_) updateMirror();
 }

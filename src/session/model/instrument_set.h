@@ -9,6 +9,7 @@
 #include "geometry/mesh/triangle_mesh.h"
 #include "instruments/mirror.h"
 #include "session/model/task.h"
+#include "session/simulation/mirror_glass.h"
 #include "sound/voices/drill_sound_state.h"
 
 namespace tactooth {
@@ -39,6 +40,7 @@ struct MirrorState {
     double diameter = 22;  ///< of its head, mm
     bool fogged = false;
     bool wet = false;
+    bool dims = false;  ///< breath and dirt come by themselves
 };
 
 /// The instruments around the bur: handpieces, mirror, suction tube and water spray. Their meshes are made in the
@@ -55,6 +57,12 @@ public:
 
     void setMirror(const MirrorState& mirror);
     [[nodiscard]] const MirrorState& mirror() const { return mirror_; }
+    /// What has come onto the glass by itself; setMirror with other `fogged` or `dims` wipes it off.
+    [[nodiscard]] const MirrorGlass& glass() const { return glass_; }
+    /// The glass dims, if it does so by itself. Call it in every step.
+    void advanceGlass(const MirrorGlass::Input& now, double dt) {
+        if (mirror_.dims) glass_.advance(now, dt);
+    }
     /// Whether water flows with the pedal.
     void setWater(bool flows) { water_ = flows; }
     [[nodiscard]] bool water() const { return water_; }
@@ -70,6 +78,7 @@ private:
     Task<InstrumentMeshes> task_;
     std::optional<InstrumentMeshes> meshes_;
     MirrorState mirror_;
+    MirrorGlass glass_;
     std::atomic<bool> water_{true}, suction_{false};  // the servo thread reads them for the sound
 };
 

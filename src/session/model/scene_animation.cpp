@@ -9,13 +9,14 @@ namespace tactooth {
 
 void SceneAnimation::advance(const Tick& tick, bool water, bool suction, const MaterialVolumes& ground, double dt) {
     spin_ = std::remainder(spin_ + tick.spindle.speedRpm / 60 * 2 * std::numbers::pi * dt, 2 * std::numbers::pi);
-    spray_.advance({.toolInTooth = tick.contact.proxy,
-                    .normal = tick.contact.normal,
-                    .speedRpm = tick.spindle.speedRpm,
-                    .water = water && tick.input.cutting ? tick.input.pedal : 0,
-                    .suction = suction,
-                    .ground = ground},
-                   dt);
+    const SprayInput now{.toolInTooth = tick.contact.proxy,
+                         .normal = tick.contact.normal,
+                         .speedRpm = tick.spindle.speedRpm,
+                         .water = water && tick.input.cutting ? tick.input.pedal : 0,
+                         .suction = suction,
+                         .ground = ground};
+    spray_.advance(now, dt);
+    liquids_.advance(now, pulp_.place(), dt);
 }
 
 }  // namespace tactooth

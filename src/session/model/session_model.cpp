@@ -302,7 +302,13 @@ SessionModel::StepResult SessionModel::step(double dt) {
     manipulator_.advance(dt, newest.contact.proxy.position, newest.contact.depth);
     devices_.moveMouse(manipulator_.pose());
     runner_->setControls(currentControls());
-    animation_.advance(newest, instruments_.water(), instruments_.suction(), runner_->feed().loss().ground(), dt);
+    const MaterialVolumes ground = runner_->feed().loss().ground();
+    instruments_.advanceGlass({.isInMouth = !tooth_->around.empty() && !isExamination_,
+                               .sprayRuns = instruments_.water() && newest.input.cutting && newest.input.pedal > 0,
+                               .ground = total(ground)},
+                              dt);
+    animation_.followPulp(log_.events(), *runner_->feed().surface(), haptics_.materials.registry());
+    animation_.advance(newest, instruments_.water(), instruments_.suction(), ground, dt);
     return stepResult;
 }
 

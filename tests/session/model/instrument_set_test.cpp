@@ -66,6 +66,20 @@ TEST(InstrumentSet, FogAndDropsKeepTheMesh) {
     EXPECT_TRUE(instruments.mirror().fogged && instruments.mirror().wet);
 }
 
+TEST(InstrumentSet, TheGlassDimsOnlyIfItIsToAndFogSwitchedOffWipesIt) {
+    InstrumentSet instruments(test::runInline);
+    const MirrorGlass::Input inMouth{.isInMouth = true};
+    instruments.advanceGlass(inMouth, 100);
+    EXPECT_EQ(instruments.glass().fog(), 0);
+    instruments.setMirror({.dims = true});
+    instruments.advanceGlass(inMouth, 100);
+    EXPECT_EQ(instruments.glass().fog(), 1);
+    instruments.setMirror({.diameter = 24, .dims = true});
+    EXPECT_EQ(instruments.glass().fog(), 1) << "another size";
+    instruments.setMirror({.fogged = true, .dims = true});
+    EXPECT_EQ(instruments.glass().fog(), 0);
+}
+
 TEST(InstrumentSet, WaterIsOnAndSuctionOffAtFirst) {
     const InstrumentSet instruments(test::runInline);
     EXPECT_TRUE(instruments.water());
