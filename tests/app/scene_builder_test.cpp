@@ -129,6 +129,29 @@ TEST(SceneBuilder, WaterAndChipsHaveTheirColours) {
     EXPECT_LT(seen[3].opacity, 0.2 * seen[2].opacity);
 }
 
+TEST(SceneBuilder, WaterWetsEverythingButBloodAndSlurryStayOnTheTooth) {
+    SceneContents contents = contentsWithEverything();
+    contents.around.push_back({.mesh = contents.mirror->mesh, .bodyInTooth = {}, .appearances = {Appearance{}}});
+    contents.liquids = {.spot = Vec3(1, 2, 3), .water = 0.7, .slurry = 0.4, .opening = Vec3(0, 0, 2), .blood = 1.1};
+    const Scene scene = makeScene(contents);
+    EXPECT_EQ(scene.objects.front().liquids, contents.liquids);
+    EXPECT_EQ(scene.objects.back().liquids.water, 0.7);
+    EXPECT_EQ(scene.objects.back().liquids.spot, Vec3(1, 2, 3));
+    EXPECT_EQ(scene.objects.back().liquids.blood, 0);
+    EXPECT_EQ(scene.objects.back().liquids.slurry, 0);
+    for (std::size_t i = 1; i + 1 < scene.objects.size(); ++i) {
+        EXPECT_EQ(scene.objects[i].liquids, SurfaceLiquids()) << "an instrument";
+    }
+}
+
+TEST(SceneBuilder, DirtOnTheMirrorTakesLight) {
+    SceneContents contents = contentsWithEverything();
+    const float clean = makeScene(contents).mirror->dimmedReflectance();
+    EXPECT_EQ(clean, SceneMirror().reflectance);
+    contents.mirror->dirt = 0.75F;
+    EXPECT_NEAR(makeScene(contents).mirror->dimmedReflectance(), 0.75F * clean, 1e-6F);
+}
+
 TEST(SceneBuilder, WhatIsNotThereIsNotDrawn) {
     const Scene scene = makeScene({});
     EXPECT_TRUE(scene.objects.empty());

@@ -209,7 +209,10 @@ TEST_F(InsightPictures, FogAndDropsOnTheMirror) {
     scene.mirror = mirrorBehindTheCrown(scene);
     scene.mirror->fog = 0.8F;
     expectBaseline("mirror-fog", scene);
-    scene.mirror->fog = 0;
+    scene.mirror->fog = 0.3F;
+    scene.mirror->dirt = 1;
+    expectBaseline("breath", scene);
+    scene.mirror->fog = scene.mirror->dirt = 0;
     scene.mirror->drops = 0.5F;
     expectBaseline("mirror-drops", scene);
 }

@@ -45,7 +45,7 @@ void addTool(Scene& scene, const ShownTool& tool) {
     SceneObject turbine;
     turbine.shape = tool.turbine;
     turbine.objectInWorld = tool.toolInTooth;
-    turbine.appearances = {appearances::steel()};
+    turbine.appearances = {appearances::handpiece()};
     turbine.moves = true;
     turbine.handle = true;
     turbine.glassAbove = kAllGlass;
@@ -65,7 +65,8 @@ void addMirror(Scene& scene, const ShownMirror& mirror) {
                                .normal = mirror.disc.normal,
                                .radius = mirror.disc.radius,
                                .fog = mirror.fog,
-                               .drops = mirror.drops};
+                               .drops = mirror.drops,
+                               .dirt = mirror.dirt};
 }
 
 void addSuction(Scene& scene, const ShownSuction& suction) {
@@ -88,7 +89,7 @@ void lightByMirror(Scene& scene, const Vec3& crown) {
     const double distance2 = std::max(toGlass.squaredNorm(), 1e-6);
     const double facing = std::max(0.0, -toGlass.dot(mirror.planeInWorld().normal) / std::sqrt(distance2));
     const double filled = mirror.radius * mirror.radius / (mirror.radius * mirror.radius + distance2);
-    const Vec3f thrown = scene.lighting.keyColour * (mirror.reflectance * static_cast<float>(facing * filled));
+    const Vec3f thrown = scene.lighting.keyColour * (mirror.dimmedReflectance() * static_cast<float>(facing * filled));
     if (thrown.sum() <= scene.lighting.fillColour.sum()) return;
     scene.lighting.toFill = toGlass / std::sqrt(distance2);
     scene.lighting.fillColour = thrown;
@@ -176,6 +177,7 @@ Scene makeScene(const SceneContents& contents) {
             tooth.zones = contents.zones;
         }
         tooth.closed = contents.tooth->closed;
+        tooth.liquids = contents.liquids;
         scene.objects.push_back(std::move(tooth));
     }
     if (contents.tool) addTool(scene, *contents.tool);
@@ -193,6 +195,8 @@ Scene makeScene(const SceneContents& contents) {
         object.objectInWorld = body.bodyInTooth;
         object.appearances = body.appearances;
         object.zones = body.zones;
+        object.liquids = contents.liquids;
+        object.liquids.blood = object.liquids.slurry = 0;
         scene.objects.push_back(std::move(object));
     }
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));

@@ -34,7 +34,7 @@ struct ShownMirror {
     std::shared_ptr<const TriangleMesh> mesh;  ///< mirror frame
     MirrorDisc disc;
     Pose mirrorInTooth;
-    float fog = 0, drops = 0;  ///< on the glass, as in SceneMirror
+    float fog = 0, drops = 0, dirt = 0;  ///< on the glass, as in SceneMirror
 };
 
 /// The suction tube as it is drawn.
@@ -67,6 +67,7 @@ struct SceneContents {
     std::optional<ShownMirror> mirror;
     std::optional<ShownSuction> suction;
     std::vector<Particle> flying;  ///< water and chips (particlesOf)
+    SurfaceLiquids liquids = {};   ///< on the tooth; the water also on what stands around it
     std::vector<ShownBody> around;
     std::optional<ShownOther> other = {};
     Camera camera;

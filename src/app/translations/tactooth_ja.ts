@@ -1230,6 +1230,14 @@ It can be overcome, and is off in an examination.</source>
         <source>&amp;Drops of spray</source>
         <translation>水滴(&amp;D)</translation>
     </message>
+    <message>
+        <source>Dims by &amp;itself</source>
+        <translation>自然に曇る(&amp;I)</translation>
+    </message>
+    <message>
+        <source>In the mouth, breath fogs the mirror slowly while no spray runs, and what the bur throws soils it. Fogged, switched on and off, wipes the glass. An examination leaves it clear.</source>
+        <translation>口の中では、注水していない間に息でミラーがゆっくり曇り、バーの飛ばす削りかすで汚れます。「曇り」を一度入れて切ると、鏡面を拭き取れます。試験中は曇りません。</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::PanelUpdater</name>

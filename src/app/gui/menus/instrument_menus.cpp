@@ -37,9 +37,17 @@ void InstrumentMenus::addMirrorMenu(QMenu& menu) {
     drops_ = addSwitch(*glass, tr("&Drops of spray"), KeyId::Drops, "drops");
     setLineIcon(*fog_, "fog");
     setLineIcon(*drops_, "drops");
+    dims_ = glass->addAction(tr("Dims by &itself"));
+    dims_->setObjectName("mirrorDims");
+    dims_->setCheckable(true);
+    dims_->setToolTip(
+        tr("In the mouth, breath fogs the mirror slowly while no spray runs, and what the bur throws soils it. "
+           "Fogged, switched on and off, wipes the glass. An examination leaves it clear."));
+    setLineIcon(*dims_, "fog");
     setMirror({});
     connect(sizes_, &QActionGroup::triggered, this, &InstrumentMenus::updateMirror);
-    for (QAction* action : {fog_, drops_}) connect(action, &QAction::toggled, this, &InstrumentMenus::updateMirror);
+    for (QAction* action : {fog_, drops_, dims_})
+        connect(action, &QAction::toggled, this, &InstrumentMenus::updateMirror);
 }
 
 /// An unknown size keeps the one before.
@@ -49,12 +57,13 @@ void InstrumentMenus::setMirror(const MirrorSettings& mirror) {
     }
     fog_->setChecked(mirror.fogged);
     drops_->setChecked(mirror.wet);
+    dims_->setChecked(mirror.dims);
     updateMirror();
 }
 
 void InstrumentMenus::updateMirror() {
     const auto size = static_cast<std::size_t>(sizes_->actions().indexOf(sizes_->checkedAction()));
-    instruments_.setMirror({kMirrorSizes[size].diameter, fog_->isChecked(), drops_->isChecked()});
+    instruments_.setMirror({kMirrorSizes[size].diameter, fog_->isChecked(), drops_->isChecked(), dims_->isChecked()});
 }
 
 void InstrumentMenus::restore(const WindowSettings& settings) {
@@ -64,8 +73,8 @@ void InstrumentMenus::restore(const WindowSettings& settings) {
 }
 
 void InstrumentMenus::store(WindowSettings& settings) const {
-    settings.mirror = {sizes_->checkedAction()->data().toString().toStdString(), fog_->isChecked(),
-                       drops_->isChecked()};
+    settings.mirror = {sizes_->checkedAction()->data().toString().toStdString(), fog_->isChecked(), drops_->isChecked(),
+                       dims_->isChecked()};
     settings.water = water_->isChecked();
     settings.suction = suction_->isChecked();
 }

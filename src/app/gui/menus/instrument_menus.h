@@ -24,7 +24,7 @@ public:
 
     /// Water and suction. Call each of the two once.
     void addSpraySwitches(QMenu& menu);
-    /// A submenu with the mirror's size, fog and drops.
+    /// A submenu with the mirror's size, fog and drops, and whether it dims by itself.
     void addMirrorMenu(QMenu& menu);
 
     void restore(const WindowSettings& settings);
@@ -40,6 +40,7 @@ private:
     QActionGroup* sizes_ = nullptr;
     QAction* fog_ = nullptr;
     QAction* drops_ = nullptr;
+    QAction* dims_ = nullptr;
 };
 
 }  // namespace tactooth

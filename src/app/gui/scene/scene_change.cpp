@@ -20,6 +20,23 @@ bool samePose(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSeen && a.rotation.angularDistance(b.rotation) < kSeen / 20;
 }
 
+/// Whether breath or dirt on the mirror has grown so much that one sees it. It is slow: each picture in between would
+/// be one of motion.
+bool isDimmed(const ShownMirror& now, const ShownMirror& drawn) {
+    constexpr float kSeen = 0.05F;
+    return std::abs(now.fog - drawn.fog) > kSeen || std::abs(now.dirt - drawn.dirt) > kSeen ||
+           (now.fog == 0) != (drawn.fog == 0) || (now.dirt == 0) != (drawn.dirt == 0);
+}
+
+bool isOtherLiquid(const SurfaceLiquids& now, const SurfaceLiquids& drawn) {
+    constexpr double kSeen = 0.02, kSeenReach = 0.03;  // of 1; mm
+    const auto differ = [](double a, double b, double seen) {
+        return std::abs(a - b) > seen || ((a == 0) != (b == 0));
+    };
+    return differ(now.water, drawn.water, kSeen) || differ(now.slurry, drawn.slurry, kSeen) ||
+           differ(now.blood, drawn.blood, kSeenReach);
+}
+
 bool isOtherMoved(const std::optional<ShownOther>& now, const std::optional<ShownOther>& drawn) {
     if (now.has_value() != drawn.has_value()) return true;
     if (!now) return false;
@@ -35,10 +52,11 @@ FramePacer::Change sceneChange(const SceneContents& now, const SceneContents& dr
     using enum FramePacer::Change;
     if (now.tooth != drawn.tooth || now.tool.has_value() != drawn.tool.has_value() ||
         now.mirror.has_value() != drawn.mirror.has_value() || now.suction.has_value() != drawn.suction.has_value() ||
-        now.flying != drawn.flying || isOtherMoved(now.other, drawn.other)) {
+        now.flying != drawn.flying || isOtherLiquid(now.liquids, drawn.liquids) ||
+        isOtherMoved(now.other, drawn.other)) {
         return Motion;
     }
-    if (now.mirror && (now.mirror->mesh != drawn.mirror->mesh || now.mirror->fog != drawn.mirror->fog ||
+    if (now.mirror && (now.mirror->mesh != drawn.mirror->mesh || isDimmed(*now.mirror, *drawn.mirror) ||
                        now.mirror->drops != drawn.mirror->drops ||
                        !samePose(now.mirror->mirrorInTooth, drawn.mirror->mirrorInTooth))) {
         return Motion;

@@ -17,11 +17,21 @@ ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshe
     const Pose& moved = model.runner()->feed().mirrorMotion();
     mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
     const MirrorState& state = model.instruments().mirror();
+    const MirrorGlass& glass = model.instruments().glass();
     return {.mesh = meshes.mirror,
             .disc = meshes.disc,
             .mirrorInTooth = mirror,
-            .fog = state.fogged ? kFog : 0,
-            .drops = state.wet ? kDrops : 0};
+            .fog = state.fogged ? kFog : kFog * static_cast<float>(glass.fog()),
+            .drops = state.wet ? kDrops : 0,
+            .dirt = static_cast<float>(glass.dirt())};
+}
+
+SurfaceLiquids shownLiquids(const WorkLiquids& liquids) {
+    return {.spot = liquids.spot(),
+            .water = liquids.water(),
+            .slurry = liquids.slurry(),
+            .opening = liquids.opening(),
+            .blood = liquids.blood()};
 }
 
 }  // namespace
@@ -50,6 +60,7 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
                               .head = bur.head,
                               .cap = bur.headCap};
     contents.flying = particlesOf(model.animation().particles(), contents.materials);
+    contents.liquids = shownLiquids(model.animation().liquids());
     if (!meshes) return contents;
     if (model.instruments().suction()) {
         contents.suction = ShownSuction{meshes->suction, parkedSuction(tooth.box(), tooth.mesialX)};

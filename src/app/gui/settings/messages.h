@@ -44,6 +44,9 @@ inline constexpr MessageText kOptionMirrorSize{"option_mirror_size", "Size numbe
                                                "ミラーのサイズ番号（18、22、24 mm）"};
 inline constexpr MessageText kOptionMirrorFogged{"option_mirror_fogged", "Fog on the mirror's glass", "ミラーの曇り"};
 inline constexpr MessageText kOptionMirrorWet{"option_mirror_wet", "Drops on the mirror's glass", "ミラーの水滴"};
+inline constexpr MessageText kOptionMirrorDims{
+    "option_mirror_dims", "Breath and dirt dim the mirror by themselves, but not in an examination",
+    "ミラーが息と汚れで自然に曇る（試験中は曇らない）"};
 inline constexpr MessageText kOptionDrillBur{"option_drill_bur", "Bur of the catalogue, by its number",
                                              "カタログのバー（番号で選ぶ）"};
 inline constexpr MessageText kOptionDrillFavourites{

@@ -78,6 +78,7 @@ struct MirrorSettings {
     std::string number = "4";  ///< its size number, see kMirrorSizes
     bool fogged = false;
     bool wet = false;
+    bool dims = true;  ///< breath and dirt come by themselves
 
     bool operator==(const MirrorSettings&) const = default;
 };
