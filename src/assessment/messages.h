@@ -256,6 +256,8 @@ inline constexpr MessageText kNoLongStroke{"no_long_stroke", "no stroke took lon
                                            "0.3 秒を超えるストロークがありません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
+inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",
+                                            "記録にはミラーの使用時間がありません"};
 
 // Rubrics.
 inline constexpr MessageText kARubric{"a_rubric", "a rubric", "評価基準表"};
@@ -330,6 +332,14 @@ inline constexpr MessageText kMarkedWorkUnknown{
     "教員 %1 が採点した作品 %2 が見つかりません。名前を直すか、ファイルを加えてください。"};
 
 // Places in a preparation.
+inline constexpr MessageText kWallFloor{"wall_floor", "Floor", "窩底"};
+inline constexpr MessageText kWallEnd{"wall_end", "Occlusal surface", "咬合面"};
+inline constexpr MessageText kWallMesial{"wall_mesial", "Mesial wall", "近心壁"};
+inline constexpr MessageText kWallDistal{"wall_distal", "Distal wall", "遠心壁"};
+inline constexpr MessageText kWallBuccal{"wall_buccal", "Buccal wall", "頬側壁"};
+inline constexpr MessageText kWallLingual{"wall_lingual", "Lingual wall", "舌側壁"};
+inline constexpr MessageText kWallOcclusal{"wall_occlusal", "Occlusal wall", "咬合面側壁"};
+inline constexpr MessageText kWallGingival{"wall_gingival", "Gingival wall", "歯肉側壁"};
 inline constexpr MessageText kPlaceMiddle{"place_middle", "in the middle", "中央"};
 inline constexpr MessageText kPlaceMesial{"place_mesial", "mesial", "近心"};
 inline constexpr MessageText kPlaceDistal{"place_distal", "distal", "遠心"};

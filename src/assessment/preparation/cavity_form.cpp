@@ -20,28 +20,49 @@ constexpr double kRounding = 0.3;                    // mm: strip along the bord
 constexpr double kLeastWall = 0.5;                   // mm^2: smaller walls are not judged
 constexpr double kLeastInner = 0.05;                 // mm^2 within the border, for a direction worth the name
 
+struct FloorDepth {
+    double depth, area;  // mm, mm^2
+    Vec3 place;
+};
+
+/// The depth below which `area` of the floor lies. `depths` are sorted.
+const FloorDepth& quantile(const std::vector<FloorDepth>& depths, double area) {
+    double left = area;
+    auto at = depths.begin();
+    while (left > at->area && at + 1 != depths.end()) left -= (at++)->area;
+    return *at;
+}
+
 void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, CavityForm& form) {
     const auto floors = connectedPieces(surfaces, patchBetween(surfaces, preparation.axis, kFloorCosine, 1.1));
     const CutPatch floor = floors.empty() ? CutPatch{} : withoutBorder(surfaces, floors.front(), kRounding);
     if (areaOf(surfaces, floor) < kLeastInner) {
         const MessageText& reason = surfaces.facets.empty() ? msg::kNothingCut : msg::kFloorTooNarrow;
-        form.floorDepth = form.floorFlatness = form.floorTilt = Measured::none(reason);
+        for (Measured* each : {&form.floorDepth, &form.floorDepthMin, &form.floorDepthP5, &form.floorDepthP95,
+                               &form.floorDepthMax, &form.floorFlatness, &form.floorTilt})
+            *each = Measured::none(reason);
         return;
     }
     const FittedPlane plane = fittedPlane(surfaces, floor);
     form.floorFlatness = Measured::at(plane.rms, plane.centre);
     form.floorTilt =
         Measured::at(std::acos(std::clamp(plane.normal.dot(preparation.axis), -1.0, 1.0)) / kDegree, plane.centre);
-    std::vector<std::pair<double, double>> depths;  // and areas
+    std::vector<FloorDepth> depths;
     for (const std::uint32_t i : floor) {
         const Facet& facet = surfaces.facets[i];
-        depths.emplace_back(depthInside(*preparation.original, facet.centre, preparation.axis), facet.area);
+        depths.push_back(
+            {depthInside(*preparation.original, facet.centre, preparation.axis), facet.area, facet.centre});
     }
-    std::sort(depths.begin(), depths.end());
-    double left = areaOf(surfaces, floor) / 2;
-    auto median = depths.begin();
-    while (left > median->second && median + 1 != depths.end()) left -= (median++)->second;
-    form.floorDepth = Measured::at(median->first, plane.centre);
+    std::ranges::sort(depths, [](const FloorDepth& a, const FloorDepth& b) {
+        return std::pair(a.depth, a.area) < std::pair(b.depth, b.area);
+    });
+    const double area = areaOf(surfaces, floor);
+    form.floorDepth = Measured::at(quantile(depths, area / 2).depth, plane.centre);
+    const auto at = [](const FloorDepth& each) { return Measured::at(each.depth, each.place); };
+    form.floorDepthMin = at(depths.front());
+    form.floorDepthP5 = at(quantile(depths, 0.05 * area));
+    form.floorDepthP95 = at(quantile(depths, 0.95 * area));
+    form.floorDepthMax = at(depths.back());
 }
 
 /// Of the walls of a crown preparation the part next to the finish line: farther up begin the planes that follow cusps
@@ -72,9 +93,10 @@ CutPatch axialPart(const Preparation& preparation, const CutSurfaces& surfaces, 
     return part;
 }
 
-/// The mean angle of the facets of `walls` on one side to the axis, degrees.
-Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, const CutPatch& walls,
-                   const Vec3& side) {
+/// The mean angle of the facets of `walls` on one side to the axis, degrees. Adds those that were measured to
+/// `measured`.
+Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, const CutPatch& walls, const Vec3& side,
+                   CutPatch& measured) {
     // The normal of a cavity's wall points away from its side, that of a stump toward it.
     const Vec3 facing = surfaces.isCrown ? side : Vec3(-side);
     CutPatch wall;
@@ -89,6 +111,7 @@ Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, 
     if (areaOf(surfaces, inner) < kLeastInner) inner = withoutBorder(surfaces, wall, kRounding / 2);
     const double area = areaOf(surfaces, inner);
     if (area < kLeastInner) return Measured::none(msg::kWallTooLow);
+    measured.insert(measured.end(), inner.begin(), inner.end());
     double cosine = 0;
     Vec3 centre = Vec3::Zero();
     for (const std::uint32_t i : inner) {
@@ -100,7 +123,7 @@ Measured wallAngle(const Preparation& preparation, const CutSurfaces& surfaces, 
     return Measured::at(surfaces.isCrown ? angle : 0 - angle, centre);
 }
 
-Measured convergence(const CutSurfaces& surfaces, const Measured& a, const Measured& b) {
+Measured sumOf(const CutSurfaces& surfaces, const Measured& a, const Measured& b) {
     if (!surfaces.isCrown) return Measured::none(msg::kNoCrownPreparation);
     if (!a.value) return a;
     if (!b.value) return b;
@@ -117,6 +140,7 @@ CavityForm cavityForm(const Preparation& preparation, const CutSurfaces& surface
     if (surfaces.isCrown) walls = axialPart(preparation, surfaces, walls);
     const DentalDirections to(preparation.axis, preparation.mesialX);
     const std::array<Vec3, 4> sides = {to.buccal, -to.buccal, to.mesial, -to.mesial};
+    CutPatch inner;  // of all walls
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const bool exists = i < 2 ? to.hasBuccal : to.hasMesial;
         if (surfaces.facets.empty()) {
@@ -124,11 +148,12 @@ CavityForm cavityForm(const Preparation& preparation, const CutSurfaces& surface
         } else if (!exists) {
             form.wallAngle[i] = Measured::none(msg::kNoSuchWall);
         } else {
-            form.wallAngle[i] = wallAngle(preparation, surfaces, walls, sides[i]);
+            form.wallAngle[i] = wallAngle(preparation, surfaces, walls, sides[i], inner);
         }
     }
-    form.tocMesiodistal = convergence(surfaces, form.wallAngle[2], form.wallAngle[3]);
-    form.tocBuccolingual = convergence(surfaces, form.wallAngle[0], form.wallAngle[1]);
+    form.tocMesiodistal = sumOf(surfaces, form.wallAngle[2], form.wallAngle[3]);
+    form.tocBuccolingual = sumOf(surfaces, form.wallAngle[0], form.wallAngle[1]);
+    form.toc = convergence(preparation, surfaces, walls, inner);
     return form;
 }
 

@@ -36,6 +36,11 @@ public:
     }
     /// Whether `place` lies in a column that is covered.
     [[nodiscard]] bool covers(const Vec3& place) const;
+    /// The place on the line of a column at a height along the axis, mm.
+    [[nodiscard]] Vec3 placeAt(std::size_t column, double height) const {
+        const Vec3 place = placeOf(column);
+        return place + (height - axis_.dot(place)) * axis_;
+    }
     /// Whether a ball may lie over or under the grid.
     [[nodiscard]] bool isNear(const Vec3& middle, double radius) const;
 

@@ -23,6 +23,7 @@ struct Preparation {
     std::vector<std::shared_ptr<const SurfacePart>> gums = {};   ///< closed; empty: the files have none
     TriangleMesh cutNeighbours = {};                             ///< the pieces of surface that cutting them has made
     std::vector<ForbiddenZone> forbidden = {};                   ///< of the exercise
+    double tolerance = 0.3;                                      ///< mm: of the exercise, else as teachers allow
 };
 
 /// Four directions around the axis of a preparation, unit, square to it.

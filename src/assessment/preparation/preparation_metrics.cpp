@@ -27,6 +27,19 @@ Measured efficiency(All m) {
     return Measured::of(m.volumes.common / m.hand->drilling);
 }
 
+Measured largerRidge(All m) {
+    const Measured &mesial = m.extent.mesialRidge, &distal = m.extent.distalRidge;
+    if (!mesial.value) return distal;
+    return distal.value.value_or(0) > *mesial.value ? distal : mesial;
+}
+
+Measured decayRate(All m) {
+    if (!m.hand) return noHand(m);
+    if (!m.tissues.removedDecay.value) return m.tissues.removedDecay;
+    if (!(m.hand->drilling > 0)) return Measured::none(msg::kNeverDrilled);
+    return Measured::of(*m.tissues.removedDecay.value / m.hand->drilling);
+}
+
 constexpr std::array kMetrics = {
     PreparationMetric{"cleared_share", "Ideal preparation cut", "1", Better::Higher,
                       [](All m) { return Measured::of(m.volumes.clearedShare()); },
@@ -39,6 +52,12 @@ constexpr std::array kMetrics = {
     PreparationMetric{"over_volume", "Over-prepared volume", "mm^3", Better::Lower,
                       [](All m) { return Measured::of(m.volumes.over); }, "Removed volume that was not to be removed.",
                       "削りすぎの体積", "削除すべきでないのに削除した体積。"},
+    PreparationMetric{"over_volume_beyond", "Over-prepared beyond the tolerance", "mm^3", Better::Lower,
+                      [](All m) { return Measured::of(m.volumes.beyond); },
+                      "Removed volume that lies farther from the ideal surface than the tolerance of the exercise, "
+                      "or than 0.3 mm.",
+                      "許容差を超えた削りすぎの体積",
+                      "理想面から、課題の許容差（ない場合は 0.3 mm）より遠くまで削除した体積。"},
     PreparationMetric{"under_volume", "Under-prepared volume", "mm^3", Better::Lower,
                       [](All m) { return Measured::of(m.volumes.under); },
                       "Volume that was to be removed and is still there.", "削り残しの体積",
@@ -52,6 +71,16 @@ constexpr std::array kMetrics = {
         "deviation_rms", "Deviation from the ideal (RMS)", "mm", Better::Lower, [](All m) { return m.deviation.rms; },
         "Root mean square, by area, of the distance to the ideal surface, where one of the two is cut.",
         "理想からのずれ（RMS）", "どちらかが削られている部分での、理想面までの距離の、面積についての二乗平均平方根。"},
+    PreparationMetric{
+        "deviation_mean", "Deviation from the ideal (mean, signed)", "mm", Better::Neither,
+        [](All m) { return m.deviation.mean; }, "Mean, by area, of that distance; positive: too little was removed.",
+        "理想からのずれ（符号付き平均）", "その距離の、面積についての平均。正の値は、削り足りないことを示す。"},
+    PreparationMetric{"deviation_p50", "Deviation from the ideal (median)", "mm", Better::Lower,
+                      [](All m) { return m.deviation.median; }, "Absolute distance that half of that area keeps to.",
+                      "理想からのずれ（中央値）", "その面積の半分が超えない、距離の絶対値。"},
+    PreparationMetric{"deviation_p95", "Deviation from the ideal (95 %)", "mm", Better::Lower,
+                      [](All m) { return m.deviation.p95; }, "Absolute distance that 95 % of that area keeps to.",
+                      "理想からのずれ（95 %）", "その面積の 95 % が超えない、距離の絶対値。"},
     PreparationMetric{"within_0_1", "Surface within 0.1 mm", "1", Better::Higher,
                       [](All m) { return m.deviation.within[0]; },
                       "Share of that area within 0.1 mm of the ideal surface.", "理想から 0.1 mm 以内の面",
@@ -72,6 +101,18 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.form.floorDepth; },
                       "Median, by area, of the distance along the axis from the floor to the uncut surface.",
                       "窩底の深さ（中央値）", "窩底から削る前の面まで、軸に沿った距離の、面積についての中央値。"},
+    PreparationMetric{"floor_depth_min", "Depth of the floor (least)", "mm", Better::Neither,
+                      [](All m) { return m.form.floorDepthMin; }, "Least of that distance.", "窩底の深さ（最小）",
+                      "その距離の最小値。"},
+    PreparationMetric{"floor_depth_p5", "Depth of the floor (5 %)", "mm", Better::Neither,
+                      [](All m) { return m.form.floorDepthP5; }, "Its 5th percentile by area.", "窩底の深さ（5 %）",
+                      "その距離の、面積についての 5 パーセンタイル。"},
+    PreparationMetric{"floor_depth_p95", "Depth of the floor (95 %)", "mm", Better::Neither,
+                      [](All m) { return m.form.floorDepthP95; }, "Its 95th percentile by area.", "窩底の深さ（95 %）",
+                      "その距離の、面積についての 95 パーセンタイル。"},
+    PreparationMetric{"floor_depth_max", "Depth of the floor (greatest)", "mm", Better::Neither,
+                      [](All m) { return m.form.floorDepthMax; }, "Greatest of that distance.", "窩底の深さ（最大）",
+                      "その距離の最大値。"},
     PreparationMetric{"floor_flatness", "Flatness of the floor (RMS)", "mm", Better::Lower,
                       [](All m) { return m.form.floorFlatness; },
                       "Root mean square distance of the floor from its plane (total least squares).",
@@ -109,6 +150,11 @@ constexpr std::array kMetrics = {
     PreparationMetric{"ridge_min_d", "Distal ridge left", "mm", Better::Neither,
                       [](All m) { return m.extent.distalRidge; }, "The same to the distal outside.",
                       "遠心辺縁隆線の残り", "遠心の外面についての同じ距離。"},
+    PreparationMetric{"ridge_kept", "Ridge left, the larger", "mm", Better::Neither,
+                      [](All m) { return largerRidge(m); },
+                      "Larger of the two ridges left: of a Class II cavity that without a box.",
+                      "残った辺縁隆線（大きい方）",
+                      "近心と遠心の残りのうち大きい方。2 級窩洞では、隣接面窩洞のない側。"},
     PreparationMetric{"undercut_area", "Undercut area", "mm^2", Better::Neither, [](All m) { return m.undercut.area; },
                       "Cut area that faces away from the axis by more than 1 degree, or that something hangs over.",
                       "アンダーカットの面積",
@@ -119,6 +165,12 @@ constexpr std::array kMetrics = {
                       "apart.",
                       "最良の挿入方向でのアンダーカットの面積",
                       "軸から 10 度以内の、1 度刻みのすべての挿入方向のうち、最小のアンダーカットの面積。"},
+    PreparationMetric{"undercut_area_scan", "Undercut area, of a scan", "mm^2", Better::Neither,
+                      [](All m) { return m.undercut.scanArea; },
+                      "As the undercut area, with 2 degrees: the noise of a scanner makes false undercuts of 1 degree.",
+                      "アンダーカットの面積（スキャン用）",
+                      "アンダーカットの面積と同じで、角度は 2 度。スキャナーの雑音は 1 "
+                      "度の偽のアンダーカットを作る。"},
     PreparationMetric{"undercut_depth", "Undercut depth", "mm", Better::Neither, [](All m) { return m.undercut.depth; },
                       "Greatest level distance from a cut wall to the end of what hangs over it.",
                       "アンダーカットの深さ", "削った壁から、その上の張り出しの先端までの水平距離の最大値。"},
@@ -129,6 +181,22 @@ constexpr std::array kMetrics = {
     PreparationMetric{"toc_bl", "Convergence, buccolingual", "deg", Better::Neither,
                       [](All m) { return m.form.tocBuccolingual; }, "The same of the buccal and the lingual wall.",
                       "収束角（頬舌）", "頬側壁と舌側壁についての同じ角度。"},
+    PreparationMetric{
+        "toc_sections", "Convergence, eight sections", "deg", Better::Neither,
+        [](All m) { return m.form.toc.sections; },
+        "Mean of eight vertical sections round the axis: angle between the straight lines (least squares) "
+        "through both walls, from 20 to 80 % of their height.",
+        "収束角（8 断面）",
+        "軸のまわりの 8 つの縦断面の平均：両側の壁の、高さ 20 から 80 % "
+        "の部分を通る直線（最小二乗法）がなす角度。"},
+    PreparationMetric{"toc_cone", "Convergence, fitted cone", "deg", Better::Neither,
+                      [](All m) { return m.form.toc.cone; },
+                      "Opening angle of the cone whose axis makes the normals of the axial wall lean alike.",
+                      "収束角（円錐の当てはめ）", "軸面壁の法線の傾きが最も揃う軸をもつ円錐の、開き角。"},
+    PreparationMetric{"toc_difference", "Difference of these two", "deg", Better::Lower,
+                      [](All m) { return m.form.toc.difference; },
+                      "Within 1 degree on a cone; more where the wall is no cone or leans as a whole.", "この二つの差",
+                      "円錐では 1 度以内。壁が円錐でないか、全体が傾いていると大きい。"},
     PreparationMetric{"occlusal_reduction_min", "Occlusal reduction, least", "mm", Better::Neither,
                       [](All m) { return m.occlusal.least; },
                       "Of a crown preparation: distance along the axis from its occlusal or incisal end to the uncut "
@@ -214,6 +282,12 @@ constexpr std::array kMetrics = {
     PreparationMetric{"over_dentin", "Sound dentin over-prepared", "mm^3", Better::Lower,
                       [](All m) { return m.tissues.overDentin; }, "Removed dentin that was not to be removed.",
                       "健全象牙質の削りすぎ", "削除すべきでないのに削除した象牙質の体積。"},
+    PreparationMetric{"under_enamel", "Enamel under-prepared", "mm^3", Better::Lower,
+                      [](All m) { return m.tissues.underEnamel; }, "Enamel that was to be removed and is still there.",
+                      "エナメル質の削り残し", "削除すべきなのに残っているエナメル質の体積。"},
+    PreparationMetric{"under_dentin", "Dentin under-prepared", "mm^3", Better::Lower,
+                      [](All m) { return m.tissues.underDentin; }, "Dentin that was to be removed and is still there.",
+                      "象牙質の削り残し", "削除すべきなのに残っている象牙質の体積。"},
     PreparationMetric{"session_time", "Length of the session", "s", Better::Neither,
                       [](All m) { return ofHand(m, &HandWork::seconds); },
                       "From the first to the last moment of the recording.", "セッションの長さ",
@@ -227,6 +301,10 @@ constexpr std::array kMetrics = {
     PreparationMetric{"dead_time", "Pauses", "s", Better::Neither, [](All m) { return ofHand(m, &HandWork::dead); },
                       "Time without turning and touching, in pauses of more than 1 s.", "休止時間",
                       "回転も接触もない時間。1 秒を超える休止だけを数える。"},
+    PreparationMetric{"mirror_time", "Mirror in use", "s", Better::Neither,
+                      [](All m) { return m.hand ? Measured::none(msg::kNoMirrorKnown) : noHand(m); },
+                      "Time with the mirror in use. Recordings do not hold it, so it is not measurable yet.",
+                      "ミラーの使用時間", "ミラーを使っている時間。記録に含まれないため、まだ計測できない。"},
     PreparationMetric{"path_length", "Path of the bur", "mm", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::path); },
                       "Length of the path of the bur's tip, without what is faster than 20 Hz.", "バーの移動距離",
@@ -254,6 +332,10 @@ constexpr std::array kMetrics = {
     PreparationMetric{"force_mean", "Force, mean", "N", Better::Neither,
                       [](All m) { return ofHand(m, &HandWork::forceMean); }, "Mean force over the time of contact.",
                       "力（平均）", "接触中の力の時間平均。"},
+    PreparationMetric{"force_rms", "Force (RMS)", "N", Better::Neither,
+                      [](All m) { return ofHand(m, &HandWork::forceRms); },
+                      "Root mean square of the force over the time of contact.", "力（RMS）",
+                      "接触中の力の、時間についての二乗平均平方根。"},
     PreparationMetric{"force_p95", "Force, 95 % below", "N", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::forceP95); },
                       "Force that is not exceeded in 95 % of the time of contact.", "力（95 % がこれ以下）",
@@ -275,6 +357,15 @@ constexpr std::array kMetrics = {
     PreparationMetric{"efficiency", "Efficiency", "mm^3/s", Better::Higher, [](All m) { return efficiency(m); },
                       "Removed volume that was to be removed, for each second of drilling.", "切削効率",
                       "切削 1 秒あたりに、削除すべき部分から削除した体積。"},
+    PreparationMetric{"decay_rate", "Decay removed, each second", "mm^3/s", Better::Higher,
+                      [](All m) { return decayRate(m); },
+                      "Volume of decay that was removed, for each second of drilling.", "う蝕の除去速度",
+                      "切削 1 秒あたりに削除したう蝕の体積。"},
+    PreparationMetric{"bur_tilt", "Bur against the axis (mean)", "deg", Better::Neither,
+                      [](All m) { return ofHand(m, &HandWork::burTilt); },
+                      "Angle between the shaft of the bur and the axis of the preparation, mean over the time of "
+                      "drilling.",
+                      "軸に対するバーの傾き（平均）", "バーの軸部と形成の軸との角度の、切削中の時間平均。"},
 };
 
 }  // namespace
@@ -290,12 +381,12 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const S
       occlusal(occlusalReduction(preparation, surfaces)),
       innerAngle(innerAngleRadius(preparation, surfaces)) {
     const ColumnGrid columns(preparation.axis, surfaces.cut.mesh, surfaces.idealCut.mesh, kSpacing);
-    volumes = preparedVolumes(preparation, columns);
+    volumes = preparedVolumes(preparation, columns, /*hasBeyond=*/true);
     deviation = surfaceDeviation(preparation, columns);
     tissues = tissueVolumes(preparation, volumes, kSpacing);
     forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
     hasSession = track != nullptr;
-    if (hasSession) hand = handWork(*track);
+    if (hasSession) hand = handWork(*track, preparation.axis);
 }
 
 std::span<const PreparationMetric> preparationMetrics() { return kMetrics; }

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+#include "collision/bvh/closest_point.h"
+
 namespace tactooth {
 namespace {
 
@@ -23,7 +25,7 @@ struct Crossing {
 
 /// A piece of a line on which all surfaces stay on the same side.
 struct Segment {
-    double length;  // mm
+    double low, length;  // along the axis, mm
     bool inTooth, removed, toRemove;
     MaterialRole tissue;
 };
@@ -44,7 +46,8 @@ void dropShortRuns(std::vector<Segment>& segments, bool Segment::*flag) {
 /// Adds the lengths along lines.
 class LineSums {
 public:
-    explicit LineSums(const Preparation& preparation) {
+    /// `columns`: of the lines, for those that ask for the volume beyond the tolerance; null: nobody does.
+    LineSums(const Preparation& preparation, const ColumnGrid* columns) : preparation_(preparation), columns_(columns) {
         if (preparation.tooth == nullptr) return;
         for (const LayeredTooth::Layer& layer : preparation.tooth->layers()) {
             tissues_.push_back(preparation.tooth->materials()[layer.material].role);
@@ -59,7 +62,8 @@ public:
             inside_[line[i].body] ^= 1U;
             if (i + 1 == line.size()) break;
             const bool inTooth = inside_[kOriginal] != 0;
-            segments_.push_back({.length = line[i + 1].height - line[i].height,
+            segments_.push_back({.low = line[i].height,
+                                 .length = line[i + 1].height - line[i].height,
                                  .inTooth = inTooth,
                                  .removed = inTooth && inside_[kPrepared] == 0,
                                  .toRemove = inTooth && inside_[kIdeal] == 0,
@@ -68,13 +72,18 @@ public:
         if (std::ranges::any_of(inside_, [](std::uint8_t each) { return each != 0; })) return;
         dropShortRuns(segments_, &Segment::removed);
         dropShortRuns(segments_, &Segment::toRemove);
-        for (const Segment& segment : segments_) add(segment);
+        for (const Segment& segment : segments_) {
+            add(segment);
+            if (columns_ != nullptr && segment.removed && !segment.toRemove)
+                sum_.beyond += lengthBeyond(line.front().column, segment);
+        }
     }
 
     [[nodiscard]] PreparedVolumes times(double area) const {
         PreparedVolumes volumes = sum_;
-        for (double* each : {&volumes.common, &volumes.over, &volumes.under}) *each *= area;
-        for (auto& each : volumes.tissues) each = {each.removed * area, each.over * area, each.kept * area};
+        for (double* each : {&volumes.common, &volumes.over, &volumes.under, &volumes.beyond}) *each *= area;
+        for (auto& each : volumes.tissues)
+            each = {each.removed * area, each.over * area, each.under * area, each.kept * area};
         return volumes;
     }
 
@@ -87,6 +96,22 @@ private:
         PreparedVolumes::Tissue& tissue = sum_.tissues[static_cast<std::size_t>(segment.tissue)];
         (segment.removed ? tissue.removed : tissue.kept) += segment.length;
         if (segment.removed && !segment.toRemove) tissue.over += segment.length;
+        if (!segment.removed && segment.toRemove) tissue.under += segment.length;
+    }
+
+    /// How much of a segment lies farther from the ideal surface than the tolerance. The distance to a surface changes
+    /// no faster than the place, so that each distance says how far nothing changes.
+    [[nodiscard]] double lengthBeyond(std::uint32_t column, const Segment& segment) const {
+        constexpr double kStep = 0.004;  // mm: much finer than a tolerance
+        double beyond = 0;
+        for (double at = 0; at < segment.length;) {
+            const double depth = -signedDistance(*preparation_.ideal, columns_->placeAt(column, segment.low + at));
+            const double clear = depth - preparation_.tolerance;
+            const double step = std::min(std::max(std::abs(clear), kStep), segment.length - at);
+            if (clear > 0) beyond += std::min(step, clear);
+            at += step;
+        }
+        return beyond;
     }
 
     /// What the tooth is made of behind crossing `at`. In a gap between layers it is the one that is nearest along the
@@ -107,6 +132,8 @@ private:
         return tissue;
     }
 
+    const Preparation& preparation_;
+    const ColumnGrid* columns_;
     std::vector<MaterialRole> tissues_;  // of the layers
     std::vector<std::uint8_t> inside_;
     std::vector<Segment> segments_;
@@ -122,7 +149,7 @@ double PreparedVolumes::dice() const {
 
 double PreparedVolumes::clearedShare() const { return common + under > 0 ? common / (common + under) : 0; }
 
-PreparedVolumes preparedVolumes(const Preparation& preparation, const ColumnGrid& columns) {
+PreparedVolumes preparedVolumes(const Preparation& preparation, const ColumnGrid& columns, bool hasBeyond) {
     std::vector<Crossing> crossings;
     const auto add = [&](const SurfacePart& surface, std::size_t body) {
         columns.forEachCrossing(surface.mesh(), [&](std::size_t column, double height) {
@@ -140,7 +167,7 @@ PreparedVolumes preparedVolumes(const Preparation& preparation, const ColumnGrid
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
         return std::tie(a.column, a.height, a.body) < std::tie(b.column, b.height, b.body);
     });
-    LineSums sums(preparation);
+    LineSums sums(preparation, hasBeyond ? &columns : nullptr);
     for (std::size_t i = 0; i < crossings.size();) {
         std::size_t end = i;
         while (end < crossings.size() && crossings[end].column == crossings[i].column) ++end;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/preparation/surface_deviation.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "assessment/messages.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/parallel_for.h"
@@ -14,7 +18,8 @@ constexpr std::size_t kGrain = 64;  // triangles: about a millisecond
 constexpr std::array kBands = {0.1, 0.2, 0.3, 0.4};  // mm: the tolerances that schools use
 
 struct Sums {
-    double area = 0, squares = 0;
+    double area = 0, squares = 0, signedSum = 0;
+    std::vector<std::pair<float, float>> parts;  // absolute distance, mm, and area
     std::array<double, kBands.size()> within = {};
     double deepest = 0;  // beyond the ideal surface, mm
     Vec3 place = Vec3::Zero();
@@ -79,6 +84,7 @@ private:
         for (int i = 0; i < 3; ++i) distance[i] = signedDistance(*all_.ideal, corners[static_cast<std::size_t>(i)]);
         const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
         sums.area += area;
+        sums.signedSum += area * distance.sum() / 3;
         sums.squares += area * (distance.squaredNorm() + distance.sum() * distance.sum()) / 12;  // of a linear function
         addBands(distance, area, sums);
         if (!isCut) return;
@@ -100,6 +106,7 @@ private:
                 const double u = (j / 2 + (j % 2 == 0 ? 1 : 2) / 3.0) / kParts;
                 const double here =
                     std::abs(distance[0] + u * (distance[1] - distance[0]) + v * (distance[2] - distance[0]));
+                sums.parts.emplace_back(static_cast<float>(here), static_cast<float>(part));
                 for (std::size_t band = 0; band < kBands.size(); ++band) {
                     if (here <= kBands[band]) sums.within[band] += part;
                 }
@@ -111,6 +118,16 @@ private:
     const ColumnGrid& columns_;
 };
 
+/// The distance that is not exceeded on a share of the area; `parts` are sorted.
+double quantile(const std::vector<std::pair<float, float>>& parts, double area, double share) {
+    double below = 0;
+    for (const auto& [distance, part] : parts) {
+        below += part;
+        if (below >= share * area) return distance;
+    }
+    return parts.back().first;
+}
+
 }  // namespace
 
 SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGrid& columns) {
@@ -120,6 +137,8 @@ SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGr
         sums.size(), [&](std::size_t i) { sums[i] = sampler.sumsOf(i); }, kGrain);
     Sums all;
     for (const Sums& each : sums) {
+        all.signedSum += each.signedSum;
+        all.parts.insert(all.parts.end(), each.parts.begin(), each.parts.end());
         all.area += each.area;
         all.squares += each.squares;
         for (std::size_t i = 0; i < kBands.size(); ++i) all.within[i] += each.within[i];
@@ -129,12 +148,16 @@ SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGr
     }
     SurfaceDeviation result;
     if (all.area == 0) {
-        result.overMax = result.rms = Measured::none(msg::kNothingToCompare);
+        result.overMax = result.rms = result.mean = result.median = result.p95 = Measured::none(msg::kNothingToCompare);
         result.within.fill(result.rms);
         return result;
     }
     result.overMax = all.deepest > 0 ? Measured::at(all.deepest, all.place) : Measured::of(0);
     result.rms = Measured::of(std::sqrt(all.squares / all.area));
+    result.mean = Measured::of(all.signedSum / all.area);
+    std::ranges::sort(all.parts);
+    result.median = Measured::of(quantile(all.parts, all.area, 0.5));
+    result.p95 = Measured::of(quantile(all.parts, all.area, 0.95));
     for (std::size_t i = 0; i < kBands.size(); ++i) result.within[i] = Measured::of(all.within[i] / all.area);
     return result;
 }

@@ -14,6 +14,8 @@ namespace tactooth {
 struct SurfaceDeviation {
     Measured overMax;                ///< greatest depth beyond the ideal surface, mm
     Measured rms;                    ///< mm
+    Measured mean;                   ///< signed, mm; positive: too little was removed
+    Measured median, p95;            ///< of the absolute distance: not exceeded on half and on 95 % of the area, mm
     std::array<Measured, 4> within;  ///< share of the area within 0.1, 0.2, 0.3, 0.4 mm of the ideal surface, 0..1
 };
 

@@ -21,7 +21,8 @@ TissueVolumes tissueVolumes(const Preparation& preparation, const PreparedVolume
     TissueVolumes result;
     if (preparation.tooth == nullptr || preparation.tooth->layers().empty()) {
         for (Measured* each : {&result.removedEnamel, &result.removedDentin, &result.removedPulp, &result.removedDecay,
-                               &result.decayLeft, &result.decayShare, &result.overEnamel, &result.overDentin}) {
+                               &result.decayLeft, &result.decayShare, &result.overEnamel, &result.overDentin,
+                               &result.underEnamel, &result.underDentin}) {
             *each = Measured::none(msg::kNoTissueKnown);
         }
         return result;
@@ -34,9 +35,12 @@ TissueVolumes tissueVolumes(const Preparation& preparation, const PreparedVolume
     result.removedPulp = Measured::of(of(volumes, MaterialRole::Pulp).removed);
     result.overEnamel = Measured::of(of(volumes, MaterialRole::Enamel).over);
     result.overDentin = Measured::of(of(volumes, MaterialRole::Dentin).over);
+    result.underEnamel = Measured::of(of(volumes, MaterialRole::Enamel).under);
+    result.underDentin = Measured::of(of(volumes, MaterialRole::Dentin).under);
     const TriangleMesh decay = decayOf(*preparation.tooth);
     const ColumnGrid columns(preparation.axis, decay, decay, spacing);
-    const auto [removed, over, kept] = of(preparedVolumes(preparation, columns), MaterialRole::Decay);
+    const PreparedVolumes::Tissue all = of(preparedVolumes(preparation, columns), MaterialRole::Decay);
+    const double removed = all.removed, kept = all.kept;
     if (!(removed + kept > 0)) {
         result.removedDecay = result.decayLeft = result.decayShare = Measured::none(msg::kNoDecayKnown);
         return result;

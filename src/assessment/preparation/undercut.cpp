@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "assessment/messages.h"
+#include "assessment/preparation/cut_patch.h"
 #include "geometry/util/degree.h"
 #include "geometry/util/parallel_for.h"
 #include "session/control/surface_ray.h"
@@ -14,6 +15,7 @@ namespace tactooth {
 namespace {
 
 const double kFacingAway = -std::sin(kDegree);  // cosine: a degree is more than the noise of a cut
+const double kFacingAwayOfScan = -std::sin(2 * kDegree);
 constexpr double kLift = 0.01;        // mm: start of a ray off the surface, so that it does not meet its own triangle
 constexpr double kStep = 0.05;        // mm: of the search for the end of an overhang
 constexpr double kDeepest = 3;        // mm: more than any wall hangs over
@@ -119,9 +121,17 @@ double leastUndercut(const Surface& prepared, const CutSurfaces& surfaces, const
     return least;
 }
 
+/// Whether something hangs over the facet along its own wall, which faces away by less than two degrees: not the wall.
+bool isHiddenAlong(const Surface& prepared, const Facet& facet, const Vec3& axis) {
+    const double cosine = facet.normal.dot(axis);
+    if (cosine >= 0) return true;  // hidden along the axis
+    const Vec3 along = (axis - cosine * facet.normal).normalized();
+    return Overhang(prepared, along).isHidden(facet.centre + kLift * facet.normal);
+}
+
 struct Found {
     double depth = 0;  // mm
-    bool isUndercut = false;
+    bool isUndercut = false, isOfScan = false;
     Vec3 place = Vec3::Zero();
 };
 
@@ -129,7 +139,8 @@ struct Found {
 
 Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
     if (surfaces.facets.empty())
-        return {Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut)};
+        return {Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut), Measured::none(msg::kNothingCut),
+                Measured::none(msg::kNothingCut)};
     const Surface prepared{.base = preparation.prepared};
     const Overhang overhang(prepared, preparation.axis);
     std::vector<Found> found(surfaces.facets.size());
@@ -140,25 +151,36 @@ Undercut undercut(const Preparation& preparation, const CutSurfaces& surfaces) {
             const double cosine = facet.normal.dot(preparation.axis);
             const bool isHidden = overhang.isHidden(facet.centre + kLift * facet.normal);
             found[i].isUndercut = cosine < kFacingAway || isHidden;
+            found[i].isOfScan =
+                cosine < kFacingAwayOfScan || (isHidden && isHiddenAlong(prepared, facet, preparation.axis));
             if (!found[i].isUndercut || !isHidden || std::abs(cosine) > kFloorLevel) return;
             const Vec3 aside = (facet.normal - cosine * preparation.axis).normalized();
             for (int corner = 0; corner < 3; ++corner) {
                 const Vec3 place = surfaces.cut.mesh.corner(i, corner);
                 if (!overhang.isDeeperAt(place, aside, found[i].depth)) continue;
                 const double depth = overhang.depthAt(place, aside);
-                if (depth > found[i].depth) found[i] = {depth, true, place};
+                if (depth > found[i].depth) {
+                    found[i].depth = depth;
+                    found[i].place = place;
+                }
             }
         },
         kGrain);
-    double area = 0;
+    double area = 0, ofScan = 0;
     Found deepest;
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    CutPatch patch;
+    for (std::uint32_t i = 0; i < found.size(); ++i) {
         if (found[i].isUndercut) area += surfaces.facets[i].area;
+        if (found[i].isUndercut) patch.push_back(i);
+        if (found[i].isOfScan) ofScan += surfaces.facets[i].area;
         if (found[i].depth > deepest.depth) deepest = found[i];
     }
     const bool isAny = deepest.depth > 0;
-    const double best = area > 0 ? leastUndercut(prepared, surfaces, preparation.axis, area) : 0;
-    return {Measured::of(area), Measured::of(best),
+    if (!(area > 0)) return {Measured::of(0), Measured::of(0), Measured::of(0), Measured::of(0)};
+    const Vec3 place = isAny ? deepest.place : surfaces.facets[connectedPieces(surfaces, patch).front().front()].centre;
+    const double best = leastUndercut(prepared, surfaces, preparation.axis, area);
+    return {Measured::at(area, place), best > 0 ? Measured::at(best, place) : Measured::of(0),
+            ofScan > 0 ? Measured::at(ofScan, place) : Measured::of(0),
             isAny ? Measured::at(deepest.depth, deepest.place) : Measured::of(0)};
 }
 

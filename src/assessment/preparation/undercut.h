@@ -11,6 +11,7 @@ namespace tactooth {
 struct Undercut {
     Measured area;      ///< mm^2 that face away from the axis by more than a degree, or that something hangs over
     Measured bestArea;  ///< the least such area of all directions within 10 degrees of the axis, a degree apart, mm^2
+    Measured scanArea;  ///< as `area`, with two degrees: the noise of a scanner makes false undercuts of one
     Measured depth;     ///< greatest level distance from a wall to the end of what hangs over it, mm
 };
 

@@ -10,6 +10,7 @@
 #include "assessment/agreement/median.h"
 #include "assessment/messages.h"
 #include "assessment/process/movement.h"
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
@@ -42,10 +43,13 @@ void HandWorkMeter::add(const TrackTick& tick) {
     }
     lastTime_ = tick.time;
     const auto norm = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
+    const auto& turn = tick.rotation;
+    const Vec3 shaft = Quat(turn[3], turn[0], turn[1], turn[2]) * Vec3::UnitZ();
     movement_.push_back({.time = tick.time,
                          .duration = 0,
                          .place = {tick.position[0], tick.position[1], tick.position[2]},
                          .force = norm(tick.force),
+                         .tilt = std::acos(std::clamp(shaft.dot(axis_), -1.0, 1.0)),
                          .touches = tick.contacts > 0,
                          .turns = tick.speedRpm > kLeastSpeed});
 }
@@ -58,6 +62,7 @@ void HandWorkMeter::interrupt() {
 void HandWorkMeter::endMovement() {
     for (const Moment& each : movement_) {
         if (each.turns) (each.touches ? work_.drilling : work_.idle) += each.duration;
+        if (each.turns && each.touches) tilt_ += each.duration * each.tilt;
         if (!each.turns && !each.touches) {
             pause_ += each.duration;
         } else {
@@ -114,7 +119,7 @@ void HandWorkMeter::addStroke(const Stroke& stroke, const std::vector<double>& s
     strokeTimes_.push_back(end - begin);
     double time = 0, sum = 0, squares = 0;
     for (std::size_t i = stroke.first; i <= stroke.last; ++i) {
-        const auto& [at, duration, place, force, touches, turns] = movement_[i];
+        const double duration = movement_[i].duration, force = movement_[i].force;
         time += duration;
         sum += duration * force;
         squares += duration * force * force;
@@ -135,14 +140,16 @@ void HandWorkMeter::addStroke(const Stroke& stroke, const std::vector<double>& s
 }
 
 void HandWorkMeter::addForces(HandWork& work) {
-    double time = 0, over = 0, peak = 0;
+    double time = 0, over = 0, peak = 0, squares = 0;
     for (const Held& each : held_) {
         time += each.duration;
         work.impulse += each.duration * each.force;
+        squares += each.duration * each.force * each.force;
         if (each.force > kLargeForce) over += each.duration;
         peak = std::max(peak, each.force);
     }
     work.forceMean = work.impulse / time;
+    work.forceRms = std::sqrt(squares / time);
     work.forcePeak = peak;
     work.forceOver2 = over / time;
     std::ranges::sort(held_, {}, &Held::force);
@@ -163,6 +170,8 @@ std::optional<HandWork> HandWorkMeter::finish() {
     if (pause_ > kPause) work.dead += pause_;
     work.seconds = std::max(0.0, lastTime_ - std::max(0.0, firstTime_));
     addForces(work);
+    work.burTilt =
+        work.drilling > 0 ? Measured::of(tilt_ / work.drilling / kDegree) : Measured::none(msg::kNeverDrilled);
     work.strokeTime = median(strokeTimes_, msg::kNoStroke);
     work.arcLength = median(arcLengths_, msg::kNoLongStroke);
     work.jerk = median(jerks_, msg::kNoLongStroke);
@@ -172,8 +181,8 @@ std::optional<HandWork> HandWorkMeter::finish() {
     return work;
 }
 
-std::optional<HandWork> handWork(const SessionTrack& track) {
-    HandWorkMeter meter;
+std::optional<HandWork> handWork(const SessionTrack& track, const Vec3& axis) {
+    HandWorkMeter meter(axis);
     std::shared_ptr<const TrackBur> bur;
     std::uint64_t moment = 0;
     track.forEachTick(0, track.ticks(), [&](const TrackTick& tick) {

@@ -23,14 +23,18 @@ struct HandWork {
     // Medians over the strokes of more than 0.3 s: see movement.h.
     Measured arcLength, jerk, frequency95;
     // Over the time of contact.
-    double forceMean = 0, forceP95 = 0, forcePeak = 0;  ///< N
-    double forceOver2 = 0;                              ///< share of the time with more than 2 N, 0..1
+    double forceMean = 0, forceRms = 0, forceP95 = 0, forcePeak = 0;  ///< N
+    double forceOver2 = 0;                                            ///< share of the time with more than 2 N, 0..1
+    Measured burTilt;      ///< angle of the shaft to the axis while the bur turns and touches, mean, degrees
     Measured forceSpread;  ///< within strokes, N: root mean square of their standard deviations, weighted by time
 };
 
 /// Collects the ticks of a session in their order.
 class HandWorkMeter {
 public:
+    /// `axis`: of the preparation, unit, outward.
+    explicit HandWorkMeter(const Vec3& axis = Vec3::UnitZ()) : axis_(axis) {}
+
     void add(const TrackTick& tick);
     /// What follows is another movement: another bur, for instance.
     void interrupt();
@@ -44,6 +48,7 @@ private:
         double duration;  // s
         Vec3 place;       // of the tip, mm
         double force;     // N
+        double tilt;      // of the shaft from the axis, rad
         bool touches, turns;
     };
     struct Stroke {
@@ -55,7 +60,9 @@ private:
     void addStroke(const Stroke& stroke, const std::vector<double>& speed);
     void addForces(HandWork& work);
 
+    Vec3 axis_;
     HandWork work_;
+    double tilt_ = 0;               // rad*s
     std::vector<Moment> movement_;  // without an interruption
     double firstTime_ = -1, lastTime_ = 0, pause_ = 0;
     struct Held {
@@ -67,6 +74,6 @@ private:
 };
 
 /// The same of a whole session.
-[[nodiscard]] std::optional<HandWork> handWork(const SessionTrack& track);
+[[nodiscard]] std::optional<HandWork> handWork(const SessionTrack& track, const Vec3& axis);
 
 }  // namespace tactooth

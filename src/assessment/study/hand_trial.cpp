@@ -68,7 +68,7 @@ HandTrial playHand(const StudyScene& scene, const std::shared_ptr<CutModel>& mod
     settings.materials = MaterialTable(scene.preparation.tooth->materials());
     StepwiseSession session(model, {scene.instrument, settings, Placement::AtOnce}, sink);
     ForcePipeline pipeline(ForceLimits{});
-    HandWorkMeter meter;
+    HandWorkMeter meter(scene.preparation.axis);
     HandSense sense{0, hand.place()};
     const auto longest = static_cast<std::int64_t>(kLongestTrial / kTick);
     std::int64_t tick = 0;

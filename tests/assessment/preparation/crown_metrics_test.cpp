@@ -49,6 +49,46 @@ TEST(CrownMetrics, MeasureConvergenceAndStepOfAStump) {
     }
 }
 
+/// A round stump of 4 mm height in a cylinder of 5 mm radius.
+Preparation roundStump(double taper, double radius = 3.9) {
+    constexpr int kSides = 96;
+    TriangleMesh stump = cylinder(Vec3::Zero(), radius, 4, kSides);
+    const auto narrower = static_cast<float>(1 - 4 * std::tan(taper * kDegree) / radius);
+    for (Vec3f& vertex : stump.vertices) {
+        if (vertex.z() > 1) vertex.head<2>() *= narrower;
+    }
+    Preparation preparation = blockPreparation(stump, stump);
+    preparation.original = std::make_shared<const SurfacePart>(cylinder(Vec3::Zero(), 4.5, 5, kSides));
+    return preparation;
+}
+
+TEST(CrownMetrics, MeasureTheConvergenceOfAConeInTwoWaysThatAgree) {
+    for (const double taper : {1.5, 5.0, 11.0}) {
+        SCOPED_TRACE(taper);
+        const PreparationMeasures cone(roundStump(taper));
+        EXPECT_NEAR(valueOf(cone, "toc_sections"), 2 * taper, kAngle);
+        EXPECT_NEAR(valueOf(cone, "toc_cone"), 2 * taper, kAngle);
+        EXPECT_LT(valueOf(cone, "toc_difference"), 1);
+    }
+    EXPECT_EQ(reasonOf(measured(kCavity), "toc_sections"), "no_crown_preparation");
+    EXPECT_EQ(reasonOf(measured(kCavity), "toc_cone"), "no_crown_preparation");
+    EXPECT_EQ(reasonOf(measured(kCavity), "toc_difference"), "no_crown_preparation");
+}
+
+/// A pyramid is no cone: a section that meets a wall at an angle sees it flatter.
+TEST(CrownMetrics, TheTwoConvergencesOfAPyramidDiffer) {
+    const double taper = 11;
+    const PreparationMeasures pyramid = measured(crownStump(2 * taper, 0.5), crownStump(2 * taper, 0.5));
+    double sections = 0;
+    for (int i = 0; i < 8; ++i) {
+        const double turn = std::abs(std::remainder((i + 0.5) * 22.5, 90.0)) * kDegree;
+        sections += 2 * std::atan(std::tan(taper * kDegree) / std::cos(turn)) / kDegree / 8;
+    }
+    EXPECT_NEAR(valueOf(pyramid, "toc_sections"), sections, kAngle);
+    EXPECT_NEAR(valueOf(pyramid, "toc_cone"), 2 * taper, kAngle);
+    EXPECT_NEAR(valueOf(pyramid, "toc_difference"), sections - 2 * taper, 2 * kAngle);
+}
+
 TEST(CrownMetrics, MeasureTheRoomOverTheStump) {
     const PreparationMeasures flat = measured(crownStump(12, 0.5), crownStump(12, 0.5));
     EXPECT_NEAR(valueOf(flat, "occlusal_reduction_min"), 1, kLength);

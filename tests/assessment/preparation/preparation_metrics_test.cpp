@@ -71,6 +71,63 @@ TEST(PreparationMetrics, OfACavityTooDeepAreItsClosedForm) {
     EXPECT_NEAR(valueOf(deep, "within_0_4"), 1, 1e-9);
 }
 
+TEST(PreparationMetrics, OfTheDeviationAreItsMeanAndPercentiles) {
+    // The floor lies 0.3 mm off, the lowest 0.3 mm of the walls from 0 to 0.3 mm, and the rest is right.
+    const PreparationMeasures deep = measured(blockWithBox(-2, 2, -1.5, 1.5, 2.7));
+    const double floor = 12, low = 14 * 0.3, all = floor + low + 14 * (2 - kCavityDepth);
+    EXPECT_NEAR(valueOf(deep, "deviation_mean"), -(floor * 0.3 + low * 0.15) / all, 0.005);
+    EXPECT_NEAR(valueOf(deep, "deviation_p50"), 0, kLength);
+    EXPECT_NEAR(valueOf(deep, "deviation_p95"), 0.3, kLength);
+    const PreparationMeasures shallow = measured(blockWithBox(-2, 2, -1.5, 1.5, 3.3));
+    const double walls = 14 * (1.7 - kCavityDepth);  // right; the floor is not cut to its depth
+    // Beside a wall the floor is as far from the ideal surface as from the wall.
+    const double left = 12 * 0.3 - 7 * 0.3 * 0.3 + 4.0 / 3 * 0.3 * 0.3 * 0.3;
+    EXPECT_NEAR(valueOf(shallow, "deviation_mean"), left / (floor + walls), 0.005);
+    EXPECT_NEAR(valueOf(measured(kIdeal), "deviation_mean"), 0, 1e-4);
+    EXPECT_NEAR(valueOf(measured(kIdeal), "deviation_p95"), 0, 1e-4);
+}
+
+TEST(PreparationMetrics, OfTheFloorAreItsLeastAndGreatestDepth) {
+    // From 2.2 to 1.8 mm over 4 mm; the strip of 0.3 mm along the border does not count.
+    const PreparationMeasures tilted =
+        measured(blockWithCavityTo(Rectangle::level(-2, 2, -1.5, 1.5, 5), Rectangle{-2, 2, -1.5, 1.5, 2.8, 3.2}));
+    const double slope = 0.1;
+    EXPECT_NEAR(valueOf(tilted, "floor_depth_min"), 2 - 1.7 * slope, kLength);
+    EXPECT_NEAR(valueOf(tilted, "floor_depth_p5"), 2 - 0.9 * 1.7 * slope, kLength);
+    EXPECT_NEAR(valueOf(tilted, "floor_depth_median"), 2, kLength);
+    EXPECT_NEAR(valueOf(tilted, "floor_depth_p95"), 2 + 0.9 * 1.7 * slope, kLength);
+    EXPECT_NEAR(valueOf(tilted, "floor_depth_max"), 2 + 1.7 * slope, kLength);
+}
+
+TEST(PreparationMetrics, OfVolumeBeyondTheToleranceIsWhatLiesFartherFromTheIdeal) {
+    Preparation deep = blockPreparation(blockWithBox(-2, 2, -1.5, 1.5, 2.5), kIdeal);
+    // Below the whole floor lie 0.5 mm too much: all of it is as far from the ideal floor as it is deep.
+    for (const double tolerance : {0.1, 0.2, 0.3}) {
+        deep.tolerance = tolerance;
+        const double beyond = 12 * (0.5 - tolerance);
+        EXPECT_NEAR(valueOf(PreparationMeasures(deep), "over_volume_beyond"), beyond, kShare * 6 + 0.02);
+    }
+    EXPECT_NEAR(valueOf(measured(blockWithBox(-2, 2.2, -1.5, 1.5, 3)), "over_volume_beyond"), 0, 0.01);
+}
+
+TEST(PreparationMetrics, OfAnUndercutOfAScanNeedTwoDegrees) {
+    for (const double degrees : {1.5, 3.0}) {
+        // The wall at x = -2 leans so that the cavity is wider at its floor.
+        const double out = 2 * std::tan(degrees * kDegree);
+        const PreparationMeasures under = measured(
+            blockWithCavityTo(Rectangle::level(-2, 2, -1.5, 1.5, 5), Rectangle::level(-2 - out, 2, -1.5, 1.5, 3)));
+        const double wall = 3 * (2 - kCavityDepth) / std::cos(degrees * kDegree);
+        EXPECT_GT(valueOf(under, "undercut_area"), wall * 0.97);
+        if (degrees > 2) {
+            EXPECT_GT(valueOf(under, "undercut_area_scan"), wall * 0.97);
+        } else {
+            // The strip of the floor that the wall hangs over is hidden all the same.
+            EXPECT_LT(valueOf(under, "undercut_area_scan"), 3 * out + 0.4);
+        }
+        EXPECT_LE(valueOf(under, "undercut_area_scan"), valueOf(under, "undercut_area") + 1e-9);
+    }
+}
+
 TEST(PreparationMetrics, OfACavityTooShallowHaveNoOverPreparation) {
     const PreparationMeasures shallow = measured(blockWithBox(-2, 2, -1.5, 1.5, 3.5));
     EXPECT_NEAR(valueOf(shallow, "over_max"), 0, 1e-4);
@@ -167,6 +224,7 @@ TEST(PreparationMetrics, MeasureRidgesAndIsthmus) {
     const PreparationMeasures slot = measured(blockWithBox(-3.6, 3, -0.55, 0.55, 3.5));
     EXPECT_NEAR(valueOf(slot, "ridge_min_d"), 1.4, kLength);
     EXPECT_NEAR(valueOf(slot, "ridge_min_m"), 2, kLength);
+    EXPECT_NEAR(valueOf(slot, "ridge_kept"), 2, kLength) << "the larger";
     EXPECT_NEAR(valueOf(slot, "isthmus_min"), 1.1, kLength);
     EXPECT_EQ(reasonOf(measured(kIdeal), "isthmus_min"), "no_isthmus");
 }

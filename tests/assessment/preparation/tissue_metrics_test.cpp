@@ -53,6 +53,27 @@ TEST(TissueMetrics, AreTheVolumesOfTheBoxes) {
     EXPECT_NEAR(all, measures.volumes.common + measures.volumes.over, 1e-6);
 }
 
+TEST(TissueMetrics, WhatIsLeftUndoneIsMeasuredByTissue) {
+    // Ideal: 4 x 3 mm, 2 mm deep. Student: 3 x 3 mm, 0.5 mm deep; decay lies between x, y = -1 and 1 from z = 4.5 down.
+    const PreparationMeasures measures(layered(blockWithBox(-2, 1, -1.5, 1.5, 4.5), blockWithBox(-2, 2, -1.5, 1.5, 3)));
+    EXPECT_NEAR(valueOf(measures, "under_enamel"), 3 * 3 * 0.5 - 2 * 2 * 0.5 + 1 * 3 * 1.0, 0.1);
+    EXPECT_NEAR(valueOf(measures, "under_dentin"), 4 * 3 * 1.0 - 2 * 2 * 1.0, 0.1);
+    EXPECT_NEAR(valueOf(measures, "over_enamel"), 0, 0.01);
+}
+
+TEST(TissueMetrics, TheRateOfDecayIsItsVolumeByTheTimeOfDrilling) {
+    PreparationMeasures measures(layered(blockWithBox(-2, 3, -1.5, 1.5, 3.5), blockWithBox(-2, 2, -1.5, 1.5, 2.5)));
+    EXPECT_EQ(reasonOf(measures, "decay_rate"), "no_session");
+    EXPECT_EQ(reasonOf(measures, "mirror_time"), "no_session");
+    measures.hasSession = true;
+    measures.hand = HandWork{.drilling = 20};
+    EXPECT_NEAR(valueOf(measures, "decay_rate"), valueOf(measures, "removed_decay") / 20, 1e-12);
+    EXPECT_NEAR(valueOf(measures, "decay_rate"), 4.0 / 20, 0.005);
+    EXPECT_EQ(reasonOf(measures, "mirror_time"), "no_mirror_known") << "null, not 0";
+    measures.hand = HandWork{};
+    EXPECT_EQ(reasonOf(measures, "decay_rate"), "never_drilled");
+}
+
 TEST(TissueMetrics, DecayBesideThePreparationIsLeft) {
     const PreparationMeasures measures(layered(blockWithBox(2, 4, -1, 1, 4.5), blockWithBox(2, 4, -1, 1, 4.5)));
     EXPECT_NEAR(valueOf(measures, "decay_left"), 8, 0.1);
@@ -67,8 +88,9 @@ TEST(TissueMetrics, APulpThatIsCutHasAVolume) {
 TEST(TissueMetrics, AreNotKnownOfAToothWithoutLayers) {
     const PreparationMeasures measures(
         blockPreparation(blockWithBox(-2, 2, -1.5, 1.5, 3), blockWithBox(-2, 2, -1.5, 1.5, 3)));
-    for (const char* id : {"removed_enamel", "removed_dentin", "removed_pulp", "removed_decay", "decay_left",
-                           "decay_share", "over_enamel", "over_dentin", "unsupported_enamel"}) {
+    for (const char* id :
+         {"removed_enamel", "removed_dentin", "removed_pulp", "removed_decay", "decay_left", "decay_share",
+          "over_enamel", "over_dentin", "under_enamel", "under_dentin", "unsupported_enamel"}) {
         EXPECT_EQ(reasonOf(measures, id), "no_tissue_known") << id;
     }
 }

@@ -68,6 +68,33 @@ TEST(HandWork, DividesTheTimeByTurningAndTouching) {
     EXPECT_NEAR(work.dead, 3, 0.002);
 }
 
+TEST(HandWork, TheRootMeanSquareOfAForceThatSwingsIsItsClosedForm) {
+    // 1 N with a swing of 0.5 N: the squares have a mean of 1 + 0.25 / 2.
+    const HandWork work = workOf(4, [](double t) {
+        return Hand{.force = 1 + 0.5 * std::sin(2 * std::numbers::pi * t), .touches = true, .turns = true};
+    });
+    EXPECT_NEAR(work.forceMean, 1, 1e-3);
+    EXPECT_NEAR(work.forceRms, std::sqrt(1 + 0.125), 1e-3);
+}
+
+TEST(HandWork, TheTiltIsThatOfTheShaftWhileItDrills) {
+    const Vec3 axis = Vec3(1, 2, 3).normalized();
+    HandWorkMeter meter(axis);
+    const double first = 0.1, second = 0.4;  // rad, for 1 s and for 3 s; then 2 s in the air, level
+    for (int i = 0; i <= 6000; ++i) {
+        const double time = i / 1000.0;
+        TrackTick tick = tickOf(time, {.touches = time < 4, .turns = true});
+        const double tilt = time < 1 ? first : time < 4 ? second : std::numbers::pi / 2;
+        const Quat upright = Quat::FromTwoVectors(Vec3::UnitZ(), axis);
+        const Quat turn = Quat(Eigen::AngleAxisd(tilt, axis.unitOrthogonal())) * upright;
+        tick.rotation = {turn.x(), turn.y(), turn.z(), turn.w()};
+        meter.add(tick);
+    }
+    const HandWork work = meter.finish().value();
+    EXPECT_NEAR(work.burTilt.value.value_or(-1), (first + 3 * second) / 4 * 180 / std::numbers::pi, 0.02);
+    EXPECT_FALSE(workOf(1, [](double) { return Hand{.touches = true}; }).burTilt.value) << "nothing was drilled";
+}
+
 TEST(HandWork, ThePathOfACircleIsItsLengthAtEachRate) {
     for (const double rate : {500.0, 1000.0, 4000.0}) {
         const HandWork work = workOf(
