@@ -221,6 +221,11 @@ TEST_F(AssessCommand, ReadsASavedToothWithoutAnOriginal) {
     ASSERT_FALSE(cause.is_null());
     EXPECT_LE(cause["from"], cause["to"]);
     EXPECT_GT(cause["to"], 0.3);
+    ASSERT_FALSE(report()["errors"].empty());
+    EXPECT_EQ(report()["errors"][0]["wall"], "Floor");
+    EXPECT_NEAR(report()["errors"][0]["depth"], 0.4, 0.02);
+    EXPECT_FALSE(report()["errors"][0]["moment"].is_null());
+    EXPECT_THAT(readText(file("out") + "/report.html"), HasSubstr("deep.ttsession' --until 1 "));
     EXPECT_GT(report()["seconds"], 0.3);
     EXPECT_EQ(metric(report(), "path_length")["reason"], "no hand has touched the tooth in this session");
 }

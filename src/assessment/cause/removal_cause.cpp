@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace tactooth {
 namespace {
@@ -16,8 +17,8 @@ constexpr double kContext = 0.1;  // s around the removals: the ticks in which t
 /// `gone`.
 class RemovalSearch {
 public:
-    RemovalSearch(const SessionTrack& track, TrackTooth& tooth, const std::vector<RemovedPoint>& points)
-        : track_(track), tooth_(tooth), points_(points), times_(points.size()) {}
+    RemovalSearch(const SessionTrack& track, TrackTooth& tooth, const std::vector<RemovedPoint>& points, double step)
+        : track_(track), tooth_(tooth), points_(points), step_(step), times_(points.size()) {}
 
     std::vector<std::optional<double>> run() {
         const std::uint64_t end = track_.ticks();
@@ -41,7 +42,7 @@ private:
 
     void split(std::uint64_t there, std::uint64_t gone, std::vector<std::size_t> points) {
         if (points.empty()) return;
-        if (gone - there <= 1 || timeOf(gone) - timeOf(there) < kCauseStep) {
+        if (gone - there <= 1 || timeOf(gone) - timeOf(there) < step_) {
             for (const std::size_t i : points) times_[i] = timeOf(gone);
             return;
         }
@@ -57,6 +58,7 @@ private:
     const SessionTrack& track_;
     TrackTooth& tooth_;
     const std::vector<RemovedPoint>& points_;
+    double step_;  // s
     std::vector<std::optional<double>> times_;
 };
 
@@ -66,8 +68,8 @@ struct PieceOfWork {
 };
 
 /// The piece of work that has removed most.
-std::optional<PieceOfWork> largestPiece(const std::vector<RemovedPoint>& points,
-                                        const std::vector<std::optional<double>>& times) {
+std::optional<PieceOfWork> largestPiece(std::span<const RemovedPoint> points,
+                                        std::span<const std::optional<double>> times) {
     std::vector<std::pair<double, double>> removals;  // time and size
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (times[i]) removals.emplace_back(*times[i], points[i].size);
@@ -86,20 +88,10 @@ std::optional<PieceOfWork> largestPiece(const std::vector<RemovedPoint>& points,
     return largest;
 }
 
-}  // namespace
-
-std::vector<std::optional<double>> removalTimes(const SessionTrack& track, TrackTooth& tooth,
-                                                const std::vector<RemovedPoint>& points) {
-    return RemovalSearch(track, tooth, points).run();
-}
-
-std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& tooth,
-                                         const std::vector<RemovedPoint>& points, const Vec3& axis) {
-    const std::optional<PieceOfWork> work = largestPiece(points, removalTimes(track, tooth, points));
-    if (!work) return std::nullopt;
+RemovalCause causeOf(const PieceOfWork& work, const SessionTrack& track, const Vec3& axis) {
     double force = 0, tilt = 0;
     std::size_t count = 0;
-    track.forEachTick(track.momentAt(work->from - kContext), track.momentAt(work->to + kContext),
+    track.forEachTick(track.momentAt(work.from - kContext), track.momentAt(work.to + kContext),
                       [&](const TrackTick& kept) {
                           const Tick tick = kept.tick();
                           if (tick.contact.triangles == 0) return;
@@ -108,12 +100,40 @@ std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& 
                           tilt += std::acos(std::clamp(shaft.dot(axis), -1.0, 1.0));
                           ++count;
                       });
-    RemovalCause cause{work->from, work->to, 0};
+    RemovalCause cause{work.from, work.to, 0};
     if (count == 0) return cause;  // a file of poses led the bur: nothing touched
     const auto ticks = static_cast<double>(count);
     cause.force = force / ticks;
     cause.tilt = tilt / ticks * 180 / std::numbers::pi;
     return cause;
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> removalTimes(const SessionTrack& track, TrackTooth& tooth,
+                                                const std::vector<RemovedPoint>& points, double step) {
+    return RemovalSearch(track, tooth, points, step).run();
+}
+
+std::vector<std::optional<RemovalCause>> removalCauses(const SessionTrack& track, TrackTooth& tooth,
+                                                       const std::vector<std::vector<RemovedPoint>>& errors,
+                                                       const Vec3& axis) {
+    std::vector<RemovedPoint> all;
+    for (const auto& points : errors) all.insert(all.end(), points.begin(), points.end());
+    const auto times = removalTimes(track, tooth, all);
+    std::vector<std::optional<RemovalCause>> causes;
+    std::size_t first = 0;
+    for (const auto& points : errors) {
+        const auto work = largestPiece(points, std::span(times).subspan(first, points.size()));
+        first += points.size();
+        causes.push_back(work ? std::optional(causeOf(*work, track, axis)) : std::nullopt);
+    }
+    return causes;
+}
+
+std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& tooth,
+                                         const std::vector<RemovedPoint>& points, const Vec3& axis) {
+    return removalCauses(track, tooth, {points}, axis).front();
 }
 
 }  // namespace tactooth

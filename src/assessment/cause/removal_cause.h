@@ -17,11 +17,12 @@ struct RemovedPoint {
     double size;  ///< its share of all, in any unit
 };
 
-/// When each point was removed, s since the session began, to kCauseStep; nothing where it was not removed during the
-/// session. `tooth` is moved.
-[[nodiscard]] std::vector<std::optional<double>> removalTimes(const SessionTrack& track, TrackTooth& tooth,
-                                                              const std::vector<RemovedPoint>& points);
+/// When each point was removed, s since the session began, to `step` (s; 0: to the tick); nothing where it was not
+/// removed during the session. `tooth` is moved.
 inline constexpr double kCauseStep = 0.1;  ///< s
+[[nodiscard]] std::vector<std::optional<double>> removalTimes(const SessionTrack& track, TrackTooth& tooth,
+                                                              const std::vector<RemovedPoint>& points,
+                                                              double step = kCauseStep);
 
 /// How an error was made: the removals are joined where the pauses between them are shorter than half a second, and the
 /// piece of work that has removed most of it is the cause. Nothing if no point was removed during the session. `axis`:
@@ -29,5 +30,10 @@ inline constexpr double kCauseStep = 0.1;  ///< s
 /// leads back to the piece of work that has made it.
 [[nodiscard]] std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& tooth,
                                                        const std::vector<RemovedPoint>& points, const Vec3& axis);
+
+/// The same of several errors, in one walk through the track.
+[[nodiscard]] std::vector<std::optional<RemovalCause>> removalCauses(
+    const SessionTrack& track, TrackTooth& tooth, const std::vector<std::vector<RemovedPoint>>& errors,
+    const Vec3& axis);
 
 }  // namespace tactooth

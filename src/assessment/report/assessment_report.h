@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/cause/removal_moment.h"
 #include "assessment/preparation/scan_alignment.h"
 #include "assessment/process/work_strip.h"
 #include "assessment/report/report_section.h"
@@ -36,7 +37,8 @@ struct AssessmentReport {
     const Rubric* rubric = nullptr;                      ///< not null
     Mark mark = {};
     std::vector<MetricResult> metrics = {};
-    Vec3 middle = Vec3::Zero();  ///< of the preparation, mm
+    std::vector<OverPreparation> errors = {};  ///< the largest first
+    Vec3 middle = Vec3::Zero();                ///< of the preparation, mm
     Vec3 axis = Vec3::UnitZ();
     double mesialX = 1;
     std::optional<ScanFit> fit = {};     ///< how well a surface from a file lies on the uncut tooth
@@ -68,10 +70,18 @@ struct AssessmentReport {
 }
 /// How an error was made, in a sentence; empty where nothing is known. Only errors of a recorded session have a cause.
 [[nodiscard]] std::string causeText(const AssessmentReport& report, const CriterionScore& error, Language language);
-/// The same of the errors that cost most, the worst first, at most four.
-[[nodiscard]] std::vector<std::string> causeTexts(const AssessmentReport& report, Language language);
-[[nodiscard]] inline std::vector<std::string> causeTexts(const AssessmentReport& report) {
-    return causeTexts(report, report.language);
+/// "Buccal wall 0.42 mm over-prepared (distobuccal) between 2:14 and 2:19; force 1.8 N, bur tilted 14 degrees."
+[[nodiscard]] std::string overPreparationText(const AssessmentReport& report, const OverPreparation& error,
+                                              Language language);
+/// What was lost at a place, and how that came.
+struct ErrorText {
+    std::string text;     ///< a sentence
+    std::string command;  ///< shows the tooth when that was done; empty where no recording has it
+};
+/// The over-preparations, where they have cost something, and then the errors that cost most; at most five.
+[[nodiscard]] std::vector<ErrorText> errorTexts(const AssessmentReport& report, Language language);
+[[nodiscard]] inline std::vector<ErrorText> errorTexts(const AssessmentReport& report) {
+    return errorTexts(report, report.language);
 }
 /// "0.42 mm"; a share of 0 to 1 in %.
 [[nodiscard]] std::string valueText(const PreparationMetric& metric, double value,

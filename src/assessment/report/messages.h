@@ -69,6 +69,15 @@ inline constexpr MessageText kCause{"cause", "%1: %2, %3, cut between %4 and %5 
 inline constexpr MessageText kCauseTilted{
     "cause_tilted", "%1: %2, %3, cut between %4 and %5 with %6 N and the bur tilted by %7 degrees.",
     "%1：%2、%3。%4 から %5 の間に、%6 N、バーの傾き %7 度で削りました。"};
+inline constexpr MessageText kOverPrepared{"over_prepared", "%1 %2 over-prepared (%3).", "%1：%2 の削りすぎ（%3）。"};
+inline constexpr MessageText kOverPreparedBetween{"over_prepared_between",
+                                                  "%1 %2 over-prepared (%3) between %4 and %5; force %6 N.",
+                                                  "%1：%2 の削りすぎ（%3）。%4 から %5 の間、力 %6 N。"};
+inline constexpr MessageText kOverPreparedTilted{
+    "over_prepared_tilted", "%1 %2 over-prepared (%3) between %4 and %5; force %6 N, bur tilted %7 degrees.",
+    "%1：%2 の削りすぎ（%3）。%4 から %5 の間、力 %6 N、バーの傾き %7 度。"};
+inline constexpr MessageText kToSeeIt{"to_see_it", "To see the tooth at that moment: %1",
+                                      "その時点の歯を見るコマンド：%1"};
 inline constexpr MessageText kMeasuredThere{"measured_there", "%1 (%2)", "%1（%2）"};
 inline constexpr MessageText kErrorAt{"error_at", "%1: %2, %3", "%1：%2、%3"};
 inline constexpr MessageText kNotMeasured{"not_measured", "Not measurable, because %1: %2.",

@@ -100,7 +100,12 @@ std::string madeOf(const AssessmentReport& report) {
     for (const Criterion* each : mark.limitedBy) {
         text += "<p><b>" + htmlText(limitedByText(report, *each)) + "</b></p>\n";
     }
-    for (const std::string& each : causeTexts(report)) text += "<p>" + htmlText(each) + "</p>\n";
+    for (const ErrorText& each : errorTexts(report)) {
+        text += "<p>" + htmlText(each.text);
+        const std::string command = "<code>" + htmlText(each.command) + "</code>";
+        if (!each.command.empty()) text += "<br>" + Message(msg::kToSeeIt, command).in(report.language);
+        text += "</p>\n";
+    }
     return text;
 }
 

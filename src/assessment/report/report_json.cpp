@@ -25,6 +25,15 @@ Json causeJson(const std::optional<RemovalCause>& cause) {
     return {{"from", cause->from}, {"to", cause->to}, {"force", cause->force}, {"tilt", orNull(cause->tilt)}};
 }
 
+Json errorJson(const AssessmentReport& report, const OverPreparation& error) {
+    Json json = {{"wall", error.wall->english}, {"depth", error.depth}, {"volume", error.volume}};
+    json["place"] = placeJson(report, Measured::at(error.depth, error.place));
+    json["moment"] = orNull(error.moment);
+    json["cause"] = causeJson(error.cause);
+    json["text"] = overPreparationText(report, error, Language::English);
+    return json;
+}
+
 /// Adds what was measured to the object of a metric or of a criterion.
 void addMeasured(Json& json, const AssessmentReport& report, const PreparationMetric& metric,
                  const Measured& measured) {
@@ -87,6 +96,8 @@ std::string reportJson(const AssessmentReport& report) {
     json["next"] = nextSteps(report, Language::English);
     json["comment"] = orNull(report.comment);
     json["trend"] = report.trend ? trendJson(*report.trend) : Json();
+    json["errors"] = Json::array();
+    for (const OverPreparation& each : report.errors) json["errors"].push_back(errorJson(report, each));
     json["criteria"] = Json::array();
     for (const CriterionScore& each : report.mark.criteria) json["criteria"].push_back(criterionJson(report, each));
     json["metrics"] = Json::array();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string_view>
 
 #include "assessment/preparation/place_name.h"
@@ -13,7 +12,6 @@
 #include "assessment/report/messages.h"
 #include "assessment/report/table_text.h"
 #include "geometry/util/assert.h"
-#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 
 namespace tactooth {
@@ -161,33 +159,6 @@ std::string footerText(const AssessmentReport& report) {
 std::string_view levelColour(Level level) {
     constexpr std::array<std::string_view, 4> kColours = {"#2f7d4f", "#7a9a2d", "#cf8a16", "#b23a24"};
     return kColours[static_cast<std::size_t>(level)];
-}
-
-std::string causeText(const AssessmentReport& report, const CriterionScore& error, Language language) {
-    const Measured& measured = error.measured;
-    if (!measured.cause || !measured.place) return {};
-    const RemovalCause& cause = *measured.cause;
-    const std::string title = displayText(error.criterion->titleIn(language));
-    const std::string value = valueText(*error.criterion->metric, *measured.value, language);
-    const std::string place = placeText(report, *measured.place, language);
-    const std::string from = momentText(cause.from), to = momentText(std::ceil(cause.to));
-    const std::string force = fmt::format("{:.1f}", cause.force);
-    if (!cause.tilt) return Message(msg::kCause, title, value, place, from, to, force).in(language);
-    return Message(msg::kCauseTilted, title, value, place, from, to, force, fmt::format("{:.0f}", *cause.tilt))
-        .in(language);
-}
-
-std::vector<std::string> causeTexts(const AssessmentReport& report, Language language) {
-    constexpr std::size_t kMost = 4;
-    std::vector<const CriterionScore*> errors;
-    for (const CriterionScore& each : report.mark.criteria) {
-        if (each.lost > 0 && !causeText(report, each, language).empty()) errors.push_back(&each);
-    }
-    std::ranges::stable_sort(errors, std::ranges::greater(), &CriterionScore::lost);
-    if (errors.size() > kMost) errors.resize(kMost);
-    std::vector<std::string> texts;
-    for (const CriterionScore* each : errors) texts.push_back(causeText(report, *each, language));
-    return texts;
 }
 
 std::string valueText(const PreparationMetric& metric, double value, Language language) {

@@ -4,72 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <numbers>
 
-#include "instruments/bur_catalogue.h"
-#include "instruments/bur_shape.h"
-#include "session/kernel/stepwise_session.h"
-#include "session/recording/session_recorder.h"
-#include "session/track/make_track.h"
-#include "support/materials.h"
-#include "support/servo_tick.h"
-#include "support/shapes.h"
-#include "support/test_data.h"
+#include "assessment/cause/two_holes.h"
 
 namespace tactooth {
 namespace {
 
-using test::kTick;
-constexpr double kTilt = 0.2;        // rad
-constexpr double kSecondHole = 4.0;  // s
+using test::TwoHoles;
+constexpr double kTilt = TwoHoles::kTilt, kSecondHole = TwoHoles::kSecondHole;
 
-/// A bur cuts two holes into a block with its top at z = 0: one at x = -1 from 1 to 2 s, upright, and one at x = 1 from
-/// 4 to 5 s, tilted.
 class RemovalCauseTest : public testing::Test {
 protected:
-    static void SetUpTestSuite() {
-        auto tooth = LayeredTooth::make(test::box(Vec3(-3, -2, -3), Vec3(3, 2, 0)), {}, test::kDentin);
-        const auto model = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*tooth)), 0.05);
-        const test::TemporaryFolder folder;  // shards of this program run at the same time
-        const std::filesystem::path file = folder / "two_holes.ttsession";
-        auto recorder = SessionRecorder::create(file, *model, "block");
-        ASSERT_TRUE(recorder) << recorder.error().message();
-        const BurSpec spec = findBur("4").value();
-        TriangleMesh surface = makeBur(spec).surface;
-        CuttingTool cutting = makeCuttingTool(surface).value();
-        const Instrument bur{std::make_shared<const ToolShape>(std::move(surface)), std::move(cutting), spec.edge()};
-        StepwiseSession session(model, {bur, HapticSettings(), Placement::AtOnce},
-                                [&](const SessionEvent& event) { (*recorder)->append(event); });
-        for (int i = 0; i < 6000; ++i) {
-            const double time = i * kTick;
-            (void)session.step({handAt(time), 1, true}, kTick, time);
-            if (i % 5 == 0) (void)session.carve();
-            session.list();
-        }
-        session.finish(false);
-        const auto closed = (*recorder)->close(model->hash());
-        ASSERT_TRUE(closed) << closed.error().message();
-        const auto recording = SessionRecording::open(file);
-        ASSERT_TRUE(recording) << recording.error().message();
-        auto start = recording->makeModel();
-        ASSERT_TRUE(start) << start.error().message();
-        auto track = emptyTrack(*recording, **start);
-        ASSERT_TRUE(track) << track.error().message();
-        makeTrack(*recording, *start, **track);
-        track_ = *track;
-        ASSERT_FALSE(track_->differsAt());
-    }
-    static void TearDownTestSuite() { track_.reset(); }
-
-    static Pose handAt(double time) {
-        const bool isSecond = time >= 3;
-        const double began = isSecond ? kSecondHole : 1;
-        const double down = std::clamp(time - began, 0.0, 1.0) * (time < began + 1 ? 1 : 0);
-        const Quat grip(isSecond ? Eigen::AngleAxisd(kTilt, Vec3::UnitY()) : Eigen::AngleAxisd::Identity());
-        return {Vec3(isSecond ? 1 : -1, 0, 0.3 - 1.6 * down), grip};
+    void SetUp() override {
+        const TwoHoles* session = TwoHoles::recorded();
+        ASSERT_NE(session, nullptr);
+        track_ = session->track();
     }
     /// Points in a hole, 0.05 to 0.3 mm deep.
     static std::vector<RemovedPoint> pointsAt(double x, double size = 1) {
@@ -78,7 +28,7 @@ protected:
         return points;
     }
 
-    inline static std::shared_ptr<const SessionTrack> track_;
+    std::shared_ptr<const SessionTrack> track_;
 };
 
 TEST_F(RemovalCauseTest, FindsWhenEachPointWentAway) {

@@ -49,6 +49,7 @@ void setExercise(AssessedWork& work, const Exercise& exercise) {
     work.japaneseExpert = exercise.japanese.name;
     work.japaneseTask = exercise.japanese.task;
     work.tolerance = exercise.tolerance;
+    work.preparation.tolerance = exercise.tolerance;
     work.preparation.forbidden = exercise.forbidden;
 }
 
@@ -58,7 +59,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
     std::vector<MetricResult> results = measureAll(measures);
     showProgress(work, kMeasured);
-    if (work.track != nullptr) addMoments(results, work.preparation, measures, work.track);
+    std::vector<OverPreparation> errors = traceErrors(results, work.preparation, measures, work.track);
     AssessmentReport report{.student = work.student,
                             .expert = work.expert,
                             .task = work.task,
@@ -72,6 +73,7 @@ Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& ru
     if (!report.mark.value) return unexpected(msg::kNothingToJudge, displayText(rubric.name), work.student);
     report.language = language;
     report.metrics = std::move(results);
+    report.errors = std::move(errors);
     report.middle = measures.surfaces.middle;
     report.axis = work.preparation.axis;
     report.mesialX = work.preparation.mesialX;

@@ -89,7 +89,7 @@ void drawCriteria(PdfPages& pages, const AssessmentReport& report) {
     for (const Criterion* each : report.mark.limitedBy) {
         pages.paragraph(shown(limitedByText(report, *each)), {9, true});
     }
-    for (const std::string& each : causeTexts(report)) pages.paragraph(shown(each), {9});
+    for (const ErrorText& each : errorTexts(report)) pages.paragraph(shown(each.text), {9});
 }
 
 /// Two rows of three, as large as they fit on the page, or one row where that is little.
