@@ -26,7 +26,7 @@ void addComparison(CLI::App& command, ComparisonOptions& options) {
             "--rubric", options.rubric,
             "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default, unless the exercise "
             "has another), "
-            "near-ideal-strict, class-1, class-3, class-5, crown-metal, crown-ceramic or "
+            "near-ideal-strict, class-1, class-2, class-3, class-5, crown-metal, crown-ceramic or "
             "endodontic-access")
         ->type_name("RUBRIC");
     command
