@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kTiltPerPixel = 0.004;  // rad: half of what the eye sees turn in a mirror
 
-Vec3 towardEye(const PointerView& picture) { return picture.cameraRotation() * Vec3::UnitZ(); }
+Vec3 towardEye(const PointerView& picture) { return picture.eyeAxes() * Vec3::UnitZ(); }
 
 /// Where the line of sight through `pixel` meets the plane through `place` that faces the eye.
 Vec3 onFacingPlane(const PointerView& picture, const Vec2& pixel, const Vec3& place) {
@@ -33,7 +33,7 @@ void MirrorPlacement::drag(const PointerView& picture, const Vec2& from, const V
 }
 
 void MirrorPlacement::tilt(const PointerView& picture, const Vec2& pixels) {
-    const Vec3 displacement = picture.cameraRotation() * Vec3(pixels.x(), -pixels.y(), 0);
+    const Vec3 displacement = picture.eyeAxes() * Vec3(pixels.x(), -pixels.y(), 0);
     const double angle = kTiltPerPixel * displacement.norm();
     const Vec3 axis = towardEye(picture).cross(displacement);
     if (!(axis.norm() > 0) || !std::isfinite(angle)) return;

@@ -48,7 +48,7 @@ void MouseManipulator::setSurroundings(const Surroundings& surroundings) {
 /// the side.
 void MouseManipulator::choosePressDirection(const PointerView& picture) {
     const Vec3 shaft = handle_ * -Vec3::UnitZ();
-    const Vec3 view = picture.cameraRotation() * -Vec3::UnitZ();
+    const Vec3 view = picture.eyeAxes() * -Vec3::UnitZ();
     pressDirection_ = shaft.dot(view) > kAlongShaft ? shaft : view;
 }
 
@@ -207,7 +207,7 @@ Vec3 MouseManipulator::clampedToWorkspace(const Vec3& tip) const {
 void MouseManipulator::setPressDepth(double depth) { pressDepth_ = std::clamp(depth, 0.0, kMaxPressDepth); }
 
 void MouseManipulator::tilt(const PointerView& picture, const Vec2& pixels) {
-    const Quat eye = picture.cameraRotation();
+    const Mat3 eye = picture.eyeAxes();
     const Vec3 displacement = eye * Vec3(pixels.x(), -pixels.y(), 0);
     const Vec3 shaft = handle_ * Vec3::UnitZ();
     const Vec3 axis = shaft.cross(displacement);

@@ -16,8 +16,9 @@ public:
 
     /// The line of sight through `pixel`: origin at the picture's top left corner, y down.
     [[nodiscard]] virtual Ray rayThrough(const Vec2& pixel) const = 0;
-    /// From the camera's frame (+x right, +y up, looking along -z) to the tooth's frame.
-    [[nodiscard]] virtual Quat cameraRotation() const = 0;
+    /// The axes of what the eye sees, in the tooth's frame: to the right, up, and toward the eye. In a mirror they are
+    /// left-handed.
+    [[nodiscard]] virtual Mat3 eyeAxes() const = 0;
 };
 
 }  // namespace tactooth

@@ -41,7 +41,7 @@ TEST_F(MirrorPlacementTest, TheGlassStaysUnderTheMouse) {
         mirror_.drag(picture_, from, from + way);
         EXPECT_LT((picture_.pixelOf(mirror_.pose().position) - from - way).norm(), 1e-6);
         EXPECT_TRUE(mirror_.pose().rotation.isApprox(kParked.rotation));
-        const Vec3 toEye = picture_.cameraRotation() * Vec3::UnitZ();
+        const Vec3 toEye = picture_.eyeAxes() * Vec3::UnitZ();
         EXPECT_NEAR((mirror_.pose().position - kParked.position).dot(toEye), 0, 1e-9) << "no nearer, no farther";
     }
 }
@@ -57,9 +57,9 @@ TEST_F(MirrorPlacementTest, TwoHalfMovesAreOneMove) {
 }
 
 TEST_F(MirrorPlacementTest, TiltTurnsTheGlassToWhereTheMouseGoes) {
-    const Vec3 right = picture_.cameraRotation() * Vec3::UnitX();
-    const Vec3 up = picture_.cameraRotation() * Vec3::UnitY();
-    mirror_.place({kParked.position, picture_.cameraRotation()});  // it faces the eye
+    const Vec3 right = picture_.eyeAxes() * Vec3::UnitX();
+    const Vec3 up = picture_.eyeAxes() * Vec3::UnitY();
+    mirror_.place({kParked.position, Quat(picture_.eyeAxes())});  // it faces the eye
     mirror_.tilt(picture_, Vec2(50, 0));
     EXPECT_GT(normal().dot(right), 0.1);
     EXPECT_NEAR(normal().dot(up), 0, 1e-9);

@@ -23,7 +23,7 @@ public:
         const Vec3 inCamera((pixel.x() - 500) / kFocal, (400 - pixel.y()) / kFocal, -1);
         return {eye_, (rotation_ * inCamera).normalized()};
     }
-    [[nodiscard]] Quat cameraRotation() const override { return rotation_; }
+    [[nodiscard]] Mat3 eyeAxes() const override { return rotation_.toRotationMatrix(); }
     [[nodiscard]] Vec2 pixelOf(const Vec3& point) const {
         const Vec3 inCamera = rotation_.conjugate() * (point - eye_);
         return {500 - kFocal * inCamera.x() / inCamera.z(), 400 + kFocal * inCamera.y() / inCamera.z()};

@@ -16,7 +16,7 @@ public:
     [[nodiscard]] Ray rayThrough(const Vec2& pixel) const override {
         return tactooth::rayThrough(camera_, size_, pixel);
     }
-    [[nodiscard]] Quat cameraRotation() const override { return camera_.cameraInWorld.rotation; }
+    [[nodiscard]] Mat3 eyeAxes() const override { return camera_.cameraInWorld.rotation.toRotationMatrix(); }
 
     [[nodiscard]] const Camera& camera() const { return camera_; }
     [[nodiscard]] ImageSize size() const { return size_; }  ///< pixels
