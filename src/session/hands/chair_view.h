@@ -8,7 +8,7 @@ namespace tactooth {
 
 /// Where a right-handed dentist sits to work on a tooth, and how that tooth is seen from there.
 struct ChairView {
-    int clock = 9;        ///< position around the lying patient's head: 12 is behind it, 9 is on the patient's right
+    int clock = 0;        ///< position around the lying patient's head: 12 is behind it, 9 is on its right; 0: unknown
     bool mirror = false;  ///< the line of sight goes by the mouth mirror; the view is that line's last part
     ViewDirection view;   ///< tooth frame
 };

@@ -125,4 +125,13 @@ std::optional<Pose> mirrorPoseBehind(const MirrorAim& aim, const Surface& mouth)
     return best;
 }
 
+std::optional<Pose> mirrorPoseOverCrown(MirrorAim aim, const Box3& tooth, const Surface& mouth) {
+    const Vec3 above(tooth.center().x(), tooth.center().y(), tooth.max().z() + 1);
+    const std::optional<double> down = firstHit(mouth, {above, -Vec3::UnitZ()});
+    if (!down) return std::nullopt;
+    aim.tip = above - *down * Vec3::UnitZ();
+    aim.shaft = Vec3::UnitZ();
+    return mirrorPoseBehind(aim, mouth);
+}
+
 }  // namespace tactooth

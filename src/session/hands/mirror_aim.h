@@ -23,6 +23,10 @@ struct MirrorAim {
 /// such place is found. Takes some ten milliseconds.
 [[nodiscard]] std::optional<Pose> mirrorPoseBehind(const MirrorAim& aim, const Surface& mouth);
 
+/// The same for the chewing surface or the edge of a tooth: for a bur that stood upright on the middle of its crown.
+/// `tooth`: its box; `aim` needs no tip and no shaft.
+[[nodiscard]] std::optional<Pose> mirrorPoseOverCrown(MirrorAim aim, const Box3& tooth, const Surface& mouth);
+
 /// The share of the bur's head that `aim.eye` sees by a mirror at `mirror`, 0 .. 1.
 [[nodiscard]] double seenByMirror(const MirrorAim& aim, const Pose& mirror, const Surface& mouth);
 

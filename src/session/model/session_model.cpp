@@ -43,7 +43,7 @@ void SessionModel::resetManipulator() {
     next.depthControl() = manipulator_.depthControl();
     manipulator_ = std::move(next);
     surroundings_.forget();
-    const Vec3 toEye = directionToEye(dentistView(mesialX()));
+    const Vec3 toEye = directionToEye(tooth_ ? chairViewOf(*tooth_).view : dentistView(mesialX()));
     if (tooth_) mirror_.park(parkedMirror(tooth_->box(), toEye, handleX(*this)));
 }
 

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/model/session_tooth.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "geometry/util/messages.h"
+#include "session/cases/case_names.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_cache.h"
@@ -15,10 +19,12 @@ Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::
     Expected<LayeredTooth> layered = layeredTooth(made);
     if (!layered) return Unexpected{layered.error()};
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
-    return SessionTooth{name,
-                        std::make_shared<CutModel>(std::move(shared), kSessionVoxel),
-                        mesialX(made.fdi),
-                        {{"tooth", "built in: " + made.name + suffix}}};
+    SessionTooth tooth{name,
+                       std::make_shared<CutModel>(std::move(shared), kSessionVoxel),
+                       mesialX(made.fdi),
+                       {{"tooth", "built in: " + made.name + suffix}}};
+    tooth.fdi = made.fdi;
+    return tooth;
 }
 
 Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
@@ -48,6 +54,20 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::fun
     tooth.mouthTooth = made->tooth.fdi;
     tooth.piece->surroundBy(surroundingsOf(*made));
     return tooth;
+}
+
+int fdiOfTooth(const SessionTooth& tooth) {
+    if (tooth.mouthTooth != 0) return tooth.mouthTooth;
+    if (tooth.fdi != 0) return tooth.fdi;
+    const auto* const builtin = std::ranges::find(kBuiltinTeeth, tooth.name, &BuiltinToothEntry::name);
+    if (builtin != kBuiltinTeeth.end()) return builtinToothRequest(builtin->kind).fdi;
+    return fdiNamed(std::filesystem::path(tooth.name).stem().string(), std::nullopt);
+}
+
+ChairView chairViewOf(const SessionTooth& tooth) {
+    const int fdi = fdiOfTooth(tooth);
+    if (isPermanentTooth(fdi) && mesialX(fdi) == tooth.mesialX) return chairView(fdi);
+    return {.view = dentistView(tooth.mesialX)};
 }
 
 Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {

@@ -15,6 +15,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/messages.h"
 #include "patient/scan_import.h"
+#include "session/hands/chair_view.h"
 #include "session/model/session_bur.h"
 #include "session/simulation/session_work.h"
 #include "session/simulation/tooth_file.h"
@@ -40,9 +41,16 @@ struct SessionTooth {
     /// What was gone when it was saved last; none: as it is now, nothing is unsaved.
     std::optional<MaterialVolumes> savedAt = {};
     bool wasUnsaved = false;  ///< it came with cuts that no file of the user holds
+    int fdi = 0;  ///< FDI number of a built-in tooth that stands alone; 0: not known, or in a mouth (mouthTooth)
 
     [[nodiscard]] Box3 box() const { return workBox.isEmpty() ? piece->tooth().outer()->tree().box() : workBox; }
 };
+
+/// FDI number of a tooth: by the mouth, as it was made, or by its name; 0: unknown.
+[[nodiscard]] int fdiOfTooth(const SessionTooth& tooth);
+/// How a dentist sees the tooth from the place at the chair from which it is worked on. A tooth whose number is not
+/// known is seen from buccal and above, without the mirror.
+[[nodiscard]] ChairView chairViewOf(const SessionTooth& tooth);
 
 /// The built-in teeth as a list shows them.
 struct BuiltinToothEntry {

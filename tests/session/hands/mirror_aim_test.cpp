@@ -12,6 +12,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/mirror.h"
 #include "session/control/surface_ray.h"
+#include "session/hands/chair_view.h"
 #include "session/hands/instrument_poses.h"
 #include "support/shapes.h"
 
@@ -130,6 +131,25 @@ TEST(MirrorAim, ShowsTheBurOnEveryKindOfTooth) {
             EXPECT_GE(seenByMirror(aim, *mirror, tooth), 0.8) << fdi;
         }
     }
+}
+
+TEST(MirrorAim, ShowsTheChewingSurfaceOfEveryToothThatADentistSeesByTheMirror) {
+    int checked = 0;
+    for (int fdi = 11; fdi <= 28; ++fdi) {
+        if (!isPermanentTooth(fdi) || !chairView(fdi).mirror) continue;
+        const Surface tooth = surfaceOf(makeTooth({.fdi = fdi, .triangles = 5000, .seed = 0, .lesion = {}}).outer);
+        const Box3 box = boundingBox(tooth.base->mesh());
+        MirrorAim aim = aimAt(Vec3::Zero(), chairView(fdi).view);
+        aim.handle = -mesialX(fdi) * Vec3::UnitX();
+        const std::optional<Pose> mirror = mirrorPoseOverCrown(aim, box, tooth);
+        ASSERT_TRUE(mirror) << fdi;
+        ++checked;
+        const Vec3 above(box.center().x(), box.center().y(), box.max().z() + 1);
+        aim.tip = above - *firstHit(tooth, {above, -Vec3::UnitZ()}) * Vec3::UnitZ();
+        EXPECT_GE(seenByMirror(aim, *mirror, tooth), 0.8) << fdi;
+        EXPECT_GT((aim.eye - mirror->position).dot(mirror->rotation * Vec3::UnitZ()), 0) << fdi;
+    }
+    EXPECT_EQ(checked, 10);
 }
 
 }  // namespace

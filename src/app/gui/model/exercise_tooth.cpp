@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/model/exercise_tooth.h"
 
-#include <algorithm>
 #include <any>
 #include <utility>
-
-#include "session/cases/case_names.h"
 
 namespace tactooth {
 
@@ -48,9 +45,7 @@ int fdiOf(const Exercise& exercise) {
 int fdiOf(const SessionTooth& tooth) {
     if (tooth.mouthTooth != 0) return tooth.mouthTooth;
     if (const auto exercise = exerciseOf(tooth)) return fdiOf(*exercise);
-    const auto* const builtin = std::ranges::find(kBuiltinTeeth, tooth.name, &BuiltinToothEntry::name);
-    if (builtin != kBuiltinTeeth.end()) return builtinToothRequest(builtin->kind).fdi;
-    return fdiNamed(std::filesystem::path(tooth.name).stem().string(), std::nullopt);
+    return fdiOfTooth(tooth);
 }
 
 }  // namespace tactooth
