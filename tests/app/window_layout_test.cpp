@@ -187,7 +187,7 @@ void WindowLayoutTest::theDriveChoosesTheHandpiece() {
     QCOMPARE(shown(), handpieces.turbine);
     window_->findChild<DrillBar*>()->choose({}, QString::fromStdString(spindlePresets()[2].name));
     waitForTooth();
-    QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.contraAngle, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.lowSpeed, kPatience);
     window_->findChild<DrillBar*>()->choose({}, before);
     waitForTooth();
     QTRY_COMPARE_WITH_TIMEOUT(shown(), handpieces.turbine, kPatience);

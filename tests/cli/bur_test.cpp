@@ -44,7 +44,7 @@ TEST(BurCommand, RefusesAnUnknownNumberAndNamesTheList) {
 
 TEST(InstrumentCommand, WritesClosedInstruments) {
     const test::TemporaryFolder folder;
-    for (const char* const name : {"contra-angle", "mirror-24", "explorer", "probe"}) {
+    for (const char* const name : {"contra-angle", "low-speed", "mirror-24", "explorer", "probe"}) {
         const std::string out = folder / "i.stl";
         EXPECT_EQ(runTactooth({"instrument", name, "--out", out}).exitCode, 0) << name;
         EXPECT_TRUE(reportOn(readStl(out).value()).watertight()) << name;

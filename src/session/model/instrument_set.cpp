@@ -4,6 +4,7 @@
 
 #include "instruments/contra_angle.h"
 #include "instruments/handpiece_kind.h"
+#include "instruments/low_speed_handpiece.h"
 #include "instruments/suction_tube.h"
 #include "instruments/turbine.h"
 
@@ -20,12 +21,21 @@ const std::shared_ptr<const TriangleMesh>& suctionTube() {
 
 HandpieceMeshes HandpieceMeshes::make() {
     static const HandpieceMeshes kMeshes = {.turbine = std::make_shared<const TriangleMesh>(makeTurbine()),
-                                            .contraAngle = std::make_shared<const TriangleMesh>(makeContraAngle())};
+                                            .contraAngle = std::make_shared<const TriangleMesh>(makeContraAngle()),
+                                            .lowSpeed = std::make_shared<const TriangleMesh>(makeLowSpeedHandpiece())};
     return kMeshes;
 }
 
 const std::shared_ptr<const TriangleMesh>& HandpieceMeshes::of(const SpindlePreset& spindle) const {
-    return handpieceOf(spindle) == HandpieceKind::Turbine ? turbine : contraAngle;
+    switch (handpieceOf(spindle)) {
+        case HandpieceKind::Turbine:
+            return turbine;
+        case HandpieceKind::ContraAngle:
+            return contraAngle;
+        case HandpieceKind::LowSpeed:
+            return lowSpeed;
+    }
+    return turbine;
 }
 
 InstrumentSet::InstrumentSet(const TaskExecutor& executor) : task_(executor) {

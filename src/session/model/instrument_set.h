@@ -20,6 +20,7 @@ struct SpindlePreset;
 struct HandpieceMeshes {
     std::shared_ptr<const TriangleMesh> turbine;
     std::shared_ptr<const TriangleMesh> contraAngle;
+    std::shared_ptr<const TriangleMesh> lowSpeed;
 
     /// All of them. The first call of a program makes them, which takes about a second.
     [[nodiscard]] static HandpieceMeshes make();

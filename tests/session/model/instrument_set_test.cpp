@@ -32,7 +32,7 @@ TEST(InstrumentSet, EachDriveHasTheHandpieceThatItNeeds) {
     const std::vector<SpindlePreset>& drives = spindlePresets();
     EXPECT_EQ(handpieces.of(drives[0]), handpieces.turbine);
     EXPECT_EQ(handpieces.of(drives[1]), handpieces.contraAngle) << "an electric motor needs a gear";
-    EXPECT_EQ(handpieces.of(drives[2]), handpieces.contraAngle);
+    EXPECT_EQ(handpieces.of(drives[2]), handpieces.lowSpeed);
     // The coupling of a motor is wider than a turbine's.
     EXPECT_GT(boundingBox(*handpieces.contraAngle).sizes().y(), boundingBox(*handpieces.turbine).sizes().y() + 5);
 }

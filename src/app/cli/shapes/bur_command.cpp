@@ -12,6 +12,7 @@
 #include "geometry/io/stl_writer.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
+#include "instruments/low_speed_handpiece.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
 
@@ -53,6 +54,7 @@ int runInstrument(const InstrumentOptions& options) {
     TriangleMesh mesh;
     if (options.name == "turbine") mesh = makeTurbine(options.triangles);
     if (options.name == "contra-angle") mesh = makeContraAngle(options.triangles);
+    if (options.name == "low-speed") mesh = makeLowSpeedHandpiece(options.triangles);
     if (options.name == "mirror-22") mesh = makeMirror(22).surface;
     if (options.name == "mirror-24") mesh = makeMirror(24).surface;
     if (options.name == "explorer") mesh = makeExplorer();

@@ -20,6 +20,7 @@
 #include "geometry/files/folder.h"
 #include "instruments/contra_angle.h"
 #include "instruments/hand_instruments.h"
+#include "instruments/low_speed_handpiece.h"
 #include "instruments/mirror.h"
 #include "instruments/turbine.h"
 #include "session/simulation/tooth_cache.h"
@@ -89,8 +90,9 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
         if (!picture) return Unexpected{picture.error()};
         sheet.place(i % kColumns, i / kColumns, *picture, burs[i].number);
     }
-    const std::array<std::pair<const char*, TriangleMesh>, 6> others = {{{"turbine", makeTurbine()},
+    const std::array<std::pair<const char*, TriangleMesh>, 7> others = {{{"turbine", makeTurbine()},
                                                                          {"contra-angle", makeContraAngle()},
+                                                                         {"low speed", makeLowSpeedHandpiece()},
                                                                          {"mirror 22 mm", makeMirror(22).surface},
                                                                          {"mirror 24 mm", makeMirror(24).surface},
                                                                          {"explorer 23", makeExplorer()},

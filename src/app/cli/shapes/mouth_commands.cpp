@@ -44,16 +44,16 @@ void addInstrument(CLI::App& program, CommandAction& chosen) {
         addCommand(program, chosen, "instrument", "Writes a handpiece or hand instrument as a closed STL surface, mm.",
                    options, runInstrument);
     command
-        ->add_option("NAME", options->name,
-                     "turbine, contra-angle, mirror-22 or mirror-24 (head diameter, mm), explorer (No. 23), probe "
-                     "(periodontal, mm marks) or excavator (spoon)")
+        ->add_option(
+            "NAME", options->name,
+            "turbine, contra-angle (electric), low-speed, mirror-22 or mirror-24 (head diameter, mm), explorer "
+            "(No. 23), probe (periodontal, mm marks) or excavator (spoon)")
         ->required()
-        ->check(CLI::IsMember({"turbine", "contra-angle", "mirror-22", "mirror-24", "explorer", "probe", "excavator"}))
+        ->check(CLI::IsMember(
+            {"turbine", "contra-angle", "low-speed", "mirror-22", "mirror-24", "explorer", "probe", "excavator"}))
         ->type_name("");
     command->add_option("--out", options->out, "STL file to write")->required()->type_name("FILE");
-    command
-        ->add_option("--triangles", options->triangles,
-                     withDefault("Triangles of the turbine or contra-angle", options->triangles))
+    command->add_option("--triangles", options->triangles, withDefault("Triangles of a handpiece", options->triangles))
         ->transform(wholeNumberFrom(2000, 24000))
         ->type_name("N");
 }
