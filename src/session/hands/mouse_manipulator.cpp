@@ -18,14 +18,17 @@ constexpr double kApproach = 15;  // mm/s toward the tooth: a careful hand
 // mm beyond the floor until the tool is there: else the force would fade with the distance. No more can be cut too
 // deep, whatever the window does meanwhile.
 constexpr double kFinish = 0.08;
-constexpr double kAtFloor = 0.015;        // mm: there
-constexpr double kMaxPull = 2;            // mm sideways between hand and tool; beyond it the hand slips
-constexpr double kCaught = 0.3;           // mm between the tool and a hand that does not press: the tool is caught
-constexpr double kRetract = 60;           // mm/s along the shaft: as fast as a hand lifts off
-constexpr double kAlongShaft = 0.4;       // cosine between view and shaft; above it pressing goes along the shaft
-constexpr double kMaxTilt = 1.6;          // rad from upright: lying, as at the neck of a tooth
-constexpr double kTiltPerPixel = 0.006;   // rad
-constexpr double kHandleRotation = 0.45;  // rad toward lingual: the handle hides nothing of the crown from buccal
+constexpr double kAtFloor = 0.015;           // mm: there
+constexpr double kMaxPull = 2;               // mm sideways between hand and tool; beyond it the hand slips
+constexpr double kCaught = 0.3;              // mm between the tool and a hand that does not press: the tool is caught
+constexpr double kRetract = 60;              // mm/s along the shaft: as fast as a hand lifts off
+constexpr double kTrailStep = 0.05;          // mm between two places of a trail
+constexpr double kRetraceAhead = 0.25;       // mm from the tool to a hand that retraces: less than kCaught
+constexpr std::size_t kLongestTrail = 4000;  // places: 0.2 m without a loop, more than any cavity
+constexpr double kAlongShaft = 0.4;          // cosine between view and shaft; above it pressing goes along the shaft
+constexpr double kMaxTilt = 1.6;             // rad from upright: lying, as at the neck of a tooth
+constexpr double kTiltPerPixel = 0.006;      // rad
+constexpr double kHandleRotation = 0.45;     // rad toward lingual: the handle hides nothing of the crown from buccal
 
 }  // namespace
 
@@ -84,6 +87,7 @@ void MouseManipulator::press(const PointerView& picture, const Vec2& pixel) {
     pressing_ = true;
     retracting_ = false;
     arrived_ = !knowsScene();
+    if (!withdraws_) trail_.clear();
     floorAlong_.reset();
     grabbed_ = pixel;
     if (!pressesToDepth()) return;
@@ -113,6 +117,7 @@ void MouseManipulator::release() {
     if (!pressing_) return;
     pressing_ = false;
     mayRetract_ = true;
+    withdraws_ = true;
     if (knowsScene()) {
         leaving_ = true;
         aimedAt_ = clampedToWorkspace((landing_ ? *landing_ : Vec3(tip_ - pressDepth_ * pressDirection_)) -
@@ -127,17 +132,24 @@ void MouseManipulator::advance(double dt, const Vec3& toolTip, double depth) {
     if (pressing_ && !arrived_) {
         travel(dt, toolTip, depth);
         arrived_ = isOverLanding(toolTip);
+        if (withdraws_ && caught_) {  // pressed again where it could not leave
+            arrived_ = true;
+            landing_ = toolTip;
+        }
         if (arrived_) travel_.stop();
         if (arrived_) depthControl_.beginAt(landing_.value_or(toolTip), pressDirection_);
         return;
     }
     if (pressing_) {
         grip_ = handle_;
+        noteTrail(toolTip);
         return pressesToDepth() ? advanceToDepth(dt, toolTip) : advanceContact(dt, toolTip);
     }
     if (knowsScene()) return travel(dt, toolTip, depth);
-    if (depth > kCaught && mayRetract_) retracting_ = true;
+    caught_ = depth > kCaught;
+    if (caught_ && mayRetract_) retracting_ = true;
     if (retracting_) retract(dt, toolTip);
+    withdraws_ = withdraws_ && (retracting_ || depth > 0);
 }
 
 /// Whether the tool may go down: it is above the landing place, or as near to it as it can be.
@@ -150,12 +162,53 @@ bool MouseManipulator::isOverLanding(const Vec3& toolTip) const {
     return above > 0 && (offset - above * pressDirection_).norm() < kNear;
 }
 
+/// Where the tool was before it is free for it later: cutting only takes away.
+void MouseManipulator::noteTrail(const Vec3& toolTip) {
+    const Pose now{toolTip, grip_};
+    const auto isHere = [&](const Pose& before) {
+        return (before.position - toolTip).norm() < kTrailStep && before.rotation.isApprox(grip_);
+    };
+    const auto loop = std::ranges::find_if(trail_, isHere);
+    if (loop != trail_.end()) {
+        trail_.erase(loop + 1, trail_.end());
+    } else if (trail_.size() < kLongestTrail) {
+        trail_.push_back(now);
+    }
+}
+
+/// Goes back as it came, to the place where the press began. False: it need not, or has arrived.
+bool MouseManipulator::retrace(double dt, const Vec3& toolTip, double depth) {
+    constexpr double kCaughtFor = 0.12;   // s: the hand has left the floor that it pressed on
+    constexpr double kLongestWait = 0.5;  // s: something else holds it, an undone cut for example
+    if (!withdraws_) trail_.clear();
+    waits_ = retraces_ || depth > kCaught ? waits_ + dt : 0;
+    if (!retraces_) {
+        if (waits_ < kCaughtFor || trail_.empty()) return false;
+        waits_ = 0;
+        caught_ = false;
+    }
+    while (!trail_.empty() && (trail_.back().position - toolTip).norm() < kRetraceAhead) {
+        trail_.pop_back();
+        waits_ = 0;
+    }
+    const bool isOut = depth == 0 && travel_.isClear({toolTip, grip_});
+    if (isOut || waits_ > kLongestWait) trail_.clear();
+    retraces_ = !trail_.empty();
+    if (!retraces_) return false;
+    const Vec3 left = trail_.back().position - toolTip;
+    tip_ = toolTip + std::min(1.0, kRetraceAhead / left.norm()) * left;
+    grip_ = trail_.back().rotation;
+    return true;
+}
+
 /// Toward the place that the user aims at, clear of everything.
 void MouseManipulator::travel(double dt, const Vec3& toolTip, double depth) {
+    if (retrace(dt, toolTip, depth)) return travel_.stop();
     const bool isCaught = depth > kCaught;
     const bool leaves = std::exchange(leaving_, false);
     if (leaves || (isCaught && !caught_)) travel_.stop();  // another path is needed
     caught_ = isCaught;
+    withdraws_ = withdraws_ && (depth > 0 || !travel_.isClear({toolTip, grip_}));
     const ClearTravel::Place from{{tip_, grip_}, {toolTip, grip_}, leaves || isCaught};
     travel_.goTo(from, {aimedAt_, handle_});
     const Pose next = travel_.advance(from, dt);

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "collision/bvh/surface.h"
 #include "geometry/util/pose.h"
@@ -22,7 +23,7 @@ enum class PressMode {
 /// Moves the tool by the mouse. With the button up the user aims: the tool hovers over the point of the tooth under the
 /// mouse pointer, clear of everything. With the button down the tool approaches that point and presses, with a steady
 /// force, until the tip is as deep as was set (see PressMode); it follows the mouse sideways. With the button up again
-/// it leaves along its shaft before it goes anywhere else.
+/// it leaves along its shaft, or as it came where an edge holds it, before it goes anywhere else.
 class MouseManipulator {
 public:
     /// The hand starts above the middle of `tooth` (its box, tooth frame). `mesialX`: direction of mesial along x.
@@ -75,6 +76,9 @@ public:
 
     [[nodiscard]] Pose pose() const { return {tip_, grip_}; }
     [[nodiscard]] bool isPressing() const { return pressing_; }
+    /// Whether a running bur may cut: not from the end of a press until the tool has left the tooth, and not while
+    /// something holds a tool that travels.
+    [[nodiscard]] bool mayCut() const { return (pressing_ && arrived_) || !(withdraws_ || caught_); }
     /// Direction of pressing: unit, tooth frame.
     [[nodiscard]] const Vec3& pressDirection() const { return pressDirection_; }
     /// The place of the tooth under the mouse pointer, where the tip lands; none beside the tooth.
@@ -84,6 +88,8 @@ private:
     [[nodiscard]] bool knowsScene() const {
         return surroundings_.touchable != nullptr && surroundings_.tool != nullptr;
     }
+    void noteTrail(const Vec3& toolTip);
+    [[nodiscard]] bool retrace(double dt, const Vec3& toolTip, double depth);
     void travel(double dt, const Vec3& toolTip, double depth);
     [[nodiscard]] bool isOverLanding(const Vec3& toolTip) const;
     void advanceContact(double dt, const Vec3& toolTip);
@@ -112,9 +118,13 @@ private:
     Quat grip_;    // as it is held now: on the way to handle_
     double pressDepth_ = kUsualPressDepth;
     bool pressing_ = false;
-    bool arrived_ = false;  // the pressing tool is over its landing place
-    bool leaving_ = false;  // the button has gone up, and the tool has not begun to leave
-    bool caught_ = false;   // something holds the tool away from a hand that does not press
+    bool arrived_ = false;     // the pressing tool is over its landing place
+    bool leaving_ = false;     // the button has gone up, and the tool has not begun to leave
+    bool withdraws_ = false;   // the button has gone up, and the tool is not clear of everything yet
+    bool caught_ = false;      // something holds the tool away from a hand that does not press
+    bool retraces_ = false;    // it could not leave along its shaft: it goes back as it came
+    double waits_ = 0;         // s without progress on that path
+    std::vector<Pose> trail_;  // of the pressed tool, without loops
     bool retracting_ = false;
     bool mayRetract_ = true;  // once for each point aimed at: the tool may be unable to reach it
     Vec3 aimedAt_;

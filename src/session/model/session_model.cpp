@@ -261,8 +261,14 @@ SessionControls SessionModel::currentControls() const {
     SessionControls now = controls;
     now.motionScaling = motionScaling();
     now.clutch = devices_.first() != nullptr && controls.clutch;
+    if (devices_.first() == nullptr) now.cutting = now.cutting && manipulator_.mayCut();
     if (devices_.first() != nullptr && !isExamination_) aids_.addTo(now, manipulator_.depthControl());
     return now;
+}
+
+void SessionModel::releaseHand() {
+    manipulator_.release();
+    if (runner_ != nullptr) runner_->setControls(currentControls());
 }
 
 SessionModel::StepResult SessionModel::step(double dt) {

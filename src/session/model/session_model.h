@@ -135,6 +135,8 @@ public:
     [[nodiscard]] const HapticSettings& haptics() const { return haptics_; }
     [[nodiscard]] MouseManipulator& manipulator() { return manipulator_; }
     [[nodiscard]] const MouseManipulator& manipulator() const { return manipulator_; }
+    /// The button of the mouse goes up: from the next tick on the bur cuts nothing.
+    void releaseHand();
     /// The mouth mirror as the mouse holds it; a device moves it from there.
     [[nodiscard]] MirrorPlacement& mirror() { return mirror_; }
     [[nodiscard]] const MirrorPlacement& mirror() const { return mirror_; }

@@ -129,7 +129,8 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     if (loss.pieces > pieces_) report(CutEventKind::FragmentReleased, time, tick);
     pieces_ = loss.pieces;
     turned_ = turned_ || tick.spindle.speedRpm > kTurnsRpm;
-    if (turned_ && tick.spindle.speedRpm < kMinCuttingRpm && tick.input.pedal > kPedalDown &&
+    // A drive that runs down because cutting was switched off does not stall.
+    if (turned_ && tick.input.cutting && tick.spindle.speedRpm < kMinCuttingRpm && tick.input.pedal > kPedalDown &&
         tick.contact.triangles > 0) {
         report(CutEventKind::BurStalled, time, tick);
         turned_ = false;

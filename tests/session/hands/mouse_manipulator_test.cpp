@@ -91,6 +91,33 @@ TEST_F(MouseManipulatorTest, LettingGoLiftsTheToolOffTheTooth) {
     EXPECT_FALSE(hand_.isPressing());
 }
 
+TEST_F(MouseManipulatorTest, FromTheEndOfAPressABurMayCutOnlyWhenItIsClear) {
+    const auto touchable = std::make_shared<const Surface>(surface_);
+    const TriangleMesh bur = test::cylinder(Vec3::Zero(), 0.5, 10, 16);
+    hand_.setSurroundings({touchable, std::make_shared<const ToolShape>(bur), surface_.base});
+    hand_.aim(picture_, pixelOf(Vec3(1, 0, 5)), surface_);
+    Vec3 tool = hand_.pose().position;
+    const auto move = [&](int frames, double depth) {
+        for (int i = 0; i < frames; ++i) {
+            hand_.advance(0.016, tool, depth);
+            tool = hand_.pose().position;
+            tool.z() = std::max(tool.z(), 4.5);  // in a cavity
+        }
+    };
+    EXPECT_TRUE(hand_.mayCut()) << "it hovers";
+    move(100, 0);
+    hand_.press(picture_, pixelOf(Vec3(1, 0, 5)));
+    move(100, 0.2);
+    EXPECT_TRUE(hand_.mayCut()) << "it is pressed";
+    hand_.release();
+    EXPECT_FALSE(hand_.mayCut()) << "at once";
+    hand_.advance(0.016, tool, 0.2);
+    EXPECT_FALSE(hand_.mayCut()) << "on its way out";
+    move(60, 0);
+    EXPECT_GT(tool.z(), 5.2);
+    EXPECT_TRUE(hand_.mayCut()) << "outside";
+}
+
 TEST_F(MouseManipulatorTest, AWallSeenFromTheSideIsPressedFromTheSide) {
     lookFrom({std::numbers::pi / 2, 0});
     hand_.aim(picture_, pixelOf(Vec3(0, 5, 0)), surface_);

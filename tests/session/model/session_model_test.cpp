@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "devices/simulated/scripted_device.h"
+#include "hands/pinhole.h"
 #include "live/udp_listener.h"
 #include "model/session_model_fixture.h"
 #include "model/slow_device.h"
@@ -241,6 +242,30 @@ TEST_F(SessionModelTest, ATurningBurCutsAndAResetPutsItBack) {
     EXPECT_TRUE(soon([&] { return counts() == static_cast<std::ptrdiff_t>(events); }));
     model_.redo();
     EXPECT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) == 0; }));
+}
+
+TEST_F(SessionModelTest, FromTheReleaseOfTheMouseTheBurTouchesNothingWhileItMayCut) {
+    model_.setCutting(true);
+    model_.controls.pedal = 1;
+    ASSERT_TRUE(ticksCome());
+    const test::Pinhole picture;
+    const Vec2 pixel = picture.pixelOf(Vec3(0, 0, 0));
+    model_.manipulator().aim(picture, pixel, *touchableSurface(model_));
+    model_.manipulator().press(picture, pixel);
+    ASSERT_TRUE(soon([&] { return total(model_.runner()->feed().removed()) > 0.01; }));
+    model_.releaseHand();
+    bool hasStopped = false, touches = true, cutsAgain = false;
+    int cutting = 0;
+    EXPECT_TRUE(soon([&] {
+        for (const Tick& tick : model_.log().ticks()) {
+            hasStopped |= !tick.input.cutting;
+            touches = tick.contact.triangles > 0;
+            cutting += hasStopped && touches && tick.input.cutting ? 1 : 0;
+            cutsAgain = hasStopped && tick.input.cutting;
+        }
+        return cutsAgain && !touches;
+    }));
+    EXPECT_EQ(cutting, 0);
 }
 
 /// A hand presses far beyond a floor of 0.03 mm, with the stop, without it, and where it is not allowed.

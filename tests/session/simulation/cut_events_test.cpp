@@ -20,6 +20,7 @@ Tick tickAt(double z, int contacts, double speedRpm = 200000, double pedal = 1) 
     tick.contact.triangles = contacts;
     tick.spindle.speedRpm = speedRpm;
     tick.input.pedal = pedal;
+    tick.input.cutting = true;
     return tick;
 }
 
@@ -185,3 +186,14 @@ TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
 
 }  // namespace
 }  // namespace tactooth
+TEST(CutEvents, ADriveThatRunsDownBecauseCuttingIsOffDoesNotStall) {
+    CutEvents events;
+    Tick tick = tickAt(0, 1);
+    events.update(0.0, tick, {});
+    tick.input.cutting = false;
+    tick.spindle.speedRpm = 0;
+    events.update(0.1, tick, {});
+    ASSERT_EQ(events.all().size(), 1U);
+    EXPECT_EQ(events.all()[0].kind, CutEventKind::FirstContact);
+}
+

@@ -93,7 +93,7 @@ void GuidedTour::aim() { drill_.touchAction()->trigger(); }
 void GuidedTour::touch() { model_.manipulator().press(picture(), pixelAt(0)); }
 
 void GuidedTour::lift() {
-    model_.manipulator().release();
+    model_.releaseHand();
     drive_.setKeyDown(false);
 }
 

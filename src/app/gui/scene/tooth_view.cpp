@@ -328,7 +328,7 @@ void ToothView::resizeEvent(QResizeEvent* event) {
 
 void ToothView::setSurfaceTool(SurfaceTool* tool) {
     tool_ = tool;
-    model_.manipulator().release();
+    model_.releaseHand();
     showAim();
     redraw();
 }
@@ -353,7 +353,7 @@ void ToothView::mouseReleaseEvent(QMouseEvent* event) {
         const bool isClick = (now - rightPress_).norm() <= kClick * devicePixelRatioF();
         if (event->button() == Qt::RightButton && isClick) tool->clickRight(viewport(), now);
     }
-    if (event->button() == Qt::LeftButton) model_.manipulator().release();
+    if (event->button() == Qt::LeftButton) model_.releaseHand();
 }
 
 void ToothView::moveCamera(const Vec2& displacement, Qt::MouseButtons buttons) {
@@ -426,7 +426,7 @@ void ToothView::takeParkedMirror() {
 }
 
 void ToothView::endKeyPress() {
-    if (std::exchange(isPressedByKey_, false)) model_.manipulator().release();
+    if (std::exchange(isPressedByKey_, false)) model_.releaseHand();
 }
 
 void ToothView::wheelEvent(QWheelEvent* event) {
