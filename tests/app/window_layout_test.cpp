@@ -313,6 +313,7 @@ void WindowLayoutTest::whatHappensIsSaidInThePicture() {
     const CutEvent old{CutEventKind::PulpExposed, now - 60, Vec3::Zero()};
     const CutEvent first{CutEventKind::FirstContact, now, Vec3::Zero()};
     const CutEvent dentin{CutEventKind::DentinReached, now, Vec3::Zero()};
+    const CutEvent near{CutEventKind::PulpNear, now, Vec3::Zero()};
     const CutEvent pulp{CutEventKind::PulpExposed, now, Vec3::Zero()};
     const CutEvent stall{CutEventKind::BurStalled, now, Vec3::Zero()};
     events->show(std::array{old, first});
@@ -321,9 +322,11 @@ void WindowLayoutTest::whatHappensIsSaidInThePicture() {
     QCOMPARE(banner->text(), QString("Dentin reached"));
     QVERIFY(banner->isVisible() && view().rect().contains(banner->geometry()));
     const QImage amber = window_->grab().toImage();
-    events->show(std::array{old, first, dentin, pulp});
+    events->show(std::array{old, first, dentin, near});
+    QCOMPARE(banner->text(), QString("Pulp near"));
+    events->show(std::array{old, first, dentin, near, pulp});
     QCOMPARE(banner->text(), QString("Pulp exposed"));
-    events->show(std::array{old, first, dentin, pulp, stall});
+    events->show(std::array{old, first, dentin, near, pulp, stall});
     QCOMPARE(banner->text(), QString("Pulp exposed"));  // harm stays
     QVERIFY(window_->grab().toImage() != amber);
     // The mouse works through it.

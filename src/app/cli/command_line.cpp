@@ -206,10 +206,10 @@ void addCut(CLI::App& program, CommandAction& chosen) {
     command->add_option("--forces", options->forces, "CSV file to write, one row for each tick, as by 'feel'")
         ->type_name("FILE");
     command
-        ->add_option(
-            "--events", options->events,
-            "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp exposed, neighbour touched, gum "
-            "or bone touched, cut beside the tooth, piece came loose (not with --feed rigid), bur stalled")
+        ->add_option("--events", options->events,
+                     "CSV file to write: t,event,x,y,z for first contact, dentin reached, pulp near, pulp exposed, "
+                     "neighbour touched, "
+                     "gum or bone touched, cut beside the tooth, piece came loose (not with --feed rigid), bur stalled")
         ->type_name("FILE");
     command
         ->add_option(

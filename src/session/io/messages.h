@@ -237,6 +237,7 @@ inline constexpr MessageText kProfileTooLong{
 // Events of a cut.
 inline constexpr MessageText kFirstContact{"first_contact", "first contact", "最初の接触"};
 inline constexpr MessageText kDentinReached{"dentin_reached", "dentin reached", "象牙質に到達"};
+inline constexpr MessageText kPulpNear{"pulp_near", "pulp near", "歯髄に近接"};
 inline constexpr MessageText kPulpExposed{"pulp_exposed", "pulp exposed", "歯髄が露出"};
 inline constexpr MessageText kNeighbourTouched{"neighbour_touched", "neighbour touched", "隣在歯に接触"};
 inline constexpr MessageText kGingivaTouched{"gingiva_touched", "gum or bone touched", "歯肉または骨に接触"};

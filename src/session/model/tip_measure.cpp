@@ -4,18 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "collision/bvh/closest_point.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
 constexpr double kFar = 6;         // mm: farther away from the pulp nobody asks
-constexpr double kHeadPart = 2.5;  // mm of the head above the tip that can be nearest to the pulp
-constexpr double kRings = 0.15;    // mm between two rings of places on the head
-constexpr int kAround = 8;         // places around the axis
 constexpr double kOutside = 60;    // mm, outside of every tooth
 constexpr double kFirstCut = 0.3;  // mm that a bur cuts at once where a force presses it
 
@@ -27,28 +22,6 @@ Vec3 inwardOf(const SessionModel& model) {
 
 /// False for an instrument that only touches.
 bool canCut(const SessionBur& bur) { return !bur.isHandInstrument() || bur.instrument.scrapes(); }
-
-/// Distance of the head of the bur from one layer.
-std::optional<double> distanceOf(const SurfacePart& pulp, const RevolutionEnvelope& head, const Pose& pose) {
-    std::optional<double> least;
-    double lastZ = -kFar;
-    for (const RevolutionEnvelope::ProfilePoint& ring : head.profile()) {
-        if (ring.z > head.bottom() + kHeadPart) break;
-        if (ring.z < lastZ + kRings) continue;
-        lastZ = ring.z;
-        const int places = ring.radius > 0 ? kAround : 1;
-        for (int i = 0; i < places; ++i) {
-            const double angle = 2 * std::numbers::pi * i / places;
-            const Vec3 place = pose * Vec3(ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.z);
-            const auto closest = closestPoint(pulp, place, least ? std::abs(*least) : kFar);
-            if (!closest) continue;
-            const bool isIn = closest->distance < kNearPulp && contains(pulp, place);
-            const double distance = isIn ? -closest->distance : closest->distance;
-            least = std::min(least.value_or(distance), distance);
-        }
-    }
-    return least;
-}
 
 /// How far the tip of `mark` will go along the press direction, mm.
 double travelOf(const MouseManipulator& hand, const AimMark& mark) {
@@ -74,12 +47,8 @@ TipMeasure tipMeasure(const SessionModel& model) {
     if (model.bur()->instrument.hand == HandInstrument::Probe) {
         measure.probed = probedDepth(depths, newest.contact.proxy);
     }
-    const LayeredTooth& tooth = model.tooth()->piece->tooth();
-    for (const LayeredTooth::Layer& layer : tooth.layers()) {
-        if (!tooth.materials().hasRole(layer.material, MaterialRole::Pulp)) continue;
-        const auto distance = distanceOf(*layer.part, model.bur()->instrument.cutting.envelope, newest.contact.proxy);
-        if (distance) measure.overPulp = std::min(measure.overPulp.value_or(*distance), *distance);
-    }
+    measure.overPulp = distanceToPulp(model.tooth()->piece->tooth(), model.bur()->instrument.cutting.envelope,
+                                      newest.contact.proxy, kFar);
     return measure;
 }
 

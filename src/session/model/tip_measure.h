@@ -7,6 +7,7 @@
 
 #include "session/model/session_model.h"
 
+#include "session/simulation/pulp_distance.h"
 namespace tactooth {
 
 /// What somebody who cuts must know about the tip of the bur.
@@ -29,10 +30,6 @@ enum class TipWarning {
     AtPulp,    ///< less than kAtPulp over the pulp: stop
 };
 inline constexpr double kToleratedDepth = 0.15;  ///< mm
-/// mm: a millimetre of dentin shields the pulp; half of one barely does (Murray et al., "Pulp vitality and remaining
-/// dentin thickness", 2003: reactions grow below 0.5 mm).
-inline constexpr double kNearPulp = 1.0;
-inline constexpr double kAtPulp = 0.5;
 
 /// What a periodontal probe reads at this pose; none where its tip stands outside the uncut surface.
 [[nodiscard]] std::optional<double> probedDepth(const DepthControl& depths, const Pose& probe);

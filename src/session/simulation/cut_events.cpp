@@ -27,6 +27,8 @@ const MessageText& cutEventText(CutEventKind kind) {
             return msg::kFirstContact;
         case CutEventKind::DentinReached:
             return msg::kDentinReached;
+        case CutEventKind::PulpNear:
+            return msg::kPulpNear;
         case CutEventKind::PulpExposed:
             return msg::kPulpExposed;
         case CutEventKind::NeighbourTouched:
@@ -107,11 +109,13 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     if (!std::exchange(started_, true)) {
         before_ = removed;
         besideBefore_ = loss.beside;
+        wasNearPulp_ = loss.nearPulp != 0;
         pieces_ = loss.pieces;
         last_ = loss;
     }
     for (std::size_t i = 0; i < removed.size(); ++i) before_[i] = std::min(before_[i], removed[i]);
     besideBefore_ = std::min(besideBefore_, loss.beside);
+    wasNearPulp_ = wasNearPulp_ && loss.nearPulp != 0;
     count(loss);
     // Of the tooth itself. A loss beyond that of all neighbours counts as its own.
     const auto isReached = [&](MaterialRole role) {
@@ -123,6 +127,7 @@ void CutEvents::update(double time, const Tick& tick, const ToothLoss& loss) {
     };
     reportOnce(CutEventKind::FirstContact, tick.contact.triangles > 0 || total(removed) > total(before_), time, tick);
     reportOnce(CutEventKind::DentinReached, isReached(MaterialRole::Dentin), time, tick);
+    reportOnce(CutEventKind::PulpNear, loss.nearPulp != 0 && !wasNearPulp_, time, tick);
     reportOnce(CutEventKind::PulpExposed, isReached(MaterialRole::Pulp), time, tick);
     updateSurroundings(time, tick);
     reportOnce(CutEventKind::AdjacentCut, loss.beside - besideBefore_ > kReached, time, tick);

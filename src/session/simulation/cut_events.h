@@ -19,6 +19,7 @@ namespace tactooth {
 enum class CutEventKind {
     FirstContact,
     DentinReached,
+    PulpNear,
     PulpExposed,
     NeighbourTouched,
     GingivaTouched,
@@ -27,13 +28,13 @@ enum class CutEventKind {
     FragmentReleased
 };
 
-inline constexpr std::array kCutEventKinds = {CutEventKind::FirstContact,   CutEventKind::DentinReached,
-                                              CutEventKind::PulpExposed,    CutEventKind::NeighbourTouched,
-                                              CutEventKind::GingivaTouched, CutEventKind::AdjacentCut,
-                                              CutEventKind::BurStalled,     CutEventKind::FragmentReleased};
+inline constexpr std::array kCutEventKinds = {
+    CutEventKind::FirstContact, CutEventKind::DentinReached,    CutEventKind::PulpNear,
+    CutEventKind::PulpExposed,  CutEventKind::NeighbourTouched, CutEventKind::GingivaTouched,
+    CutEventKind::AdjacentCut,  CutEventKind::BurStalled,       CutEventKind::FragmentReleased};
 
-/// "first contact", "dentin reached", "pulp exposed", "neighbour touched", "gum or bone touched", "cut beside the
-/// tooth", "bur stalled", "piece came loose".
+/// "first contact", "dentin reached", "pulp near", "pulp exposed", "neighbour touched", "gum or bone touched", "cut
+/// beside the tooth", "bur stalled", "piece came loose".
 [[nodiscard]] std::string_view cutEventName(CutEventKind kind);
 /// The same in any language.
 [[nodiscard]] const MessageText& cutEventText(CutEventKind kind);
@@ -48,10 +49,10 @@ struct CutEvent {
 /// As a table: t,event,x,y,z; with a last column taken_back (yes or no) if any was.
 [[nodiscard]] std::string cutEventsCsv(std::span<const CutEvent> events);
 
-/// Detects the events of a cut tick by tick. First contact, each tissue of the tooth itself and a cut beside the tooth
-/// are reported once. While a neighbour loses volume as well, a tissue counts when more of it has gone than all
-/// neighbours lost. A touch of a neighbour, gum or bone is reported again after half a second without contact. Each
-/// stall and each fall of detached pieces is reported.
+/// Detects the events of a cut tick by tick. First contact, each tissue of the tooth itself, a cut near its pulp and a
+/// cut beside the tooth are reported once. While a neighbour loses volume as well, a tissue counts when more of it has
+/// gone than all neighbours lost. A touch of a neighbour, gum or bone is reported again after half a second without
+/// contact. Each stall and each fall of detached pieces is reported.
 class CutEvents {
 public:
     /// `materials`: of the tooth; they say which material is dentin, pulp or gingiva.
@@ -87,6 +88,7 @@ private:
     MaterialVolumes own_{};   // of the tooth itself, since the first call, mm^3
     std::size_t pieces_ = 0;  // fallen pieces at the last call
     bool started_ = false;
+    bool wasNearPulp_ = false;                              // at the first call, and since
     bool turned_ = false;                                   // whether the bur has turned since it last stalled
     std::optional<double> neighbourAt_, gingivaTouchedAt_;  // time of the last touch, s
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "session/simulation/pulp_distance.h"
 #include "tooth/file/debris.h"
 
 namespace tactooth {
@@ -62,10 +63,16 @@ void CutModel::addRemoved(const CarveResult& carve) {
     changed_.insert(changed_.end(), carve.changed.begin(), carve.changed.end());
 }
 
+/// Once a bur that cuts stands at `at`.
+void CutModel::watchPulp(const CuttingTool& tool, const Pose& at) {
+    if (loss_.nearPulp == 0 && isNearPulp(*tooth_, tool.envelope, at, kAtPulp)) loss_.nearPulp = 1;
+}
+
 MaterialVolumes CutModel::sweep(const CuttingTool& tool, const Pose& from, const Pose& to) {
     constexpr double kNoClearance = 0;  // exactly the swept volume is removed
     const CarveResult carve = volume_.carve(tool.envelope, from, to, kNoClearance);
     addRemoved(carve);
+    if (!carve.changed.empty()) watchPulp(tool, to);
     return carve.removed;
 }
 
@@ -111,6 +118,7 @@ bool CutModel::scrape(const CuttingTool& blade, const Tick& tick, const Material
                               tick.spindle.cutWork - std::max(kKept, kStepMargin * result.requiredWork));
         addRemoved(result.carve);
         const bool changed = !changed_.empty();
+        if (changed) watchPulp(blade, between(start, goal, result.fraction));
         refreshSurface();
         return changed;
     }
@@ -137,6 +145,7 @@ bool CutModel::feed(const CuttingTool& tool, const Tick& tick, const MaterialTab
     workSpent_ = std::max(workSpent_ + result.work, tick.spindle.cutWork - kept);
     addRemoved(result.carve);
     const bool changed = !changed_.empty();
+    if (changed) watchPulp(tool, *reached_);
     refreshSurface();
     return changed;
 }

@@ -118,6 +118,7 @@ private:
     [[nodiscard]] Pose startOf(const Tick& tick) const;
     [[nodiscard]] std::optional<double> newWork(const Tick& tick);
     void addRemoved(const CarveResult& carve);
+    void watchPulp(const CuttingTool& tool, const Pose& at);
     void updateContact(const Tick& tick);
     void addFallen(const CarveResult& carve);
     [[nodiscard]] bool isDeferred(const Pose& start, const Pose& goal, double work) const;

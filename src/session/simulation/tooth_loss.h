@@ -14,6 +14,7 @@ struct ToothLoss {
     MaterialVolumes detached{};  ///< of that, in pieces that burs had cut off all around, mm^3
     std::size_t pieces = 0;      ///< fallen pieces that an eye can see (kVisiblePiece)
     double beside = 0;           ///< of all, lost by bodies around the tooth, mm^3
+    std::size_t nearPulp = 0;    ///< 1: a bur that cut has come within kAtPulp of the pulp; a word, as the rest
 
     /// The volume that burs have ground to chips.
     [[nodiscard]] MaterialVolumes ground() const {

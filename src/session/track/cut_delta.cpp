@@ -25,7 +25,7 @@ static_assert(kAllWords <= std::numeric_limits<std::uint16_t>::max());
 
 constexpr std::size_t kLossWords = sizeof(ToothLoss) / sizeof(Word);
 static_assert(std::is_trivially_copyable_v<ToothLoss>);
-static_assert(sizeof(ToothLoss) == (2 * kMaxMaterials + 1) * sizeof(double) + sizeof(std::size_t));
+static_assert(sizeof(ToothLoss) == (2 * kMaxMaterials + 1) * sizeof(double) + 2 * sizeof(std::size_t));
 
 constexpr BrickKey kLossKey{std::numeric_limits<int>::min(), 0, 0};  // no brick
 

@@ -51,6 +51,36 @@ TEST(CutEvents, AreReportedOnceInTheirOrderWithTimeAndPlace) {
     EXPECT_EQ(cutEventName(events.all()[2].kind), "pulp exposed");
 }
 
+ToothLoss near(bool isNear) {
+    ToothLoss loss = gone(1, 1, 0);
+    loss.nearPulp = isNear ? 1 : 0;
+    return loss;
+}
+
+TEST(CutEvents, ACutNearThePulpIsReportedOnce) {
+    CutEvents events;
+    events.update(0.0, tickAt(0, 0), near(false));
+    events.update(0.1, tickAt(-2, 0), near(true));
+    events.update(0.2, tickAt(-2, 0), near(true));
+    events.update(0.3, tickAt(-1, 0), near(false));  // undone
+    events.update(0.4, tickAt(-2, 0), near(true));
+    ASSERT_EQ(events.all().size(), 1U);
+    EXPECT_EQ(events.all()[0].kind, CutEventKind::PulpNear);
+    EXPECT_EQ(events.all()[0].time, 0.1);
+    EXPECT_EQ(events.all()[0].place, Vec3(0, 0, -2));
+    EXPECT_EQ(cutEventsCsv(events.all()), "t,event,x,y,z\n0.1,pulp near,0,0,-2\n");
+}
+
+TEST(CutEvents, ACutNearThePulpThatWasThereBeforeIsReportedOnlyWhenItIsMadeAgain) {
+    CutEvents events;
+    events.update(0.0, tickAt(0, 0), near(true));
+    events.update(0.1, tickAt(0, 0), near(true));
+    EXPECT_TRUE(events.all().empty());
+    events.update(0.2, tickAt(0, 0), near(false));
+    events.update(0.3, tickAt(0, 0), near(true));
+    EXPECT_EQ(events.all().size(), 1U);
+}
+
 TEST(CutEvents, WhatWasCutBeforeIsNotReported) {
     CutEvents events;
     events.update(0.0, tickAt(1, 0), gone(1, 1, 1));
@@ -164,6 +194,17 @@ TEST(CutEvents, ABurStallsEachTimeThatItHadRunUpAndTheFootStaysDown) {
     EXPECT_EQ(events.all().size(), 3U);
 }
 
+TEST(CutEvents, ADriveThatRunsDownBecauseCuttingIsOffDoesNotStall) {
+    CutEvents events;
+    Tick tick = tickAt(0, 1);
+    events.update(0.0, tick, {});
+    tick.input.cutting = false;
+    tick.spindle.speedRpm = 0;
+    events.update(0.1, tick, {});
+    ASSERT_EQ(events.all().size(), 1U);
+    EXPECT_EQ(events.all()[0].kind, CutEventKind::FirstContact);
+}
+
 TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
     const auto piece = test::blockOnTheBench(test::kEnamel);
     HapticSettings settings;  // the air turbine
@@ -186,14 +227,3 @@ TEST(CutEvents, TooMuchLoadStallsTheTurbine) {
 
 }  // namespace
 }  // namespace tactooth
-TEST(CutEvents, ADriveThatRunsDownBecauseCuttingIsOffDoesNotStall) {
-    CutEvents events;
-    Tick tick = tickAt(0, 1);
-    events.update(0.0, tick, {});
-    tick.input.cutting = false;
-    tick.spindle.speedRpm = 0;
-    events.update(0.1, tick, {});
-    ASSERT_EQ(events.all().size(), 1U);
-    EXPECT_EQ(events.all()[0].kind, CutEventKind::FirstContact);
-}
-

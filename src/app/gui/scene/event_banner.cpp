@@ -33,6 +33,7 @@ EventBanner::Weight EventBanner::weightOf(CutEventKind kind) {
         case CutEventKind::AdjacentCut:
             return Weight::Harm;
         case CutEventKind::DentinReached:
+        case CutEventKind::PulpNear:
         case CutEventKind::NeighbourTouched:
         case CutEventKind::GingivaTouched:
         case CutEventKind::BurStalled:
