@@ -67,7 +67,7 @@ bool AimMark::touchesBeside() const {
     return std::any_of(ring.begin(), ring.end(), [](const AimPlace& place) { return place.touchesBeside; });
 }
 
-AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& tool) {
+AimMark aimMark(const MouseManipulator& hand, const HeadOutline& head, const Pose& tool) {
     const MouseManipulator::Surroundings& there = hand.surroundings();
     AimMark mark;
     mark.tip = tool.position;
@@ -78,7 +78,7 @@ AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& too
     const auto depth = hand.depthControl().depthOf(mark.tip, inward);
     const bool isInside = depth && *depth > 0;
     // A bur in a fissure has cusps beside it that rise above its tip.
-    const double back = isInside ? kOutside : headRadius;
+    const double back = isInside ? kOutside : head.radius();
     const Surface& below = isInside ? *uncut : *there.touchable;
     const auto landingOf = [&](const Vec3& place) -> std::optional<Vec3> {
         const Vec3 start = place - back * inward;
@@ -88,12 +88,9 @@ AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& too
     };
     mark.landing = landingOf(mark.tip);
     if (!mark.landing) return mark;
-    const Vec3 u = inward.unitOrthogonal();
-    const Vec3 v = inward.cross(u);
     const double travel = travelOf(hand, mark);
-    for (int i = 0; i < kRingPlaces; ++i) {
-        const double angle = 2 * std::numbers::pi * i / kRingPlaces;
-        const Vec3 start = mark.tip + headRadius * (std::cos(angle) * u + std::sin(angle) * v);
+    for (const Vec3& aside : head.seenAlong(inward, tool.rotation)) {
+        const Vec3 start = mark.tip + aside;
         const auto place = landingOf(start);
         if (!place) continue;
         const auto first = firstHitWithNormal(*there.touchable, {start, inward});

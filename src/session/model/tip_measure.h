@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "session/model/head_outline.h"
 #include "session/model/session_model.h"
-
 #include "session/simulation/pulp_distance.h"
+
 namespace tactooth {
 
 /// What somebody who cuts must know about the tip of the bur.
@@ -45,7 +46,8 @@ struct AimPlace {
     bool touchesBeside = false;
 };
 
-/// Where the bur will land, for a picture: the outline of its head on the surface below it.
+/// Where the bur will land, for a picture: the outline of its head, seen along the press direction, on the surface
+/// below it.
 struct AimMark {
     Vec3 tip = Vec3::Zero();
     std::optional<Vec3> landing;  ///< below the tip along the press direction; none beside the tooth
@@ -54,10 +56,8 @@ struct AimMark {
 
     [[nodiscard]] bool touchesBeside() const;
 };
-inline constexpr int kRingPlaces = 32;
 
-/// For a bur that the mouse's hand holds at `tool`; `headRadius`: of its head, mm. In a cavity the ring lies at the
-/// height of its rim.
-[[nodiscard]] AimMark aimMark(const MouseManipulator& hand, double headRadius, const Pose& tool);
+/// For a bur that the mouse's hand holds at `tool`. In a cavity the ring lies at the height of its rim.
+[[nodiscard]] AimMark aimMark(const MouseManipulator& hand, const HeadOutline& head, const Pose& tool);
 
 }  // namespace tactooth

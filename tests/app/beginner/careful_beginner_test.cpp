@@ -127,7 +127,7 @@ Outcome cutBy(const Scene& scene, unsigned seed, PressMode mode, double longest 
             eventAt += eventPeriod;
             test::SeenPicture seen;
             seen.outline = outline;
-            const AimMark mark = aimMark(hand, scene.bur.head.radius, tick.contact.proxy);
+            const AimMark mark = aimMark(hand, HeadOutline(scene.bur), tick.contact.proxy);
             for (const AimPlace& place : mark.ring) seen.ring.push_back(*project(view.camera(), kPicture, place.at));
             if (mark.landing) seen.landing = *project(view.camera(), kPicture, *mark.landing);
             seen.depth = hand.depthControl().depthOf(tick.contact.proxy.position, hand.pressDirection());

@@ -14,7 +14,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kRadius = 0.6;  // mm
+constexpr double kRadius = 0.6, kLength = 4;  // mm
 
 /// A tooth with its top at z = 5 and its side at x = 5. A neighbour begins 0.4 mm beside it.
 class AimMarkTest : public testing::Test {
@@ -28,15 +28,16 @@ protected:
         all->base = std::make_shared<const SurfacePart>(std::move(mesh), std::vector<SurfaceTag>{}, own);
         hand_.setSurroundings({all, nullptr, uncut_});
     }
-    [[nodiscard]] AimMark above(double x) const { return aimMark(hand_, kRadius, {Vec3(x, 0, 8), Quat::Identity()}); }
+    [[nodiscard]] AimMark above(double x) const { return aimMark(hand_, head_, {Vec3(x, 0, 8), Quat::Identity()}); }
     [[nodiscard]] static double shareBeside(const AimMark& mark) {
         const auto count = std::ranges::count_if(mark.ring, [](const AimPlace& place) { return place.touchesBeside; });
-        return static_cast<double>(count) / kRingPlaces;
+        return static_cast<double>(count) / HeadOutline::kPlaces;
     }
 
     static inline const Box3 kTooth = Box3(Vec3(-5, -5, -10), Vec3(5, 5, 5));
     std::shared_ptr<const SurfacePart> uncut_;
     MouseManipulator hand_{kTooth, 1};
+    const HeadOutline head_{*RevolutionEnvelope::make(test::cylinder(Vec3::Zero(), kRadius, kLength, 64)), kLength};
 };
 
 TEST_F(AimMarkTest, OverTheToothAloneTouchesNothingBeside) {
@@ -44,7 +45,7 @@ TEST_F(AimMarkTest, OverTheToothAloneTouchesNothingBeside) {
     const AimMark mark = above(0);
     ASSERT_TRUE(mark.landing);
     EXPECT_NEAR(mark.landing->z(), 5, 1e-9);
-    EXPECT_EQ(mark.ring.size(), kRingPlaces);
+    EXPECT_EQ(mark.ring.size(), HeadOutline::kPlaces);
     EXPECT_FALSE(mark.touchesBeside());
 }
 
@@ -52,7 +53,7 @@ TEST_F(AimMarkTest, OverTheToothAloneTouchesNothingBeside) {
 TEST_F(AimMarkTest, MarksThePartOfTheRingThatLiesOnANeighbour) {
     standBeside(5);
     const AimMark mark = above(4.95);
-    EXPECT_NEAR(shareBeside(mark), std::acos(0.45 / kRadius) / std::numbers::pi, 1.5 / kRingPlaces);
+    EXPECT_NEAR(shareBeside(mark), std::acos(0.45 / kRadius) / std::numbers::pi, 1.5 / HeadOutline::kPlaces);
     for (const AimPlace& place : mark.ring) {
         if (place.touchesBeside) {
             EXPECT_GE(place.at.x(), 5.4 - 1e-9);
@@ -62,7 +63,7 @@ TEST_F(AimMarkTest, MarksThePartOfTheRingThatLiesOnANeighbour) {
 
 TEST_F(AimMarkTest, TheRingLiesOnWhatRisesBesideTheTip) {
     standBeside(5.4);
-    const AimMark mark = aimMark(hand_, kRadius, {Vec3(4.95, 0, 5.1), Quat::Identity()});
+    const AimMark mark = aimMark(hand_, head_, {Vec3(4.95, 0, 5.1), Quat::Identity()});
     ASSERT_TRUE(mark.landing);
     EXPECT_NEAR(mark.landing->z(), 5, 1e-9);
     int beside = 0;
@@ -72,6 +73,21 @@ TEST_F(AimMarkTest, TheRingLiesOnWhatRisesBesideTheTip) {
         beside += isBeside ? 1 : 0;
     }
     EXPECT_GT(beside, 0);
+}
+
+/// A cylinder that lies along x, pressed down by its side.
+TEST_F(AimMarkTest, TheRingOfABurThatIsPressedSidewaysIsAsLongAsItsHead) {
+    standBeside(-9);
+    const Quat lying(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
+    const AimMark mark = aimMark(hand_, head_, {Vec3(-3, 0, 6), lying});
+    ASSERT_EQ(mark.ring.size(), std::size_t{HeadOutline::kPlaces});
+    Box3 box;
+    for (const AimPlace& place : mark.ring) box.extend(place.at);
+    EXPECT_NEAR(box.min().z(), 5, 1e-6);
+    EXPECT_NEAR(box.max().z(), 5, 1e-6);
+    EXPECT_NEAR(box.min().x(), -3, 0.05);
+    EXPECT_NEAR(box.max().x(), -3 + kLength, 0.05);
+    EXPECT_NEAR(box.sizes().y(), 2 * kRadius, 0.05);
 }
 
 TEST_F(AimMarkTest, ANeighbourBelowTheFloorIsNotTouched) {

@@ -128,7 +128,7 @@ AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& 
     if (!tip) return mark;
     mark.tip = tip->at;
     if (model.devices().first() == nullptr) {
-        const AimMark aim = aimMark(model.manipulator(), model.bur()->head.radius, newest.contact.proxy);
+        const AimMark aim = aimMark(model.manipulator(), HeadOutline(*model.bur()), newest.contact.proxy);
         for (const AimPlace& one : aim.ring) {
             auto place = placeOf(one.at);
             if (!place) continue;
@@ -199,7 +199,7 @@ void AimOverlay::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor colour = colourOf(mark_.warning);
     drawLine(painter, mark_.plumb, colour, false);
-    if (mark_.ring.size() > 2) drawLine(painter, mark_.ring, colour, mark_.ring.size() == kRingPlaces);
+    if (mark_.ring.size() > 2) drawLine(painter, mark_.ring, colour, mark_.ring.size() == HeadOutline::kPlaces);
     if (mark_.lines.empty()) return;
     const QRect text = textPlace();
     painter.setPen(Qt::NoPen);
