@@ -26,6 +26,7 @@ private slots:
     void eachAidIsRemembered();
     void theWheelSetsTheDepthAtWhichTheBurStops();
     void theRingLiesUnderThePointer();
+    void theRingTakesThePlaceOfTheCursor();
     void whileItsKeyIsHeldTheMouseMovesTheMirror();
     void theMirrorIsPlacedBehindTheBurAndPutBack();
     void overAMarginalRidgeTheRingMarksTheNeighbour();
@@ -114,6 +115,27 @@ void WindowAidsTest::aClickOnTheCubeLooksFromThere() {
     clickOn(StandardView::Buccal);
     QVERIFY(std::abs(elevation()) < 1e-9);
     QVERIFY(!window_->model().manipulator().isPressing());
+    key(Qt::Key_0);
+}
+
+void WindowAidsTest::theRingTakesThePlaceOfTheCursor() {
+    key(Qt::Key_1);
+    const auto cursor = [this] { return view().cursor().shape(); };
+    QTest::mouseMove(&view(), middle());
+    QTRY_COMPARE_WITH_TIMEOUT(cursor(), Qt::BlankCursor, kPatience);
+    const QPoint corner(3, view().height() - 3);
+    QTest::mouseMove(&view(), corner);
+    QTRY_COMPARE_WITH_TIMEOUT(cursor(), Qt::CrossCursor, kPatience);
+    QTest::mouseMove(&view(), middle());
+    QTRY_COMPARE_WITH_TIMEOUT(cursor(), Qt::BlankCursor, kPatience);
+    view().setShowsAim(false);
+    QCOMPARE(cursor(), Qt::CrossCursor);
+    view().setShowsAim(true);
+    QTRY_COMPARE_WITH_TIMEOUT(cursor(), Qt::BlankCursor, kPatience);
+    QTest::keyPress(&view(), Qt::Key_V);  // the mouse holds the mirror
+    QCOMPARE(cursor(), Qt::SizeAllCursor);
+    QTest::keyRelease(&view(), Qt::Key_V);
+    view().parkMirror();
     key(Qt::Key_0);
 }
 

@@ -111,6 +111,11 @@ QPolygonF AimOverlay::ring() const {
     return ring;
 }
 
+bool AimOverlay::isRingAt(const QPointF& place) const {
+    constexpr double kNear = 24;  // pixels: the bur follows the mouse within a tenth of a second
+    return mark_.ring.size() > 2 && ring().boundingRect().adjusted(-kNear, -kNear, kNear, kNear).contains(place);
+}
+
 AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& picture) const {
     Mark mark;
     const double ratio = devicePixelRatioF();

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] bool marksBeside() const;
     /// The landing ring in the picture, pixels of the widget.
     [[nodiscard]] QPolygonF ring() const;
+    /// Whether the landing ring is drawn at `place` or near it, pixels of the widget.
+    [[nodiscard]] bool isRingAt(const QPointF& place) const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -45,7 +45,7 @@ ToothView::ToothView(SessionModel& model, QWidget* parent)
     setMinimumSize(320, 240);
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setCursor(Qt::CrossCursor);
+    showCursor();
     setObjectName("toothView");
     rest_.setSingleShot(true);
     connect(&rest_, &QTimer::timeout, this, [this] {
@@ -90,7 +90,7 @@ void ToothView::addGlass(SceneContents& contents) const {
 
 void ToothView::setContents(ContentsSource contents) {
     contents_ = std::move(contents);
-    setCursor(contents_ ? Qt::OpenHandCursor : Qt::CrossCursor);
+    showCursor();
     redraw();
 }
 
@@ -277,8 +277,19 @@ bool ToothView::isMeasuring() const { return measure_->isOn() && !contents_ && m
 /// Not in stereo, where a flat line would lie in front of everything.
 void ToothView::showAim() {
     if (!showsAim_ || contents_ || isMeasuring() || tool_ != nullptr || stereo_ != Stereo::Mode::Off)
-        return aim_->showNothing();
-    aim_->show(model_, viewport());
+        aim_->showNothing();
+    else
+        aim_->show(model_, viewport());
+    showCursor();
+}
+
+/// The landing ring takes the cursor's place where both are together: over the tooth, unless the bur cannot get there.
+void ToothView::showCursor() {
+    Qt::CursorShape shape = contents_ ? Qt::OpenHandCursor : Qt::CrossCursor;
+    const QPointF mouse = QPointF(mouse_.x(), mouse_.y()) / devicePixelRatioF();
+    if (!contents_ && aim_->isRingAt(mouse) && model_.manipulator().landing()) shape = Qt::BlankCursor;
+    if (mirrorMouse_.isHeld()) shape = Qt::SizeAllCursor;
+    if (cursor().shape() != shape) setCursor(shape);
 }
 
 void ToothView::setAids(const ViewAids& aids) {
@@ -404,7 +415,7 @@ void ToothView::focusOutEvent(QFocusEvent* event) {
 
 void ToothView::holdMirror(bool held) {
     if (!mirrorMouse_.hold(held)) return;
-    setCursor(held ? Qt::SizeAllCursor : contents_ ? Qt::OpenHandCursor : Qt::CrossCursor);
+    showCursor();
     if (held) emit mirrorUsed();
 }
 

@@ -138,6 +138,7 @@ private:
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
+    void showCursor();
     [[nodiscard]] bool isMeasuring() const;
     /// That takes the mouse now; null: none does.
     [[nodiscard]] SurfaceTool* activeTool() const;
