@@ -33,6 +33,7 @@ private slots:
     void theListIsGroupedAndShowsTheLevels();
     void anExerciseInTheMouthHasASoundToothWithNeighbours();
     void anExerciseOfOnesOwnIsOpenedFromTheMenu();
+    void theDepthStopOfAnExerciseEndsWithIt();
     void anExerciseThatCannotBeUsedIsRefusedAndTheToothStays();
     void anotherLanguageKeepsTargetExerciseAndLook();
     void cleanupTestCase();
@@ -184,6 +185,35 @@ void WindowExerciseTest::anExerciseOfOnesOwnIsOpenedFromTheMenu() {
     QCOMPARE(choice->currentText(), "Distal pit, deeper");
     loadMolar();
     QTRY_COMPARE_WITH_TIMEOUT(choice->currentIndex(), 0, kPatience);
+}
+
+void WindowExerciseTest::theDepthStopOfAnExerciseEndsWithIt() {
+    const auto file = folder_ / "stop.toml";
+    const auto start = [&](const std::string& name, const char* key) {
+        test::writeText(file, "name = \"" + name + "\"\ntask = \"Deep down.\"\ntooth = 46\nbur = \"245\"\n[cavity]\n" +
+                                  "depth = 1.2\n" + key + "[[cavity.strokes]]\nfrom = [2, 0, 0]\n");
+        window_->exercise().open(QString::fromStdString(file.string()));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains(QString::fromStdString(name)), kLoadPatience);
+    };
+    auto* stop = window_->findChild<QCheckBox*>("depthStop");
+    QVERIFY(!stop->isChecked());
+    start("With a stop", "depth_stop = true\n");
+    QTRY_VERIFY_WITH_TIMEOUT(stop->isChecked(), kPatience);
+    QVERIFY2(!window_->settings().force.depthStop, "the user has not set it");
+    start("Without", "");
+    QTRY_VERIFY_WITH_TIMEOUT(!stop->isChecked(), kPatience);
+
+    stop->click();  // the user's own
+    start("Again with a stop", "depth_stop = true\n");
+    QVERIFY(stop->isChecked());
+    loadMolar();
+    QVERIFY(stop->isChecked() && window_->settings().force.depthStop);
+
+    start("Once more with a stop", "depth_stop = true\n");
+    stop->click();  // in the exercise: the user's last word
+    QVERIFY(!stop->isChecked() && !window_->settings().force.depthStop);
+    loadMolar();
+    QVERIFY(!stop->isChecked());
 }
 
 void WindowExerciseTest::anExerciseThatCannotBeUsedIsRefusedAndTheToothStays() {

@@ -58,6 +58,18 @@ TEST(ExerciseFile, DescribesABuiltInToothABurAndWhatItCuts) {
     EXPECT_EQ(plan.strokes[0].to, Vec3(0.5, 0, 0));
 }
 
+TEST(ExerciseFile, ADeviceStopsAtTheDepthOnlyIfItIsSaidSo) {
+    const auto stops = [](const std::string& key) {
+        const auto exercise = parsed(exerciseWith("depth = 1.5", "depth = 1.5\n" + key));
+        EXPECT_TRUE(exercise) << exercise.error().message();
+        return std::get<PreparationPlan>(exercise->ideal).stopsDevice;
+    };
+    EXPECT_FALSE(stops(""));
+    EXPECT_FALSE(stops("depth_stop = false"));
+    EXPECT_TRUE(stops("depth_stop = true"));
+    EXPECT_FALSE(parsed(exerciseWith("depth = 1.5", "depth = 1.5\ndepth_stop = 1")));
+}
+
 TEST(ExerciseFile, NamesFilesBesideIt) {
     const auto exercise = parsed(
         "name = \"Own\"\ntask = \"Cut.\"\ntooth = \"teeth/own.stl\"\nlayers = {dentin = \"dentin.stl\"}\n"

@@ -45,6 +45,7 @@ Exercise drawn() {
                                                            .spread = {Vec3(0.1 + 0.2, 0, 6), Vec3(-1, 0.7, 6)}};
     auto& plan = std::get<PreparationPlan>(exercise.ideal);
     plan.fissure.reset();
+    plan.stopsDevice = true;
     plan.outline = {.corners = {{-2, -1, 6}, {4, -1, 6.3}, {4, 1.0 / 3, 6}, {-2, 1, 6}},
                     .taperDegrees = 3.5,
                     .burRadius = 0.4,

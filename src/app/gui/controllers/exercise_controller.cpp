@@ -75,6 +75,7 @@ void ExerciseController::takeTooth() {
     active_ = exerciseOf(*model_.tooth());
     const auto* plan = active_ != nullptr ? std::get_if<PreparationPlan>(&active_->ideal) : nullptr;
     if (plan != nullptr) panels_.view->measureTool().setAxis(plan->outward);
+    panels_.force->wantDepthStop(plan != nullptr && plan->stopsDevice);
     showActive();
     showZones();
 }
@@ -153,7 +154,6 @@ void ExerciseController::prepareHand() {
     hand.alignShaft(plan->outward);
     panels_.force->setDepth(plan->depth);
     panels_.force->setFlatFloor(plan->isFlat);
-    if (plan->stopsDevice) panels_.force->setDepthStop(true);
     hand.depthControl().setReference(plan->isFlat ? floorReference(*plan, model_.tooth()->piece->tooth())
                                                   : std::nullopt);
 }
@@ -174,6 +174,7 @@ void ExerciseController::openTarget(const QString& file) {
     files_.enterFolderOf(file);
     messages_.setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
     active_ = nullptr;
+    panels_.force->wantDepthStop(false);
     showActive();
     showZones();
     targetFile_ = file;
@@ -188,6 +189,7 @@ void ExerciseController::openTarget(const QString& file) {
 void ExerciseController::clearTarget() {
     pendingTarget_.cancel();
     active_ = nullptr;
+    panels_.force->wantDepthStop(false);
     targetFile_.clear();
     setTarget({});
     showZones();

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <utility>
 
 #include "app/gui/text/translation.h"
 #include "session/model/session_model.h"
@@ -95,6 +96,7 @@ void ForcePanel::addHand(QGridLayout& grid) {
     };
     connect(mouse_, &QComboBox::currentIndexChanged, this, enableDepth);
     connect(stop_, &QCheckBox::toggled, this, enableDepth);
+    connect(stop_, &QCheckBox::clicked, this, [this] { chosenStop_.reset(); });
     connect(depth_, &NumberRow::changed, this, &ForcePanel::handChanged);
     connect(flat_, &QCheckBox::toggled, this, &ForcePanel::handChanged);
     connect(guide_, &QCheckBox::toggled, this, &ForcePanel::handChanged);
@@ -103,13 +105,22 @@ void ForcePanel::addHand(QGridLayout& grid) {
 
 void ForcePanel::applyTo(SessionModel& model) const {
     const ForceSettings now = settings();
-    model.aids().setDepthStop(now.depthStop);
+    model.aids().setDepthStop(stop_->isChecked());
     model.aids().setGuide(now.guide);
     MouseManipulator& hand = model.manipulator();
     hand.setPressMode(now.mouse == kMouseByForce ? PressMode::Force : PressMode::Depth);
     hand.setPressDepth(now.press);
     hand.depthControl().setDepth(now.depth);
     hand.depthControl().setFloor(now.flatFloor ? CavityFloor::Flat : CavityFloor::FollowsSurface);
+}
+
+void ForcePanel::wantDepthStop(bool wanted) {
+    if (wanted) {
+        chosenStop_ = chosenStop_.value_or(stop_->isChecked());
+        stop_->setChecked(true);
+    } else if (chosenStop_) {
+        stop_->setChecked(*std::exchange(chosenStop_, std::nullopt));
+    }
 }
 
 ForceOverrides ForcePanel::overrides() const {
@@ -126,7 +137,7 @@ ForceSettings ForcePanel::settings() const {
             .mouse = mouse_->currentData().toString().toStdString(),
             .depth = depth_->value(),
             .flatFloor = flat_->isChecked(),
-            .depthStop = stop_->isChecked(),
+            .depthStop = chosenStop_.value_or(stop_->isChecked()),
             .guide = guide_->isChecked(),
             .friction = friction_->value()};
 }
@@ -140,7 +151,11 @@ void ForcePanel::set(const ForceSettings& settings) {
     mouse_->setCurrentIndex(settings.mouse == kMouseByForce ? 1 : 0);
     depth_->setValue(settings.depth);
     flat_->setChecked(settings.flatFloor);
-    stop_->setChecked(settings.depthStop);
+    if (chosenStop_) {
+        chosenStop_ = settings.depthStop;  // the exercise still wants it
+    } else {
+        stop_->setChecked(settings.depthStop);
+    }
     guide_->setChecked(settings.guide);
     friction_->setValue(settings.friction);
 }

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QWidget>
+#include <optional>
 
 #include "app/gui/panels/number_row.h"
 #include "app/gui/settings/window_settings.h"
@@ -31,7 +32,8 @@ public:
     void setPressDepth(double depth) { press_->setValue(depth); }
     void setDepth(double depth) { depth_->setValue(depth); }
     void setFlatFloor(bool isFlat) { flat_->setChecked(isFlat); }
-    void setDepthStop(bool on) { stop_->setChecked(on); }
+    /// An exercise wants a device to stop at the depth. Without the wish it does what the user had set.
+    void wantDepthStop(bool wanted);
     /// How the mouse presses, and whether a device stops at a depth.
     void applyTo(SessionModel& model) const;
 
@@ -56,6 +58,7 @@ private:
     NumberRow* depth_;
     QCheckBox* flat_;
     QCheckBox* stop_;
+    std::optional<bool> chosenStop_;  // by the user, while an exercise has switched the stop on
     QCheckBox* guide_;
 };
 
