@@ -1692,6 +1692,14 @@ It can be overcome, and is off in an examination.</source>
         <source>No place of the mirror shows the bur from behind: turn the tooth, or move the mirror by the mouse</source>
         <translation>バーを後ろから映せるミラーの位置がありません。歯の向きを変えるか、マウスでミラーを動かしてください</translation>
     </message>
+    <message>
+        <source>As from %1 o&apos;clock, with the mirror held to the chewing surface</source>
+        <translation>%1 時の位置からの視点です。ミラーは咬合面を映しています</translation>
+    </message>
+    <message>
+        <source>As from %1 o&apos;clock, without the mirror</source>
+        <translation>%1 時の位置からの視点です。ミラーは使いません</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::WindowMenus</name>

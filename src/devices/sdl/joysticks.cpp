@@ -54,7 +54,9 @@ void follow(PadButtons& buttons, SDL_GameController* pad) {
                                                                           SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
                                                                           SDL_CONTROLLER_BUTTON_RIGHTSHOULDER,
                                                                           SDL_CONTROLLER_BUTTON_LEFTSTICK,
-                                                                          SDL_CONTROLLER_BUTTON_RIGHTSTICK};
+                                                                          SDL_CONTROLLER_BUTTON_RIGHTSTICK,
+                                                                          SDL_CONTROLLER_BUTTON_X,
+                                                                          SDL_CONTROLLER_BUTTON_Y};
     for (std::size_t i = 0; i < kPadButtons; ++i) {
         const bool wasDown = std::exchange(buttons.down[i], SDL_GameControllerGetButton(pad, kOrder[i]) != 0);
         if (buttons.down[i] && !wasDown) ++buttons.presses[i];

@@ -18,8 +18,23 @@
 namespace tactooth {
 
 /// The buttons of a pad for use in menus, by their names on the usual pad.
-enum class PadButton { Up, Down, Left, Right, Start, Back, A, B, LeftShoulder, RightShoulder, LeftStick, RightStick };
-inline constexpr std::size_t kPadButtons = 12;
+enum class PadButton {
+    Up,
+    Down,
+    Left,
+    Right,
+    Start,
+    Back,
+    A,
+    B,
+    LeftShoulder,
+    RightShoulder,
+    LeftStick,
+    RightStick,
+    X,
+    Y
+};
+inline constexpr std::size_t kPadButtons = 14;
 
 /// State of these buttons.
 struct PadButtons {

@@ -15,6 +15,7 @@
 #include "app/gui/panels/exercise_panel.h"
 #include "app/gui/panels/force_panel.h"
 #include "app/gui/panels/inspection_panel.h"
+#include "app/gui/scene/session_scene.h"
 #include "app/gui/scene/surface_line.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
@@ -129,9 +130,9 @@ void ExerciseController::showCavity() {
             if (plan != nullptr) show(viewOnto(*plan, model_.tooth()->piece->tooth(), model_.mesialX()));
             return;
         case StartView::Dentist:
-            return show(dentistView(model_.mesialX()));
+            return panels_.view->setView(defaultView(model_));
         case StartView::Mirror:
-            show(dentistView(model_.mesialX()));
+            panels_.view->setView(defaultView(model_));
             return panels_.view->takeParkedMirror();
         case StartView::Occlusal:
             return panels_.view->setView(StandardView::Occlusal);

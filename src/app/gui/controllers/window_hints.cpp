@@ -29,6 +29,10 @@ WindowHints::WindowHints(SessionModel& model, const WindowPanels& panels, const 
         messages_.setHint(
             tr("No place of the mirror shows the bur from behind: turn the tooth, or move the mirror by the mouse"));
     });
+    connect(panels_.view, &ToothView::dentistViewTaken, this, [this](int clock, bool byMirror) {
+        messages_.setHint(byMirror ? tr("As from %1 o'clock, with the mirror held to the chewing surface").arg(clock)
+                                   : tr("As from %1 o'clock, without the mirror").arg(clock));
+    });
     connect(panels_.tour, &GuidedTour::ended, this, &WindowHints::showUsual);
 }
 

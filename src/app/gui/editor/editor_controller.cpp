@@ -272,7 +272,7 @@ void EditorController::followDraft() {
         marks.hint = tr("Click: add a point. Drag: move it. Right click: remove it.");
     }
     parts_.panels.view->outlines().setMarks(OutlineOverlay::Layer::Editor, std::move(marks));
-    parts_.panels.view->outlines().follow(parts_.panels.view->viewport());
+    parts_.panels.view->outlines().follow(parts_.panels.view->viewport(), {});
 }
 
 /// Begins to make the ideal anew where it has changed: at the end of a stroke, on the tooth of the draft.

@@ -8,6 +8,18 @@
 #include "session/model/session_model.h"
 
 namespace tactooth {
+namespace {
+
+/// Without the bur. Needs the meshes of the instruments.
+MirrorAim aimOf(const SessionModel& model, const Viewport& picture) {
+    return {.tip = Vec3::Zero(),
+            .shaft = Vec3::UnitZ(),
+            .eye = picture.camera().cameraInWorld.position,
+            .handle = -handleX(model) * Vec3::UnitX(),
+            .radius = model.instruments().meshes()->disc.radius};
+}
+
+}  // namespace
 
 bool MirrorMouse::hold(bool held) { return std::exchange(held_, held) != held; }
 
@@ -19,23 +31,26 @@ void MirrorMouse::move(const Viewport& picture, const Vec2& from, const Vec2& to
     }
 }
 
-void MirrorMouse::turnWheel(const Viewport& picture, double notches) {
-    constexpr double kStep = 1;  // mm
-    model_.mirror().approach(picture, kStep * notches);
-}
+void MirrorMouse::approach(const Viewport& picture, double distance) { model_.mirror().approach(picture, distance); }
 
 bool MirrorMouse::placeBehindBur(const Viewport& picture) {
     if (model_.runner() == nullptr || !model_.instruments().meshes()) return false;
     const Pose& bur = model_.log().newest().contact.proxy;
     if (!bur.position.allFinite()) return false;
-    const MirrorAim aim{.tip = bur.position,
-                        .shaft = bur.rotation * Vec3::UnitZ(),
-                        .eye = picture.camera().cameraInWorld.position,
-                        .handle = -handleX(model_) * Vec3::UnitX(),
-                        .radius = model_.instruments().meshes()->disc.radius};
-    const std::optional<Pose> place = mirrorPoseBehind(aim, *touchableSurface(model_));
-    if (place) model_.mirror().place(*place);
-    return place.has_value();
+    MirrorAim aim = aimOf(model_, picture);
+    aim.tip = bur.position;
+    aim.shaft = bur.rotation * Vec3::UnitZ();
+    return place(mirrorPoseBehind(aim, *touchableSurface(model_)));
+}
+
+bool MirrorMouse::placeOverCrown(const Viewport& picture) {
+    if (model_.runner() == nullptr || !model_.instruments().meshes()) return false;
+    return place(mirrorPoseOverCrown(aimOf(model_, picture), model_.tooth()->box(), *touchableSurface(model_)));
+}
+
+bool MirrorMouse::place(const std::optional<Pose>& found) {
+    if (found) model_.mirror().place(*found);
+    return found.has_value();
 }
 
 void MirrorMouse::park() { model_.mirror().reset(); }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "app/gui/input/viewport.h"
 
 namespace tactooth {
@@ -21,15 +23,19 @@ public:
     /// The mouse moves between two pixels: the glass follows it; or, if it `tilts`, turns to where
     /// the mouse goes.
     void move(const Viewport& picture, const Vec2& from, const Vec2& to, bool tilts);
-    /// A notch of the wheel brings the glass 1 mm toward the eye.
-    void turnWheel(const Viewport& picture, double notches);
+    /// The glass comes nearer to the eye, mm.
+    void approach(const Viewport& picture, double distance);
 
     /// Holds the mirror where it shows the bur from behind. False if there is no such place, or nothing to look at.
     [[nodiscard]] bool placeBehindBur(const Viewport& picture);
+    /// Holds the mirror where it shows the chewing surface or the edge of the tooth to the eye. False as above.
+    [[nodiscard]] bool placeOverCrown(const Viewport& picture);
     /// Back to where it waits.
     void park();
 
 private:
+    [[nodiscard]] bool place(const std::optional<Pose>& found);
+
     SessionModel& model_;
     bool held_ = false;
 };

@@ -125,6 +125,8 @@ constexpr std::array kPad = {
     FixedControls::Row{&msg::kPadButtonsWhat, &msg::kPadButtons},
     FixedControls::Row{&msg::kPadCrossWhat, &msg::kPadCross},
     FixedControls::Row{&msg::kPadPressedWhat, &msg::kPadPressed},
+    FixedControls::Row{&msg::kPadMirrorWhat, &msg::kPadMirror},
+    FixedControls::Row{&msg::kPadMeasureWhat, &msg::kPadMeasure},
     FixedControls::Row{&msg::kPadMenusWhat, &msg::kPadMenus},
     FixedControls::Row{&msg::kPadFrontWhat, &msg::kPadFront},
 };

@@ -75,9 +75,10 @@ inline constexpr MessageText kKeySecondDistal{"key_second_distal", "Second view 
 inline constexpr MessageText kKeyMirror{"key_mirror", "Mirror on and off", "ミラーの表示のオン・オフ"};
 inline constexpr MessageText kKeyHoldMirror{
     "key_hold_mirror",
-    "The mouse moves the mirror, as long as the key is held; with the key that leans the bur it tilts the mirror, and "
-    "the wheel brings it nearer",
-    "押している間、マウスでミラーを動かす。バーを傾けるキーと一緒に傾け、ホイールで近づける"};
+    "The mouse, or the keys that move the bur, move the mirror, as long as the key is held; with the key that leans "
+    "the bur they tilt it, and the wheel, or the keys for nearer and farther, bring it nearer or farther",
+    "押している間、マウスかバーを動かすキーでミラーを動かす。バーを傾けるキーと一緒なら傾け、"
+    "ホイールか近づく・離れるキーで近づける、離す"};
 inline constexpr MessageText kKeyPlaceMirror{"key_place_mirror", "Place the mirror behind the bur",
                                              "バーを後ろから映す位置にミラーを置く"};
 inline constexpr MessageText kKeyParkMirror{"key_park_mirror", "Put the mirror back", "ミラーを元に戻す"};
@@ -174,6 +175,14 @@ inline constexpr MessageText kPadButtons{"pad_buttons", "Touch or cut, turbine o
 inline constexpr MessageText kPadCrossWhat{"pad_cross_what", "D-pad", "十字キー"};
 inline constexpr MessageText kPadCross{"pad_cross", "Turn the tooth; with the right shoulder shift the picture",
                                        "歯を回す。右ショルダーと一緒なら画面をずらす"};
+inline constexpr MessageText kPadMirrorWhat{"pad_mirror_what", "Y, held", "Y（押している間）"};
+inline constexpr MessageText kPadMirror{
+    "pad_mirror",
+    "The d-pad moves the mirror, with the right shoulder it tilts it; the pressed sticks bring it nearer or farther",
+    "十字キーでミラーを動かす、右ショルダーと一緒なら傾ける。スティックの押し込みで近づける、離す"};
+inline constexpr MessageText kPadMeasureWhat{"pad_measure_what", "X, while measuring", "X（計測中）"};
+inline constexpr MessageText kPadMeasure{"pad_measure", "Mark the place that the tip points at",
+                                         "先端が向いている点に印を付ける"};
 inline constexpr MessageText kPadPressedWhat{"pad_pressed_what", "Sticks, pressed in", "スティックの押し込み"};
 inline constexpr MessageText kPadPressed{"pad_pressed", "Left: farther; right: nearer", "左：離れる、右：近づく"};
 inline constexpr MessageText kPadMenusWhat{"pad_menus_what", "Start, Back", "Start、Back"};

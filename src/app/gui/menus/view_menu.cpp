@@ -25,7 +25,7 @@ KeyId nth(KeyId first, int place) { return static_cast<KeyId>(static_cast<int>(f
 }  // namespace
 
 ViewMenu::ViewMenu(QMenu& menu, QToolBar& bar, ToothView& view) : menu_(menu), bar_(bar), view_(view) {
-    addAction(tr("Dentist's view"), KeyId::DentistView, "dentist", &ToothView::resetView);
+    addAction(tr("Dentist's view"), KeyId::DentistView, "dentist", &ToothView::takeDentistView);
     const QStringList titles = addStandardViews();
     addAction(tr("Fit"), KeyId::Fit, "fit", &ToothView::fit);
     addSecondViews(titles);

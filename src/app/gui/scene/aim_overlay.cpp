@@ -5,9 +5,11 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "app/gui/scene/mirror_outline.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -66,12 +68,12 @@ AimOverlay::AimOverlay(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::NoFocus);
 }
 
-void AimOverlay::show(const SessionModel& model, const Viewport& picture) {
+void AimOverlay::show(const SessionModel& model, const Viewport& picture, const std::optional<Mirror>& mirror) {
     if (model.runner() == nullptr || !model.bur()) return showNothing();
-    const Source source = sourceOf(model, picture);
+    const Source source = sourceOf(model, picture, mirror);
     if (source_ == source) return;
     source_ = source;
-    set(markFor(model, picture));
+    set(markFor(model, picture, mirror));
 }
 
 void AimOverlay::showNothing() {
@@ -80,7 +82,8 @@ void AimOverlay::showNothing() {
 }
 
 /// Rounded to what somebody sees: a tool at rest still trembles by less than a micrometre.
-AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewport& picture) const {
+AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewport& picture,
+                                        const std::optional<Mirror>& mirror) const {
     constexpr double kSeen = 0.002;  // mm, and rad
     const auto rounded = [&](const Vec3& place) { return Vec3((place / kSeen).array().round().matrix() * kSeen); };
     const Tick& newest = model.log().newest();
@@ -98,78 +101,127 @@ AimOverlay::Source AimOverlay::sourceOf(const SessionModel& model, const Viewpor
             .mode = hand.pressMode(),
             .width = picture.size().width,
             .height = picture.size().height,
-            .showsNumbers = showsNumbers_};
+            .showsNumbers = showsNumbers_,
+            .glass = mirror ? mirror->glass.centre : Vec3::Zero(),
+            .glassNormal = mirror ? mirror->glass.normal : Vec3::Zero(),
+            .glassRadius = mirror ? mirror->glass.radius : 0,
+            .isAimedIntoMirror = mirror && mirror->isAimedInto};
 }
 
 void AimOverlay::setShowsNumbers(bool shows) { showsNumbers_ = shows; }
 
-bool AimOverlay::marksBeside() const { return std::ranges::any_of(mark_.ring, &Place::touchesBeside); }
+bool AimOverlay::marksBeside() const { return std::ranges::any_of(mark_.direct.ring, &Place::touchesBeside); }
 
-QPolygonF AimOverlay::ring() const {
-    QPolygonF ring;
-    for (const Place& place : mark_.ring) ring << place.at;
-    return ring;
+QPolygonF AimOverlay::polygonOf(const std::vector<Place>& places) {
+    QPolygonF polygon;
+    for (const Place& place : places) polygon << place.at;
+    return polygon;
 }
 
 bool AimOverlay::isRingAt(const QPointF& place) const {
     constexpr double kNear = 24;  // pixels: the bur follows the mouse within a tenth of a second
-    return mark_.ring.size() > 2 && ring().boundingRect().adjusted(-kNear, -kNear, kNear, kNear).contains(place);
+    return std::ranges::any_of(std::array{&mark_.direct, &mark_.inMirror}, [&](const Lines* lines) {
+        const QRectF near = polygonOf(lines->ring).boundingRect().adjusted(-kNear, -kNear, kNear, kNear);
+        return lines->ring.size() > 2 && near.contains(place);
+    });
 }
 
-AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& picture) const {
-    Mark mark;
-    const double ratio = devicePixelRatioF();
-    const MouseManipulator::Surroundings& there = model.manipulator().surroundings();
-    const auto placeOf = [&](const Vec3& point) -> std::optional<Place> {
+/// Where the eye sees a place; what stands behind the tooth or behind the mirror is hidden.
+AimOverlay::Projection AimOverlay::directly(const SessionModel& model, const Viewport& picture,
+                                            const std::optional<Mirror>& mirror) const {
+    return [&model, &picture, &mirror, ratio = devicePixelRatioF()](const Vec3& point) -> std::optional<Place> {
         const auto pixel = project(picture.camera(), picture.size(), point);
         if (!pixel) return std::nullopt;
         const Ray ray = picture.rayThrough(*pixel);
+        const double distance = (point - ray.origin).dot(ray.direction);
+        const MouseManipulator::Surroundings& there = model.manipulator().surroundings();
         const auto hit = there.touchable ? firstSeen(*there.touchable, ray) : std::nullopt;
-        const bool isHidden = hit && hit->distance + kOnSurface < (point - ray.origin).dot(ray.direction);
+        const auto glass = mirror ? meetingWith(mirror->glass, ray) : std::nullopt;
+        const bool isHidden = (hit && hit->distance + kOnSurface < distance) || (glass && *glass < distance);
         return Place{{pixel->x() / ratio, pixel->y() / ratio}, isHidden, false};
     };
-    const Tick& newest = model.log().newest();
-    const auto tip = placeOf(newest.contact.proxy.position);
+}
+
+/// Where the mirror shows a place; none behind the glass.
+AimOverlay::Projection AimOverlay::throughMirror(const SessionModel& model, const Viewport& picture,
+                                                 const MirrorDisc& glass) const {
+    return [&model, &picture, &glass, ratio = devicePixelRatioF()](const Vec3& point) -> std::optional<Place> {
+        if ((point - glass.centre).dot(glass.normal) <= 0) return std::nullopt;
+        const auto pixel = project(picture.camera(), picture.size(), mirrorImage(glass, point));
+        if (!pixel) return std::nullopt;
+        const MouseManipulator::Surroundings& there = model.manipulator().surroundings();
+        const bool isHidden =
+            there.touchable != nullptr && !isSeenInMirror(picture, *pixel, glass, point, *there.touchable);
+        return Place{{pixel->x() / ratio, pixel->y() / ratio}, isHidden, false};
+    };
+}
+
+AimOverlay::Lines AimOverlay::linesFor(const AimMark& aim, const Projection& placeOf) const {
+    Lines lines;
+    for (const AimPlace& one : aim.ring) {
+        auto place = placeOf(one.at);
+        if (!place) continue;
+        place->touchesBeside = one.touchesBeside && showsNumbers_;
+        lines.ring.push_back(*place);
+    }
+    if (aim.landing && (*aim.landing - aim.tip).norm() > kShortestPlumb) {
+        for (int i = 0; i <= kPlumbPlaces; ++i) {
+            const double part = static_cast<double>(i) / kPlumbPlaces;
+            if (const auto place = placeOf(aim.tip + part * (*aim.landing - aim.tip))) lines.plumb.push_back(*place);
+        }
+    }
+    return lines;
+}
+
+AimOverlay::Mark AimOverlay::markFor(const SessionModel& model, const Viewport& picture,
+                                     const std::optional<Mirror>& mirror) const {
+    Mark mark;
+    const Pose& tool = model.log().newest().contact.proxy;
+    const Projection direct = directly(model, picture, mirror);
+    const auto tip = direct(tool.position);
     if (!tip) return mark;
     mark.tip = tip->at;
-    if (model.devices().first() == nullptr) {
-        const AimMark aim = aimMark(model.manipulator(), HeadOutline(*model.bur()), newest.contact.proxy);
-        for (const AimPlace& one : aim.ring) {
-            auto place = placeOf(one.at);
-            if (!place) continue;
-            place->touchesBeside = one.touchesBeside && showsNumbers_;
-            mark.ring.push_back(*place);
-        }
-        if (aim.landing && (*aim.landing - aim.tip).norm() > kShortestPlumb) {
-            for (int i = 0; i <= kPlumbPlaces; ++i) {
-                const double part = static_cast<double>(i) / kPlumbPlaces;
-                if (const auto place = placeOf(aim.tip + part * (*aim.landing - aim.tip))) mark.plumb.push_back(*place);
-            }
-        }
+    if (mirror) mark.glass = glassInPicture(mirror->glass, picture, devicePixelRatioF());
+    AimMark aim;
+    const bool byMouse = model.devices().first() == nullptr;
+    if (byMouse) aim = aimMark(model.manipulator(), HeadOutline(*model.bur()), tool);
+    mark.direct = linesFor(aim, direct);
+    if (!mark.glass.isEmpty()) {
+        const Projection reflected = throughMirror(model, picture, mirror->glass);
+        mark.inMirror = linesFor(aim, reflected);
+        const auto tipThere = mirror->isAimedInto ? reflected(tool.position) : std::nullopt;
+        if (tipThere) mark.tip = tipThere->at;
     }
     if (!showsNumbers_) return mark;
     const TipMeasure measure = tipMeasure(model);
     mark.warning = warningOf(measure, model);
+    mark.lines = textFor(model, measure);
+    if (std::ranges::any_of(mark.direct.ring, &Place::touchesBeside))
+        mark.lines << tr("Will touch the neighbour or gum");
+    return mark;
+}
+
+QStringList AimOverlay::textFor(const SessionModel& model, const TipMeasure& measure) const {
+    QStringList lines;
     const MouseManipulator& hand = model.manipulator();
     const bool hasGoal = model.devices().first() == nullptr && hand.pressMode() == PressMode::Depth;
     const std::optional<HandInstrument> held = model.bur()->instrument.hand;
     if (held == HandInstrument::Probe) {
-        if (measure.probed) mark.lines << tr("Probe %1 mm").arg(*measure.probed, 0, 'f', 1);
+        if (measure.probed) lines << tr("Probe %1 mm").arg(*measure.probed, 0, 'f', 1);
     } else if (measure.depth && held != HandInstrument::Explorer) {
         const QString depth = millimetres(std::max(0.0, *measure.depth));
-        mark.lines << (hasGoal ? tr("Depth %1 of %2 mm").arg(depth, millimetres(hand.depthControl().depth()))
-                               : tr("Depth %1 mm").arg(depth));
+        lines << (hasGoal ? tr("Depth %1 of %2 mm").arg(depth, millimetres(hand.depthControl().depth()))
+                          : tr("Depth %1 mm").arg(depth));
     }
     if (held == HandInstrument::Explorer || held == HandInstrument::Probe) {
-        if (measure.hold > kSeenHold) mark.lines << tr("Sticks: %1 N to draw it out").arg(measure.hold, 0, 'f', 2);
+        if (measure.hold > kSeenHold) lines << tr("Sticks: %1 N to draw it out").arg(measure.hold, 0, 'f', 2);
     } else if (measure.overPulp && *measure.overPulp > 0) {
-        mark.lines << tr("Over the pulp %1 mm").arg(millimetres(*measure.overPulp));
+        lines << tr("Over the pulp %1 mm").arg(millimetres(*measure.overPulp));
     } else if (measure.overPulp) {
-        mark.lines << tr("In the pulp");
+        lines << tr("In the pulp");
     }
-    mark.lines << tr("Force %1 N").arg(measure.force, 0, 'f', 1);
-    if (std::ranges::any_of(mark.ring, &Place::touchesBeside)) mark.lines << tr("Will touch the neighbour or gum");
-    return mark;
+    lines << tr("Force %1 N").arg(measure.force, 0, 'f', 1);
+    return lines;
 }
 
 QRect AimOverlay::textPlace() const {
@@ -187,7 +239,8 @@ QRect AimOverlay::textPlace() const {
 
 QRect AimOverlay::bounds() const {
     QPolygonF all = ring();
-    for (const Place& place : mark_.plumb) all << place.at;
+    all << polygonOf(mark_.direct.plumb);
+    if (!mark_.inMirror.ring.empty() || !mark_.inMirror.plumb.empty()) all << mark_.glass;
     return all.boundingRect().toAlignedRect().adjusted(-kMargin, -kMargin, kMargin, kMargin).united(textPlace());
 }
 
@@ -199,12 +252,23 @@ void AimOverlay::set(Mark mark) {
     update(bounds());
 }
 
+void AimOverlay::paintLines(QPainter& painter, const Lines& lines) const {
+    const QColor colour = colourOf(mark_.warning);
+    drawLine(painter, lines.plumb, colour, false);
+    if (lines.ring.size() > 2) drawLine(painter, lines.ring, colour, lines.ring.size() == HeadOutline::kPlaces);
+}
+
 void AimOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor colour = colourOf(mark_.warning);
-    drawLine(painter, mark_.plumb, colour, false);
-    if (mark_.ring.size() > 2) drawLine(painter, mark_.ring, colour, mark_.ring.size() == HeadOutline::kPlaces);
+    paintLines(painter, mark_.direct);
+    if (!mark_.glass.isEmpty()) {
+        painter.save();
+        painter.setClipPath(pathOf(mark_.glass));
+        paintLines(painter, mark_.inMirror);
+        painter.restore();
+    }
     if (mark_.lines.empty()) return;
     const QRect text = textPlace();
     painter.setPen(Qt::NoPen);

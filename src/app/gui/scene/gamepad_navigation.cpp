@@ -30,6 +30,7 @@ constexpr double kFirstRepeat = 0.4;     // s until a held arrow repeats for the
 constexpr double kNextRepeat = 0.1;      // and between its repetitions
 constexpr double kOrbitSpeed = 1.0 / 3;  // picture heights a second: half of one turns the tooth by 90 degrees
 constexpr double kNearer = 0.5;          // factor of the distance for one second
+constexpr double kMirrorApproach = 8;    // mm/s
 
 constexpr std::array kArrows = {std::pair{PadButton::Up, Qt::Key_Up}, std::pair{PadButton::Down, Qt::Key_Down},
                                 std::pair{PadButton::Left, Qt::Key_Left}, std::pair{PadButton::Right, Qt::Key_Right}};
@@ -154,6 +155,7 @@ void GamepadNavigation::press(PadButton button) {
     if (control_ != nullptr) return pressInPanel(button);
     if (button == PadButton::Start) openMenus();
     if (button == PadButton::Back) enterPanels();
+    if (button == PadButton::X) shownView().markAtTip();
 }
 
 /// The widget that receives the keys of an open menu or dialog, or of the manual in front; null if there is none.
@@ -325,10 +327,16 @@ void GamepadNavigation::repeatArrow(const PadButtons& now, double dt) {
 }
 
 /// The d-pad turns the tooth. With the right shoulder button, which holds the bur, it shifts the picture. Pressing the
-/// sticks zooms in and out.
+/// sticks zooms in and out. While Y is held, they do the same with the mirror: it moves, tilts, comes and goes.
 void GamepadNavigation::orbitBy(const PadButtons& now, double dt) {
     using enum PadButton;
     const Vec2 direction = kOrbitSpeed * dt * Vec2(axis(now, Left, Right), axis(now, Up, Down));
+    if (now.isDown(Y)) {
+        if (!direction.isZero(0)) shownView().moveMirror(direction, now.isDown(RightShoulder));
+        const double toEye = axis(now, LeftStick, RightStick);
+        if (toEye != 0) shownView().approachMirror(kMirrorApproach * toEye * dt);
+        return;
+    }
     if (!direction.isZero(0)) shownView().orbitBy(direction, now.isDown(RightShoulder));
     const double nearer = axis(now, LeftStick, RightStick);
     if (nearer != 0) shownView().zoomBy(std::pow(kNearer, nearer * dt));

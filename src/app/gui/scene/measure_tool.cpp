@@ -49,15 +49,22 @@ void MeasureTool::showChange() {
 }
 
 void MeasureTool::point(const Surface& surface, const Viewport& picture, const Vec2& pixel) {
-    const Ray ray = picture.rayThrough(pixel);
+    point(surface, picture, picture.rayThrough(pixel));
+}
+
+void MeasureTool::point(const Surface& surface, const Viewport& picture, const Ray& ray) {
     const auto seen = firstSeen(surface, ray);
     pointer_ = seen ? std::optional<Vec3>(ray.origin + seen->distance * ray.direction) : std::nullopt;
     follow(picture);
 }
 
 void MeasureTool::pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Vec2& pixel) {
+    pick(surface, tooth, picture, picture.rayThrough(pixel));
+}
+
+void MeasureTool::pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Ray& ray) {
     if (!measure_) return;
-    const auto place = placeOn(surface, picture.rayThrough(pixel));
+    const auto place = placeOn(surface, ray);
     if (!place) return;
     const bool goesToPulp = measure_->kind() == MeasureKind::RemainingDentin;
     measure_->add(*place, goesToPulp ? nearestPulp(tooth, place->point) : std::nullopt);

@@ -33,8 +33,11 @@ public:
 
     /// The mouse is over this pixel of the picture.
     void point(const Surface& surface, const Viewport& picture, const Vec2& pixel);
+    /// A device points along this ray.
+    void point(const Surface& surface, const Viewport& picture, const Ray& ray);
     /// Marks the place there; nothing where there is no surface. `tooth`: of the surface, with its pulp.
     void pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Vec2& pixel);
+    void pick(const Surface& surface, const LayeredTooth& tooth, const Viewport& picture, const Ray& ray);
     /// The eye or the size of the picture has changed.
     void follow(const Viewport& picture);
     [[nodiscard]] const MeasureOverlay& overlay() const { return *overlay_; }

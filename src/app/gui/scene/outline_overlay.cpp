@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/scene/mirror_outline.h"
+#include "session/hands/mirror_view.h"
+
 namespace tactooth {
 namespace {
 
@@ -34,6 +37,22 @@ QColor faded(QColor colour, bool isBehind) {
     return colour;
 }
 
+void drawOn(QPainter& painter, const QPolygonF& polygon, OutlineMarks::Kind kind, bool isBehind) {
+    const QColor ink = faded(inkOf(kind), isBehind);
+    const bool isArea = kind == OutlineMarks::Kind::Forbidden && polygon.size() > 3;
+    if (isArea && !isBehind) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QBrush(ink, Qt::BDiagPattern));
+        painter.drawPolygon(polygon);
+    }
+    painter.setBrush(Qt::NoBrush);
+    for (const bool halo : {true, false}) {
+        const QColor colour = halo ? faded(kHalo, isBehind) : ink;
+        painter.setPen(QPen(colour, halo ? 4.5 : 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolyline(polygon);
+    }
+}
+
 }  // namespace
 
 OutlineOverlay::OutlineOverlay(QWidget* parent) : QWidget(parent) {
@@ -51,8 +70,9 @@ void OutlineOverlay::setMarks(Layer layer, OutlineMarks marks) {
     update();
 }
 
-void OutlineOverlay::follow(const Viewport& picture) {
+void OutlineOverlay::follow(const Viewport& picture, const std::optional<MirrorDisc>& glass) {
     picture_ = picture;
+    glass_ = glass;
     if (isVisible()) update();
 }
 
@@ -69,12 +89,28 @@ QPolygonF OutlineOverlay::polygonOf(const std::vector<Vec3>& places) const {
     return polygon;
 }
 
+/// The image in the mirror of what lies before the glass.
+QPolygonF OutlineOverlay::imageOf(const std::vector<Vec3>& places) const {
+    QPolygonF polygon;
+    for (const Vec3& place : places) {
+        if ((place - glass_->centre).dot(glass_->normal) <= 0) continue;
+        if (const auto at = pointOf(mirrorImage(*glass_, place))) polygon << *at;
+    }
+    return polygon;
+}
+
 void OutlineOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    const QPolygonF rim = glass_ ? glassInPicture(*glass_, picture_, devicePixelRatioF()) : QPolygonF();
     for (const OutlineMarks& marks : marks_) {
         for (const OutlineMarks::Line& line : marks.lines) paintLine(painter, line);
         if (!marks.hint.isEmpty()) paintHint(painter, marks.hint);
+    }
+    if (rim.isEmpty()) return;
+    painter.setClipPath(pathOf(rim));
+    for (const OutlineMarks& marks : marks_) {
+        for (const OutlineMarks::Line& line : marks.lines) paintImage(painter, line);
     }
 }
 
@@ -82,19 +118,7 @@ void OutlineOverlay::paintLine(QPainter& painter, const OutlineMarks::Line& line
     const Vec3 toEye = picture_.camera().cameraInWorld.rotation * Vec3::UnitZ();
     const bool isBehind = line.outward.dot(toEye) < 0;
     const QColor ink = faded(inkOf(line.kind), isBehind);
-    const QPolygonF polygon = polygonOf(line.places);
-    const bool isArea = line.kind == OutlineMarks::Kind::Forbidden && polygon.size() > 3;
-    if (isArea && !isBehind) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QBrush(ink, Qt::BDiagPattern));
-        painter.drawPolygon(polygon);
-    }
-    painter.setBrush(Qt::NoBrush);
-    for (const bool halo : {true, false}) {
-        const QColor colour = halo ? faded(kHalo, isBehind) : ink;
-        painter.setPen(QPen(colour, halo ? 4.5 : 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        painter.drawPolyline(polygon);
-    }
+    drawOn(painter, polygonOf(line.places), line.kind, isBehind);
     painter.setPen(QPen(kHalo, 1));
     for (std::size_t i = 0; i < line.handles.size(); ++i) {
         const auto at = pointOf(line.handles[i]);
@@ -102,6 +126,11 @@ void OutlineOverlay::paintLine(QPainter& painter, const OutlineMarks::Line& line
         const double radius = line.held == i ? kHeld : kHandle;
         if (at) painter.drawEllipse(*at, radius, radius);
     }
+}
+
+void OutlineOverlay::paintImage(QPainter& painter, const OutlineMarks::Line& line) const {
+    const Vec3 toEye = MirrorView(picture_, *glass_).eyeAxes().col(2);
+    drawOn(painter, imageOf(line.places), line.kind, line.outward.dot(toEye) < 0);
 }
 
 void OutlineOverlay::paintHint(QPainter& painter, const QString& hint) const {

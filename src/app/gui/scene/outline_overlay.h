@@ -10,6 +10,7 @@
 
 #include "app/gui/input/viewport.h"
 #include "geometry/util/vec.h"
+#include "instruments/mirror.h"
 
 namespace tactooth {
 
@@ -38,8 +39,9 @@ public:
     enum class Layer { Exercise, Editor };
     void setMarks(Layer layer, OutlineMarks marks);
     [[nodiscard]] const OutlineMarks& marks(Layer layer) const { return marks_[static_cast<std::size_t>(layer)]; }
-    /// The eye or the size of the picture has changed.
-    void follow(const Viewport& picture);
+    /// The eye, the size of the picture or the mouth mirror has changed. `glass`: what lies in front of it is drawn in
+    /// it, too.
+    void follow(const Viewport& picture, const std::optional<MirrorDisc>& glass);
     /// A place in the picture, pixels of the widget; none behind the eye.
     [[nodiscard]] std::optional<QPointF> pointOf(const Vec3& place) const;
 
@@ -48,11 +50,14 @@ protected:
 
 private:
     [[nodiscard]] QPolygonF polygonOf(const std::vector<Vec3>& places) const;
+    [[nodiscard]] QPolygonF imageOf(const std::vector<Vec3>& places) const;
     void paintLine(QPainter& painter, const OutlineMarks::Line& line) const;
+    void paintImage(QPainter& painter, const OutlineMarks::Line& line) const;
     void paintHint(QPainter& painter, const QString& hint) const;
 
     std::array<OutlineMarks, 2> marks_;  // by Layer
     Viewport picture_;
+    std::optional<MirrorDisc> glass_;
 };
 
 }  // namespace tactooth

@@ -5,22 +5,26 @@
 #include "app/common/mouth_scene.h"
 #include "app/common/spray_particles.h"
 #include "app/common/tooth_zones.h"
-#include "session/hands/chair_view.h"
+#include "session/hands/mirror_view.h"
 
 namespace tactooth {
 namespace {
 
 constexpr float kFog = 0.6F, kDrops = 0.5F;  // share of the glass, 0..1: the crown can still be seen in it
 
-ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
-    Pose mirror = model.mirror().pose();
+/// As the mouse and a device hold it.
+Pose mirrorPose(const SessionModel& model) {
+    const Pose& held = model.mirror().pose();
     const Pose& moved = model.runner()->feed().mirrorMotion();
-    mirror = {mirror.position + moved.position, (moved.rotation * mirror.rotation).normalized()};
+    return {held.position + moved.position, (moved.rotation * held.rotation).normalized()};
+}
+
+ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
     const MirrorState& state = model.instruments().mirror();
     const MirrorGlass& glass = model.instruments().glass();
     return {.mesh = meshes.mirror,
             .disc = meshes.disc,
-            .mirrorInTooth = mirror,
+            .mirrorInTooth = mirrorPose(model),
             .fog = state.fogged ? kFog : kFog * static_cast<float>(glass.fog()),
             .drops = state.wet ? kDrops : 0,
             .dirt = static_cast<float>(glass.dirt())};
@@ -69,9 +73,13 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
     return contents;
 }
 
+std::optional<MirrorDisc> mirrorGlass(const SessionModel& model) {
+    if (model.runner() == nullptr || !model.instruments().meshes()) return std::nullopt;
+    return glassAt(model.instruments().meshes()->disc, mirrorPose(model));
+}
+
 OrbitCamera::Direction defaultView(const SessionModel& model) {
-    const int fdi = model.tooth() ? model.tooth()->mouthTooth : 0;
-    const ViewDirection view = fdi != 0 ? chairView(fdi).view : dentistView(model.mesialX());
+    const ViewDirection view = model.tooth() ? chairViewOf(*model.tooth()).view : dentistView(model.mesialX());
     return {view.azimuth, view.elevation};
 }
 

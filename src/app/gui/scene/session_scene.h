@@ -11,7 +11,10 @@ namespace tactooth {
 /// What a picture of the session shows; the camera is left out.
 [[nodiscard]] SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror);
 
-/// From where a dentist sees the tooth of a mouth (chairView); any other tooth from buccal and above.
+/// The glass of the mouth mirror where the picture shows it; none until the instruments are made.
+[[nodiscard]] std::optional<MirrorDisc> mirrorGlass(const SessionModel& model);
+
+/// From where a dentist sees the tooth (chairViewOf).
 [[nodiscard]] OrbitCamera::Direction defaultView(const SessionModel& model);
 
 }  // namespace tactooth

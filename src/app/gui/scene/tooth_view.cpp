@@ -124,7 +124,7 @@ void ToothView::redraw() {
 
 void ToothView::followLines() {
     if (measure_->isOn()) measure_->follow(viewport());
-    outlines_->follow(viewport());
+    outlines_->follow(viewport(), glass());
 }
 
 void ToothView::paintGL() {
@@ -205,6 +205,9 @@ bool ToothView::seesTip(const SceneContents& now) const {
 void ToothView::refresh() {
     showOverlays();  // a tooth may have come
     showAim();
+    if (const auto ray = isMeasuring() ? alongTip() : std::nullopt) {
+        measure_->point(*touchableSurface(model_), viewport(), *ray);
+    }
     const FramePacer::Change change = changeTo(contents());
     if (sinceDrawn_.isValid() && !framePacer_.isDue(change, static_cast<double>(sinceDrawn_.elapsed()))) return;
     change_ = change;
@@ -279,8 +282,14 @@ void ToothView::showAim() {
     if (!showsAim_ || contents_ || isMeasuring() || tool_ != nullptr || stereo_ != Stereo::Mode::Off)
         aim_->showNothing();
     else
-        aim_->show(model_, viewport());
+        showAimOnTooth();
     showCursor();
+}
+
+void ToothView::showAimOnTooth() {
+    const std::optional<MirrorDisc> mirror = glass();
+    aim_->show(model_, viewport(),
+               mirror ? std::optional(AimOverlay::Mirror{*mirror, pointer_.isInMirror()}) : std::nullopt);
 }
 
 /// The landing ring takes the cursor's place where both are together: over the tooth, unless the bur cannot get there.
@@ -353,7 +362,7 @@ void ToothView::mousePressEvent(QMouseEvent* event) {
     if (SurfaceTool* tool = activeTool()) return tool->press(*touchableSurface(model_), viewport(), mouse_);
     if (isMeasuring())
         return measure_->pick(*touchableSurface(model_), model_.tooth()->piece->tooth(), viewport(), mouse_);
-    if (!contents_ && !mirrorMouse_.isHeld()) model_.manipulator().press(viewport(), mouse_);
+    if (!contents_ && !mirrorMouse_.isHeld()) pressHand();
 }
 
 void ToothView::mouseReleaseEvent(QMouseEvent* event) {
@@ -397,12 +406,8 @@ void ToothView::moveHand(const Vec2& to, Qt::KeyboardModifiers with) {
         measure_->point(*touchableSurface(model_), viewport(), to);
     } else if (mirrorMouse_.isHeld()) {
         mirrorMouse_.move(viewport(), from, to, (with & keys_.lean) != 0);
-    } else if (with & keys_.lean) {
-        model_.manipulator().tilt(viewport(), displacement);
-    } else if (model_.manipulator().isPressing()) {
-        model_.manipulator().drag(viewport(), to);
     } else {
-        model_.manipulator().aim(viewport(), to, *touchableSurface(model_));
+        pointHand(displacement, (with & keys_.lean) != 0);
     }
 }
 
@@ -413,29 +418,6 @@ void ToothView::focusOutEvent(QFocusEvent* event) {
     QOpenGLWidget::focusOutEvent(event);
 }
 
-void ToothView::holdMirror(bool held) {
-    if (!mirrorMouse_.hold(held)) return;
-    showCursor();
-    if (held) emit mirrorUsed();
-}
-
-void ToothView::placeMirror() {
-    if (contents_) return;
-    if (!mirrorMouse_.placeBehindBur(viewport())) return emit mirrorNotPlaced();
-    emit mirrorUsed();
-    redraw();
-}
-
-void ToothView::parkMirror() {
-    mirrorMouse_.park();
-    redraw();
-}
-
-void ToothView::takeParkedMirror() {
-    parkMirror();
-    emit mirrorUsed();
-}
-
 void ToothView::endKeyPress() {
     if (std::exchange(isPressedByKey_, false)) model_.releaseHand();
 }
@@ -443,7 +425,8 @@ void ToothView::endKeyPress() {
 void ToothView::wheelEvent(QWheelEvent* event) {
     const double notches = notchesOf(*event);
     if (mirrorMouse_.isHeld()) {
-        mirrorMouse_.turnWheel(viewport(), notches);
+        constexpr double kMirrorStep = 1;  // mm for one notch
+        mirrorMouse_.approach(viewport(), kMirrorStep * notches);
     } else if (contents_ || (event->modifiers() & keys_.zoom)) {
         camera_.zoom(std::pow(kZoomStep, notches), pixelAt(*this, event->position()), pictureSize(*this));
         redraw();

@@ -22,6 +22,7 @@
 #include "app/gui/scene/surface_tool.h"
 #include "app/gui/scene/view_overlays.h"
 #include "app/gui/settings/window_settings.h"
+#include "session/hands/hand_pointer.h"
 #include "session/model/session_model.h"
 #include "view/camera/orbit_camera.h"
 #include "view/render/renderer.h"
@@ -67,6 +68,9 @@ public:
     /// From where a dentist sees the tooth, with the whole crown and the head of the handpiece in the picture: turns,
     /// shifts and zooms back.
     void resetView();
+    /// The same; where a dentist sees the tooth by the mirror only, the mirror is held so that it shows the chewing
+    /// surface.
+    void takeDentistView();
     void setShowsTurbine(bool shows);
     void setShowsMirror(bool shows);
     /// Holds the mirror where it shows the bur from behind; a sentence says so if there is no such place.
@@ -75,12 +79,20 @@ public:
     void parkMirror();
     /// The same, and it is shown even if it was hidden.
     void takeParkedMirror();
+    /// The mirror moves in the picture by `displacement`, in picture heights; or it tilts to there.
+    void moveMirror(const Vec2& displacement, bool tilts);
+    /// The mirror comes nearer to the eye, mm.
+    void approachMirror(double distance);
     /// Landing ring, plumb line and numbers at the tip.
     void setShowsAim(bool shows);
     [[nodiscard]] const AimOverlay& aim() const { return *aim_; }
     /// Off: the aim shows no numbers and no warnings.
     void setShowsNumbers(bool shows) { aim_->setShowsNumbers(shows); }
     [[nodiscard]] MeasureTool& measureTool() { return *measure_; }
+    /// Marks the place that the tip of the bur in a device's hand points at, while somebody measures.
+    void markAtTip();
+    /// Somebody measures: clicks mark places.
+    [[nodiscard]] bool isMeasuring() const;
     /// Gives the mouse on the tooth to `tool`, and hides the instruments meanwhile; null: the mouse holds the bur
     /// again. `tool` stays there until then.
     void setSurfaceTool(SurfaceTool* tool);
@@ -107,7 +119,9 @@ signals:
     void depthChanged(double depth);
     /// The user has taken or placed the mirror, which may be hidden.
     void mirrorUsed();
-    /// No place of the mirror shows the bur.
+    /// The eye looks from this place at the chair, by the mirror or directly.
+    void dentistViewTaken(int clock, bool byMirror);
+    /// No place of the mirror shows the bur, or the chewing surface.
     void mirrorNotPlaced();
     /// The graphics system cannot draw; a sentence.
     void failed(const QString& sentence);
@@ -138,8 +152,13 @@ private:
     void moveCamera(const Vec2& displacement, Qt::MouseButtons buttons);
     void moveHand(const Vec2& to, Qt::KeyboardModifiers with);
     void showAim();
+    void showAimOnTooth();
     void showCursor();
-    [[nodiscard]] bool isMeasuring() const;
+    /// The mirror's glass in the picture; none where it is not shown.
+    [[nodiscard]] std::optional<MirrorDisc> glass() const;
+    void pressHand();
+    void pointHand(const Vec2& displacement, bool leans);
+    [[nodiscard]] std::optional<Ray> alongTip() const;
     /// That takes the mouse now; null: none does.
     [[nodiscard]] SurfaceTool* activeTool() const;
     void followLines();
@@ -155,6 +174,7 @@ private:
 
     SessionModel& model_;
     MirrorMouse mirrorMouse_;
+    HandPointer pointer_;
     ContentsSource contents_;  // null: the session
     OrbitCamera camera_;
     std::optional<Renderer> renderer_;

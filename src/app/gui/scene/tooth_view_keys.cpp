@@ -56,7 +56,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
             measure_->pick(*touchableSurface(model_), model_.tooth()->piece->tooth(), viewport(), mouse_);
             return true;
         }
-        model_.manipulator().press(viewport(), mouse_);
+        pressHand();
         isPressedByKey_ = true;
         return true;
     }
@@ -65,6 +65,10 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
         return true;
     }
     if (key.key() != keys_.nearer && key.key() != keys_.farther) return false;
+    if (mirrorMouse_.isHeld()) {
+        approachMirror(key.key() == keys_.nearer ? 1 : -1);
+        return true;
+    }
     camera_.zoom(key.key() == keys_.nearer ? kZoomStep : 1 / kZoomStep, mouse_, size);
     redraw();
     return true;
