@@ -16,9 +16,7 @@ void setAppearances(const ShaderProgram& program, const std::vector<Appearance>&
         const Appearance& appearance = appearances[i];
         const Vec3f colour = linearColour(appearance.colour);
         packed[2 * i] = {colour.x(), colour.y(), colour.z(), appearance.roughness};
-        const float machined = appearance.finish == Finish::Machined ? 1 : 0;
-        packed[2 * i + 1] = {appearance.metalness + machined, appearance.translucency, appearance.wetness,
-                             appearance.grain};
+        packed[2 * i + 1] = {appearance.metalness, appearance.translucency, appearance.wetness, appearance.grain};
     }
     program.setAll("appearances", packed.data(), static_cast<int>(2 * appearances.size()));
 }

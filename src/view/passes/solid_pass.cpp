@@ -32,14 +32,23 @@ struct ShadowTaps {
 // half times as wide and needs more. It is drawn only at rest, where thirty samples in all are cheap enough.
 constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 1}, {0, 12}, {12, 18}}};
 
-std::string definesFor(ShadowTaps taps, bool rich) {
+/// What a program can do besides lighting a surface. A software renderer computes both sides of each condition, so that
+/// a program has only what its objects need.
+struct Abilities {
+    bool rich = false;      ///< glass, transparency, distances
+    bool liquids = false;   ///< SurfaceLiquids
+    bool machined = false;  ///< Finish::Machined
+};
+
+std::string definesFor(ShadowTaps taps, const Abilities& abilities) {
     return "#define SHADOW_TAPS " + std::to_string(taps.light) + "\n#define BLOCKER_TAPS " +
            std::to_string(taps.blockers) + "\n#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) +
-           "\n#define RICH " + std::to_string(rich ? 1 : 0) + "\n#define LIQUIDS 1\n";
+           "\n#define RICH " + std::to_string(abilities.rich ? 1 : 0) + "\n" +
+           (abilities.liquids ? "#define LIQUIDS\n" : "") + (abilities.machined ? "#define MACHINED\n" : "");
 }
 
-Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, bool rich) {
-    auto program = ShaderProgram::create("solid", definesFor(taps, rich),
+Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, const Abilities& abilities) {
+    auto program = ShaderProgram::create("solid", definesFor(taps, abilities),
                                          {shaders::kFrame, shaders::kNoise, shaders::kLiquids, vertex},
                                          {shaders::kFrame, shaders::kColour, shaders::kDither, shaders::kEnvironment,
                                           shaders::kMachined, shaders::kSight, shaders::kSolidFrag});
@@ -54,9 +63,20 @@ Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, bool rich)
     return program;
 }
 
+/// Quick pictures by software have no time for it: the handpiece covers a large part of them.
+bool isMachined(const SolidInputs& inputs, const Drawable& drawable) {
+    if (inputs.shadows != Shadows::Soft && inputs.shadows != Shadows::Widening) return false;
+    return std::ranges::all_of(drawable.object->appearances,
+                               [](const Appearance& appearance) { return appearance.finish == Finish::Machined; });
+}
+
+bool isWet(const Drawable& drawable) {
+    return drawable.object->liquids.water > 0 || drawable.object->liquids.blood > 0;
+}
+
 bool isRich(const SolidInputs& inputs, const Drawable& drawable) {
     return drawable.object->inner || drawable.object->distances || drawable.isTransparent() ||
-           mayTurnToGlass(inputs, drawable);
+           mayTurnToGlass(inputs, drawable) || isMachined(inputs, drawable);
 }
 
 void setLiquids(const ShaderProgram& program, const SurfaceLiquids& liquids) {
@@ -127,13 +147,18 @@ bool showsLayers(const std::vector<Drawable>& drawables) {
 Expected<SolidPass> SolidPass::create() {
     SolidPass pass;
     for (std::size_t i = 0; i < kShadowTaps.size(); ++i) {
-        auto plain = lit(shaders::kSolidVert, kShadowTaps[i], false);
+        auto plain = lit(shaders::kSolidVert, kShadowTaps[i], {});
         if (!plain) return Unexpected{plain.error()};
-        auto rich = lit(shaders::kSolidVert, kShadowTaps[i], true);
+        auto wet = lit(shaders::kSolidVert, kShadowTaps[i], {.liquids = true});
+        if (!wet) return Unexpected{wet.error()};
+        auto rich = lit(shaders::kSolidVert, kShadowTaps[i], {.rich = true, .liquids = true});
         if (!rich) return Unexpected{rich.error()};
-        auto section = lit(shaders::kSectionVert, kShadowTaps[i], false);
+        auto machined = lit(shaders::kSolidVert, kShadowTaps[i], {.rich = true, .machined = true});
+        if (!machined) return Unexpected{machined.error()};
+        auto section = lit(shaders::kSectionVert, kShadowTaps[i], {});
         if (!section) return Unexpected{section.error()};
-        pass.variants_[i] = {std::move(*plain), std::move(*rich), std::move(*section)};
+        pass.variants_[i] = {std::move(*plain), std::move(*wet), std::move(*rich), std::move(*machined),
+                             std::move(*section)};
     }
     auto background = ShaderProgram::create(
         "background", "", {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kBackgroundVert},
@@ -228,13 +253,17 @@ void SolidPass::drawGlass(const SolidInputs& inputs) const {
 void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, Part part) const {
     const Variant& variant = variants_[static_cast<std::size_t>(inputs.shadows)];
     const bool rich = isRich(inputs, drawable);
-    const ShaderProgram& program = rich ? variant.rich : variant.plain;
+    const bool wet = isWet(drawable), machined = isMachined(inputs, drawable);
+    const ShaderProgram& program = machined ? variant.machined
+                                   : rich   ? variant.rich
+                                   : wet    ? variant.wet
+                                            : variant.plain;
     program.use();
     setAppearances(program, drawable.object->appearances);
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
     program.set("objectToWorld", drawable.objectToWorld);
     program.set("sectioned", drawable.object->sectioned ? 1 : 0);
-    setLiquids(program, drawable.object->liquids);
+    if (!machined && (rich || wet)) setLiquids(program, drawable.object->liquids);
     if (rich) setRichUniforms(program, inputs, drawable, part);
     const bool hidesBack =
         drawable.cullsBackFaces(hasSection(inputs)) && !(part == Part::Solid && isOpenedByGlass(inputs, drawable));

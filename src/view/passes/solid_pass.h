@@ -65,8 +65,10 @@ public:
 
 private:
     struct Variant {
-        ShaderProgram plain;  ///< opaque, in the colours of the appearances
-        ShaderProgram rich;   ///< transparent, inner, coloured by distance
+        ShaderProgram plain;     ///< opaque, in the colours of the appearances
+        ShaderProgram wet;       ///< the same under liquids
+        ShaderProgram rich;      ///< transparent, inner, coloured by distance
+        ShaderProgram machined;  ///< a handpiece, which may turn to glass
         ShaderProgram section;
     };
     void prepare(const SolidInputs& inputs) const;

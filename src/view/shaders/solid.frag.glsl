@@ -170,14 +170,13 @@ void main() {
     if (!gl_FrontFacing) smoothNormal = -smoothNormal;
     float lamp = 0.0;  // what the surface itself shines
     vec3 normal;
-    if (metalness > 1.0) {
-        metalness -= 1.0;
-        normal = machined(noisePlace, smoothNormal, colour, roughness, metalness, lamp);
-    } else {
-        vec4 bumps = texture(noiseTexture, noisePlace) - 0.5;
-        normal = normalize(smoothNormal + grain * 0.6 * bumps.xyz);
-        colour *= 1.0 + grain * 0.25 * bumps.w;
-    }
+#ifdef MACHINED
+    normal = machined(noisePlace, smoothNormal, colour, roughness, metalness, lamp);
+#else
+    vec4 bumps = texture(noiseTexture, noisePlace) - 0.5;
+    normal = normalize(smoothNormal + grain * 0.6 * bumps.xyz);
+    colour *= 1.0 + grain * 0.25 * bumps.w;
+#endif
 
     float nv = clamp(dot(normal, toEye), 0.02, 1.0);
     float nl = dot(normal, toKey.xyz);

@@ -35,8 +35,11 @@ void main() {
     float share = float((appearanceMix >> 16) & 255u) / 255.0;
     surfaceAppearance = mix(appearances[first], appearances[second], share);
     materialAppearance = mix(appearances[first + 1], appearances[second + 1], share);
-    // A machined surface needs the place itself (machined.glsl).
-    noisePlace = materialAppearance.x > 1.0 ? position : noisePlaceOf(position);
+#ifdef MACHINED
+    noisePlace = position;
+#else
+    noisePlace = noisePlaceOf(position);
+#endif
 #ifdef LIQUIDS
     addLiquids(world.xyz, surfaceAppearance, materialAppearance);
 #endif
