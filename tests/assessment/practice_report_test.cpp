@@ -48,6 +48,7 @@ TEST(PracticeReport, ListsWhatWasDoneToATooth) {
                                              "of it beside the tooth,0.25,mm^3",
                                              "first contact,1,times",
                                              "dentin reached,0,times",
+                                             "pulp near,0,times",
                                              "pulp exposed,0,times",
                                              "neighbour touched,2,times",
                                              "gum or bone touched,0,times",

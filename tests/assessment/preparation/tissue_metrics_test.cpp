@@ -66,7 +66,8 @@ TEST(TissueMetrics, TheRateOfDecayIsItsVolumeByTheTimeOfDrilling) {
     EXPECT_EQ(reasonOf(measures, "decay_rate"), "no_session");
     EXPECT_EQ(reasonOf(measures, "mirror_time"), "no_session");
     measures.hasSession = true;
-    measures.hand = HandWork{.drilling = 20};
+    measures.hand = HandWork();
+    measures.hand->drilling = 20;
     EXPECT_NEAR(valueOf(measures, "decay_rate"), valueOf(measures, "removed_decay") / 20, 1e-12);
     EXPECT_NEAR(valueOf(measures, "decay_rate"), 4.0 / 20, 0.005);
     EXPECT_EQ(reasonOf(measures, "mirror_time"), "no_mirror_known") << "null, not 0";

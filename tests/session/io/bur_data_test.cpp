@@ -53,7 +53,8 @@ TEST_F(BurData, HasNoKeyThatTheCatalogueDoesNotRead) {
     toml_.allow(root_, kTheFile, {"bur"});
     for (const toml::table* row : rows_) {
         toml_.allow(*row, msg::kABur,
-                    {"number", "shape", "kind", "iso", "diameter", "length", "taper", "blades", "notches", "grit_um"});
+                    {"number", "shape", "kind", "iso", "diameter", "length", "taper", "blades", "contact_blades",
+                     "notches", "grit_um"});
         const bool isDiamond = row->get("grit_um") != nullptr;
         EXPECT_NE(isDiamond, row->get("blades") != nullptr) << toml_.text(*row, "number", true);
     }
