@@ -374,6 +374,10 @@
         <translation>課題(&amp;X)</translation>
     </message>
     <message>
+        <source>C&amp;hoose an exercise…</source>
+        <translation>課題を選ぶ(&amp;H)…</translation>
+    </message>
+    <message>
         <source>&amp;New exercise…</source>
         <translation>新しい課題(&amp;N)…</translation>
     </message>

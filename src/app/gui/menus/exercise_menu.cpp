@@ -21,7 +21,7 @@ ExerciseMenu::ExerciseMenu(QMenuBar& bar, QAction& choice, ExerciseController& e
         action->setObjectName(name);
         setLineIcon(*action, icon);
     };
-    menu->addAction(&choice);
+    add(tr("C&hoose an exercise…"), "chooseExercise", "exercise", [&choice] { choice.trigger(); });
     menu->addSeparator();
     add(tr("&New exercise…"), "newExercise", "new-exercise", &ExerciseMenu::newExerciseWanted);
     add(tr("Edit a &copy…"), "copyExerciseEntry", "edit-exercise", &ExerciseMenu::copyWanted);
