@@ -35,6 +35,8 @@ protected:
     void answerUnsaved(QMessageBox::StandardButton answer) const;
     /// Cuts a little, and lifts the bur.
     void cutALittle();
+    /// Where the picture shows the middle of the chewing surface or edge.
+    [[nodiscard]] QPoint onCrown() const;
     [[nodiscard]] QPoint middle() const { return view().rect().center(); }
     [[nodiscard]] ToothView& view() const { return *window_->findChild<ToothView*>("toothView"); }
     [[nodiscard]] double gauge(const char* name) const { return window_->findChild<DialGauge*>(name)->value(); }

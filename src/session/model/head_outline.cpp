@@ -81,15 +81,28 @@ HeadOutline::HeadOutline(const SessionBur& bur) : HeadOutline(bur.instrument.cut
 std::vector<Vec3> HeadOutline::seenAlong(const Vec3& inward, const Quat& tool) const {
     const Vec3 u = inward.unitOrthogonal();
     const Vec3 v = inward.cross(u);
+    const auto onCircle = [](double radius, int i) {
+        const double angle = 2 * std::numbers::pi * i / kPlaces;
+        return Vec2(radius * std::cos(angle), radius * std::sin(angle));
+    };
+    constexpr double kParallel = 1e-9;  // 1 minus the cosine
+    std::vector<Vec3> outline;
+    if (std::abs((tool * Vec3::UnitZ()).dot(inward)) > 1 - kParallel) {  // along its shaft a bur is a disc
+        const double widest = std::ranges::max(rings_, {}, &RevolutionEnvelope::ProfilePoint::radius).radius;
+        for (int i = 0; i < kPlaces; ++i) {
+            const Vec2 place = onCircle(widest, i);
+            outline.push_back(place.x() * u + place.y() * v);
+        }
+        return outline;
+    }
     std::vector<Vec2> seen;
     for (const RevolutionEnvelope::ProfilePoint& ring : rings_) {
         for (int i = 0; i < kPlaces; ++i) {
-            const double angle = 2 * std::numbers::pi * i / kPlaces;
-            const Vec3 place = tool * Vec3(ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.z);
+            const Vec2 round = onCircle(ring.radius, i);
+            const Vec3 place = tool * Vec3(round.x(), round.y(), ring.z);
             seen.emplace_back(place.dot(u), place.dot(v));
         }
     }
-    std::vector<Vec3> outline;
     for (const Vec2& place : evenly(convexHull(std::move(seen)), kPlaces)) {
         outline.push_back(place.x() * u + place.y() * v);
     }
