@@ -55,10 +55,11 @@ std::vector<Vec2> evenly(const std::vector<Vec2>& line, int count) {
 }  // namespace
 
 /// Rings that are close together and alike count as one.
-HeadOutline::HeadOutline(const RevolutionEnvelope& bur, double length) : radius_(bur.maxRadius()) {
+HeadOutline::HeadOutline(const RevolutionEnvelope& bur, double length) {
     constexpr double kAlike = 0.1;  // mm
     const auto& profile = bur.profile();
     const double end = length > 0 ? bur.bottom() + length : bur.top();
+    for (const auto& ring : profile) radius_ = ring.z <= end ? std::max(radius_, ring.radius) : radius_;
     for (std::size_t i = 0; i < profile.size() && profile[i].z <= end; ++i) {
         const auto& ring = profile[i];
         const bool isLast = i + 1 == profile.size() || profile[i + 1].z > end;
@@ -88,9 +89,8 @@ std::vector<Vec3> HeadOutline::seenAlong(const Vec3& inward, const Quat& tool) c
     constexpr double kParallel = 1e-9;  // 1 minus the cosine
     std::vector<Vec3> outline;
     if (std::abs((tool * Vec3::UnitZ()).dot(inward)) > 1 - kParallel) {  // along its shaft a bur is a disc
-        const double widest = std::ranges::max(rings_, {}, &RevolutionEnvelope::ProfilePoint::radius).radius;
         for (int i = 0; i < kPlaces; ++i) {
-            const Vec2 place = onCircle(widest, i);
+            const Vec2 place = onCircle(radius_, i);
             outline.push_back(place.x() * u + place.y() * v);
         }
         return outline;

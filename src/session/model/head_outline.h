@@ -20,7 +20,7 @@ public:
     /// The outline seen along `inward`, unit, of a tool that is turned by `tool`: kPlaces places at equal distances,
     /// from the tip of the bur, in the plane square to `inward`, mm. It is convex, so it spans the waist of a head.
     [[nodiscard]] std::vector<Vec3> seenAlong(const Vec3& inward, const Quat& tool) const;
-    /// The largest radius of the bur, mm.
+    /// The largest radius of the head, mm.
     [[nodiscard]] double radius() const { return radius_; }
 
 private:
