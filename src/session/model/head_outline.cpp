@@ -70,6 +70,7 @@ HeadOutline::HeadOutline(const RevolutionEnvelope& bur, double length) {
         const auto& next = profile[i + 1];  // the head ends between the two
         rings_.push_back({ring.radius + (end - ring.z) / (next.z - ring.z) * (next.radius - ring.radius), end});
     }
+    for (const auto& ring : rings_) radius_ = std::max(radius_, ring.radius);
 }
 
 /// The envelope of an instrument that does not turn is not its shape.
