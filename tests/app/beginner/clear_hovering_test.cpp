@@ -29,7 +29,8 @@ namespace tactooth {
 namespace {
 
 constexpr ImageSize kPicture{900, 700};
-constexpr double kFrame = 1.0 / 60;  // s
+constexpr double kFrame = 1.0 / 60;   // s
+constexpr double kLongestStep = 0.1;  // s that the hand moves on in one frame, as in the window
 constexpr int kTicksPerCut = 4;
 constexpr double kLongestLeave = 3;  // s: a tool under an edge goes back as it came
 constexpr double kHandStops = 0.08;  // s: the mouse's device follows its target within it
@@ -57,8 +58,10 @@ struct Found {
 /// A session with a mouse that wanders at random over the picture.
 class Wanderer {
 public:
-    Wanderer(Place place, const SessionBur& bur, unsigned seed)
+    /// `frame`: s from one step of the window to the next.
+    Wanderer(Place place, const SessionBur& bur, unsigned seed, double frame = kFrame)
         : place_(std::move(place)),
+          frame_(frame),
           bur_(bur),
           random_(seed),
           session_(place_.model, {bur.instrument, settings(), Placement::AtOnce}),
@@ -73,12 +76,39 @@ public:
     /// `pressEvery`: frames from one press to the next, at least; 0: never.
     [[nodiscard]] Found wander(int frames, int pressEvery) {
         for (int frame = 0; frame < frames; ++frame) {
-            surroundings_.show(hand_, *place_.model, place_.model->surface(), bur_.instrument.shape);
+            show();
             if (frame % 240 == 0 && !hand_.isPressing()) turn();
             moveMouse(frame, pressEvery);
-            hand_.advance(kFrame, tick_.contact.proxy.position, tick_.contact.depth);
-            mouse_.moveTo({hand_.pose(), 0, 0, true});
-            simulate();
+            move();
+        }
+        session_.finish(false);
+        return found_;
+    }
+
+    /// One stroke for `seconds` from `from` to `to`, places of the tooth's frame as the dentist sees them, and then the
+    /// button goes up.
+    [[nodiscard]] Found stroke(const Vec3& from, const Vec3& to, double seconds) {
+        const ViewDirection direction = dentistView(place_.mesialX);
+        camera_.setView({direction.azimuth, direction.elevation});
+        const Viewport view(camera_.camera(), kPicture);
+        const Vec2 begin = *project(view.camera(), kPicture, from), end = *project(view.camera(), kPicture, to);
+        for (const double until = time_ + 5 * slowness(); time_ < until;) {
+            show();
+            hand_.aim(view, begin, *hand_.surroundings().touchable);
+            move();
+        }
+        before_ = ground();
+        hand_.press(view, begin);
+        for (const double began = time_; time_ < began + seconds;) {
+            show();
+            hand_.drag(view, begin + (time_ - began) / seconds * (end - begin));
+            move();
+        }
+        release();
+        for (const double until = time_ + 2 * longestLeave(); time_ < until;) {
+            show();
+            hand_.aim(view, end, *hand_.surroundings().touchable);
+            move();
         }
         session_.finish(false);
         return found_;
@@ -89,6 +119,17 @@ private:
         HapticSettings settings;
         settings.materials = MaterialTable(place_.model->tooth().materials());
         return settings;
+    }
+
+    /// Seconds of the session for one of the hand.
+    [[nodiscard]] double slowness() const { return frame_ / std::min(frame_, kLongestStep); }
+    [[nodiscard]] double longestLeave() const { return kLongestLeave * slowness(); }
+
+    void show() { surroundings_.show(hand_, *place_.model, place_.model->surface(), bur_.instrument.shape); }
+    void move() {
+        hand_.advance(std::min(frame_, kLongestStep), tick_.contact.proxy.position, tick_.contact.depth);
+        mouse_.moveTo({hand_.pose(), 0, 0, true});
+        simulate();
     }
 
     void turn() {
@@ -134,7 +175,7 @@ private:
 
     void simulate() {
         const bool isUp = !hand_.isPressing();
-        for (const double end = time_ + kFrame; time_ < end; time_ += kTick) {
+        for (const double end = time_ + frame_; time_ < end; time_ += kTick) {
             const Vec3 before = tick_.contact.proxy.position;
             tick_ = session_.step({mouse_.read(kTick).hand, 1, hand_.mayCut()}, kTick, time_);
             const std::size_t known = events_.all().size();
@@ -145,7 +186,7 @@ private:
         }
         if (!isUp) return;
         found_.removed = std::max(found_.removed, ground() - before_);
-        found_.stuck += isLeaving_ && time_ > releasedAt_ + kLongestLeave ? 1 : 0;
+        found_.stuck += isLeaving_ && time_ > releasedAt_ + longestLeave() ? 1 : 0;
     }
 
     /// `known`: number of events before the tick.
@@ -176,6 +217,7 @@ private:
     }
 
     Place place_;
+    double frame_;
     const SessionBur& bur_;
     std::mt19937 random_;
     StepwiseSession session_;
@@ -259,6 +301,57 @@ TEST_P(ClearTravelOnBuiltinTeeth, TouchesAndCutsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnEach, ClearTravelOnBuiltinTeeth, testing::Range<std::size_t>(0, kBuiltinTeeth.size()));
+
+/// A stroke from the central fossa deep below a cusp: the bur cannot leave along its shaft. On a slow machine the
+/// window steps twice a second.
+class ClearTravelFromBelowACusp : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(ClearTravelFromBelowACusp, GoesBackAsItCame) {
+    const auto& [frame, aside] = GetParam();
+    const auto tooth = makeSessionTooth(MouthChoice{.fdi = 46});
+    ASSERT_TRUE(tooth) << tooth.error().message();
+    const SessionBur bur = *makeSessionBur(*findBur("4"));
+    Wanderer wanderer(placeOf(*tooth), bur, 1, frame);
+    wanderer.hand().depthControl().setDepth(2);
+    const Vec3 fossa(0, 0, 5);
+    const Found found = wanderer.stroke(fossa, fossa + Vec3(0, aside, 0), 12);
+    expectClear(found);
+    EXPECT_EQ(found.cuts, 1);
+    EXPECT_GT(found.longestLeave, 0) << "it has left";
+}
+
+INSTANTIATE_TEST_SUITE_P(AtEachRate, ClearTravelFromBelowACusp,
+                         testing::Combine(testing::Values(kFrame, 0.1, 0.5), testing::Values(-2.5, 2.5)));
+
+/// Any stroke, with any bur and depth, at any rate.
+class ClearTravelAfterAnyStroke : public testing::TestWithParam<unsigned> {};
+
+TEST_P(ClearTravelAfterAnyStroke, TheBurComesOut) {
+    const auto tooth = makeSessionTooth(kBuiltinTeeth.front());
+    ASSERT_TRUE(tooth) << tooth.error().message();
+    const SessionBur bur = anyBur(400 + GetParam());
+    std::mt19937 random(GetParam());
+    const auto between = [&random](double least, double most) {
+        return std::uniform_real_distribution<double>(least, most)(random);
+    };
+    const auto place = [&] {
+        const double x = between(-3.5, 3.5), y = between(-3, 3);
+        return Vec3(x, y, 5);
+    };
+    constexpr std::array kFrames = {kFrame, 0.05, 0.1, 0.3};
+    Wanderer wanderer(placeOf(*tooth), bur, GetParam(), kFrames.at(random() % kFrames.size()));
+    wanderer.hand().depthControl().setDepth(between(0.5, 4));
+    wanderer.hand().setPressDepth(between(0.3, 3));
+    if (between(0, 1) < 0.3) wanderer.hand().setPressMode(PressMode::Force);
+    const Vec3 from = place(), to = place();
+    const Found found = wanderer.stroke(from, to, between(2, 10));
+    expectClear(found);
+    if (found.cuts > 0) {
+        EXPECT_GT(found.longestLeave, 0) << "it has left";
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, ClearTravelAfterAnyStroke, testing::Range(1U, 25U));
 
 /// An exercise's tooth, as the window loads it.
 Expected<SessionTooth> toothOf(const Exercise& exercise) {
