@@ -16,16 +16,6 @@ constexpr double kBefore = 0.06;  // mm: more than two voxels of 0.025 mm before
 /// Values of material that is still there: they have a place, but no moment.
 constexpr std::array<std::string_view, 2> kOfWhatIsLeft = {"decay_left", "decay_share"};
 
-std::vector<Facet> facetsOf(const TriangleMesh& mesh) {
-    std::vector<Facet> facets;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Vec3 area = mesh.areaVector(i);
-        facets.push_back({(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, area.stableNormalized(),
-                          area.norm() / 2});
-    }
-    return facets;
-}
-
 /// The facets within a millimetre of `place`.
 std::vector<Facet> facetsAround(const std::vector<Facet>& facets, const Vec3& place) {
     constexpr double kAround = 1.0;  // mm

@@ -20,17 +20,6 @@ Vec3 acrossOr(const Vec3& direction, const Vec3& axis, const Vec3& other) {
     return across.norm() > 0.1 ? across.normalized() : other;
 }
 
-std::vector<Facet> facetsOf(const TriangleMesh& mesh) {
-    std::vector<Facet> facets;
-    facets.reserve(mesh.triangles.size());
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Vec3 area = mesh.areaVector(i);
-        facets.push_back({(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, area.stableNormalized(),
-                          area.norm() / 2});
-    }
-    return facets;
-}
-
 /// Leaves out the pieces that are both small and shallow: the roughness of a scan.
 void removeSpecks(CavityWalls& walls, const SurfacePart& original) {
     DisjointSets pieces(walls.mesh.vertices.size());
@@ -68,6 +57,17 @@ Vec3 middleOf(const std::vector<Facet>& facets) {
 }
 
 }  // namespace
+
+std::vector<Facet> facetsOf(const TriangleMesh& mesh) {
+    std::vector<Facet> facets;
+    facets.reserve(mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Vec3 area = mesh.areaVector(i);
+        facets.push_back({(mesh.corner(i, 0) + mesh.corner(i, 1) + mesh.corner(i, 2)) / 3, area.stableNormalized(),
+                          area.norm() / 2});
+    }
+    return facets;
+}
 
 DentalDirections::DentalDirections(const Vec3& newAxis, double mesialX) : axis(newAxis) {
     const Vec3 toMesial = mesialX * Vec3::UnitX();

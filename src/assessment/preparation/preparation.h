@@ -42,6 +42,9 @@ struct Facet {
     double area;  ///< mm^2
 };
 
+/// The triangles of a mesh, in their order.
+[[nodiscard]] std::vector<Facet> facetsOf(const TriangleMesh& mesh);
+
 /// The surfaces that cutting has made: that of the student and the ideal one.
 struct CutSurfaces {
     explicit CutSurfaces(const Preparation& preparation);
