@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "assessment/messages.h"
+#include "assessment/preparation/quantile.h"
 #include "geometry/util/degree.h"
 #include "session/control/surface_ray.h"
 
@@ -24,14 +25,6 @@ struct FloorDepth {
     double depth, area;  // mm, mm^2
     Vec3 place;
 };
-
-/// The depth below which `area` of the floor lies. `depths` are sorted.
-const FloorDepth& quantile(const std::vector<FloorDepth>& depths, double area) {
-    double left = area;
-    auto at = depths.begin();
-    while (left > at->area && at + 1 != depths.end()) left -= (at++)->area;
-    return *at;
-}
 
 void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, CavityForm& form) {
     const auto floors = connectedPieces(surfaces, patchBetween(surfaces, preparation.axis, kFloorCosine, 1.1));
@@ -57,11 +50,12 @@ void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, C
         return std::pair(a.depth, a.area) < std::pair(b.depth, b.area);
     });
     const double area = areaOf(surfaces, floor);
-    form.floorDepth = Measured::at(quantile(depths, area / 2).depth, plane.centre);
+    const auto quantile = [&](double share) { return quantileByArea(depths, area, share, &FloorDepth::area); };
     const auto at = [](const FloorDepth& each) { return Measured::at(each.depth, each.place); };
+    form.floorDepth = Measured::at(quantile(0.5).depth, plane.centre);
     form.floorDepthMin = at(depths.front());
-    form.floorDepthP5 = at(quantile(depths, 0.05 * area));
-    form.floorDepthP95 = at(quantile(depths, 0.95 * area));
+    form.floorDepthP5 = at(quantile(0.05));
+    form.floorDepthP95 = at(quantile(0.95));
     form.floorDepthMax = at(depths.back());
 }
 

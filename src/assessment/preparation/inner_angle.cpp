@@ -11,6 +11,7 @@
 
 #include "assessment/messages.h"
 #include "assessment/preparation/cut_patch.h"
+#include "assessment/preparation/quantile.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/parallel_for.h"
 #include "session/control/surface_ray.h"
@@ -104,10 +105,8 @@ Measured innerAngleRadius(const Preparation& preparation, const CutSurfaces& sur
     }
     if (angles.empty()) return Measured::of(kRollingBall);
     std::ranges::stable_sort(angles, {}, &Angle::radius);
-    double left = kSharpest * weight;
-    auto sharp = angles.begin();
-    while (left > sharp->weight && sharp + 1 != angles.end()) left -= (sharp++)->weight;
-    return Measured::at(sharp->radius, sharp->place);
+    const Angle& sharp = quantileByArea(angles, weight, kSharpest, &Angle::weight);
+    return Measured::at(sharp.radius, sharp.place);
 }
 
 }  // namespace tactooth

@@ -7,6 +7,7 @@
 
 #include "assessment/messages.h"
 #include "assessment/preparation/cut_patch.h"
+#include "assessment/preparation/quantile.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
@@ -54,10 +55,8 @@ OcclusalReduction occlusalReduction(const Preparation& preparation, const CutSur
     }
     std::ranges::stable_sort(depths, {}, &Depth::depth);
     const auto at = [&](double share) {
-        double left = share * area;
-        auto found = depths.begin();
-        while (left > found->area && found + 1 != depths.end()) left -= (found++)->area;
-        return Measured::at(found->depth, found->place);
+        const Depth& found = quantileByArea(depths, area, share, &Depth::area);
+        return Measured::at(found.depth, found.place);
     };
     return {at(kLeastShare), Measured::of(*at(0.5).value)};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/messages.h"
+#include "assessment/preparation/quantile.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/util/parallel_for.h"
 
@@ -118,16 +119,6 @@ private:
     const ColumnGrid& columns_;
 };
 
-/// The distance that is not exceeded on a share of the area; `parts` are sorted.
-double quantile(const std::vector<std::pair<float, float>>& parts, double area, double share) {
-    double below = 0;
-    for (const auto& [distance, part] : parts) {
-        below += part;
-        if (below >= share * area) return distance;
-    }
-    return parts.back().first;
-}
-
 }  // namespace
 
 SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGrid& columns) {
@@ -156,8 +147,11 @@ SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGr
     result.rms = Measured::of(std::sqrt(all.squares / all.area));
     result.mean = Measured::of(all.signedSum / all.area);
     std::ranges::sort(all.parts);
-    result.median = Measured::of(quantile(all.parts, all.area, 0.5));
-    result.p95 = Measured::of(quantile(all.parts, all.area, 0.95));
+    const auto notExceededOn = [&](double share) {
+        return Measured::of(quantileByArea(all.parts, all.area, share, &std::pair<float, float>::second).first);
+    };
+    result.median = notExceededOn(0.5);
+    result.p95 = notExceededOn(0.95);
     for (std::size_t i = 0; i < kBands.size(); ++i) result.within[i] = Measured::of(all.within[i] / all.area);
     return result;
 }
