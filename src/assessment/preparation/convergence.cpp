@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/preparation/convergence.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,19 +96,11 @@ Measured bySections(const CutSurfaces& surfaces, const CutPatch& walls, const Ve
 
 Measured byCone(const CutSurfaces& surfaces, const CutPatch& inner, const Vec3& axis) {
     constexpr double kLeastArea = 2;  // mm^2
-    const double area = areaOf(surfaces, inner);
-    if (area < kLeastArea) return Measured::none(msg::kWallTooLow);
-    Vec3 mean = Vec3::Zero();
-    for (const std::uint32_t i : inner) mean += surfaces.facets[i].area / area * surfaces.facets[i].normal;
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const std::uint32_t i : inner) {
-        const Vec3 from = surfaces.facets[i].normal - mean;
-        spread += surfaces.facets[i].area / area * from * from.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-    Vec3 fitted = axes.eigenvectors().col(0);
-    if (fitted.dot(axis) < 0) fitted = -fitted;
-    return Measured::of(2 * std::asin(std::clamp(mean.dot(fitted), -1.0, 1.0)) / kDegree);
+    if (areaOf(surfaces, inner) < kLeastArea) return Measured::none(msg::kWallTooLow);
+    const LeastSpread normals = leastSpread(surfaces, inner, &Facet::normal);
+    const double lean = normals.mean.dot(normals.direction);
+    const double outward = normals.direction.dot(axis) < 0 ? -lean : lean;
+    return Measured::of(2 * std::asin(std::clamp(outward, -1.0, 1.0)) / kDegree);
 }
 
 }  // namespace

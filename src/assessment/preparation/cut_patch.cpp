@@ -99,24 +99,26 @@ CutPatch patchBetween(const CutSurfaces& surfaces, const Vec3& axis, double low,
     return patch;
 }
 
-FittedPlane fittedPlane(const CutSurfaces& surfaces, const CutPatch& patch) {
+LeastSpread leastSpread(const CutSurfaces& surfaces, const CutPatch& patch, Vec3 Facet::*part) {
     TACTOOTH_ASSERT(!patch.empty());
     const double area = std::max(areaOf(surfaces, patch), 1e-12);
-    Vec3 centre = Vec3::Zero(), normals = Vec3::Zero();
+    Vec3 mean = Vec3::Zero();
+    for (const std::uint32_t i : patch) mean += surfaces.facets[i].area / area * surfaces.facets[i].*part;
+    Mat3 spread = Mat3::Zero();
     for (const std::uint32_t i : patch) {
-        const Facet& facet = surfaces.facets[i];
-        centre += facet.area / area * facet.centre;
-        normals += facet.area * facet.normal;
-    }
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const std::uint32_t i : patch) {
-        const Vec3 from = surfaces.facets[i].centre - centre;
+        const Vec3 from = surfaces.facets[i].*part - mean;
         spread += surfaces.facets[i].area / area * from * from.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-    Vec3 normal = axes.eigenvectors().col(0);
-    if (normal.dot(normals) < 0) normal = -normal;
-    return {centre, normal, std::sqrt(std::max(0.0, axes.eigenvalues()[0]))};
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+    return {mean, axes.eigenvectors().col(0), std::sqrt(std::max(0.0, axes.eigenvalues()[0]))};
+}
+
+FittedPlane fittedPlane(const CutSurfaces& surfaces, const CutPatch& patch) {
+    const LeastSpread least = leastSpread(surfaces, patch, &Facet::centre);
+    Vec3 normals = Vec3::Zero();
+    for (const std::uint32_t i : patch) normals += surfaces.facets[i].area * surfaces.facets[i].normal;
+    const bool isInward = least.direction.dot(normals) < 0;
+    return {least.mean, isInward ? Vec3(-least.direction) : least.direction, least.rms};
 }
 
 }  // namespace tactooth

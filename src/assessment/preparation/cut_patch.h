@@ -23,6 +23,14 @@ using CutPatch = std::vector<std::uint32_t>;
 /// The triangles whose normal has a cosine with the axis between the two.
 [[nodiscard]] CutPatch patchBetween(const CutSurfaces& surfaces, const Vec3& axis, double low, double high);
 
+/// The mean of a part of the facets of `patch` (their centres, or their normals), weighted by area, and the direction
+/// in which it spreads least around that mean. `patch` is not empty.
+struct LeastSpread {
+    Vec3 mean, direction;  ///< `direction` is unit; its sense is arbitrary
+    double rms;            ///< root mean square distance from the mean along `direction`
+};
+[[nodiscard]] LeastSpread leastSpread(const CutSurfaces& surfaces, const CutPatch& patch, Vec3 Facet::*part);
+
 /// The plane nearest to the middles of the triangles, weighted by area (total least squares). `patch` is not empty.
 struct FittedPlane {
     Vec3 centre, normal;  ///< mm; unit, out of the tooth
