@@ -131,9 +131,4 @@ std::vector<std::optional<RemovalCause>> removalCauses(const SessionTrack& track
     return causes;
 }
 
-std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& tooth,
-                                         const std::vector<RemovedPoint>& points, const Vec3& axis) {
-    return removalCauses(track, tooth, {points}, axis).front();
-}
-
 }  // namespace tactooth

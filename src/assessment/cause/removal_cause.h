@@ -24,14 +24,10 @@ inline constexpr double kCauseStep = 0.1;  ///< s
                                                               const std::vector<RemovedPoint>& points,
                                                               double step = kCauseStep);
 
-/// How an error was made: the removals are joined where the pauses between them are shorter than half a second, and the
-/// piece of work that has removed most of it is the cause. Nothing if no point was removed during the session. `axis`:
-/// of the preparation, unit, outward. After R. Yin et al., Journal of Biomedical Informatics (2021), 103659: an error
-/// leads back to the piece of work that has made it.
-[[nodiscard]] std::optional<RemovalCause> removalCause(const SessionTrack& track, TrackTooth& tooth,
-                                                       const std::vector<RemovedPoint>& points, const Vec3& axis);
-
-/// The same of several errors, in one walk through the track.
+/// How each error was made, in one walk through the track. The removals of an error are joined where the pauses between
+/// them are shorter than half a second, and the piece of work that has removed most of it is the cause. Nothing for an
+/// error of which no point was removed during the session. `axis`: of the preparation, unit, outward. After R. Yin et
+/// al., Journal of Biomedical Informatics (2021), 103659: an error leads back to the piece of work that has made it.
 [[nodiscard]] std::vector<std::optional<RemovalCause>> removalCauses(
     const SessionTrack& track, TrackTooth& tooth, const std::vector<std::vector<RemovedPoint>>& errors,
     const Vec3& axis);

@@ -51,7 +51,7 @@ TEST_F(RemovalCauseTest, IsThePieceOfWorkThatRemovedMost) {
     TrackTooth tooth(track_);
     std::vector<RemovedPoint> points = pointsAt(-1, 1), more = pointsAt(1, 3);
     points.insert(points.end(), more.begin(), more.end());
-    const auto cause = removalCause(*track_, tooth, points, Vec3::UnitZ());
+    const auto cause = removalCauses(*track_, tooth, {points}, Vec3::UnitZ()).front();
     ASSERT_TRUE(cause);
     EXPECT_GE(cause->from, kSecondHole);
     EXPECT_LE(cause->to, kSecondHole + 1.1);
@@ -64,12 +64,12 @@ TEST_F(RemovalCauseTest, IsThePieceOfWorkThatRemovedMost) {
 
 TEST_F(RemovalCauseTest, OfAnUprightBurHasNoTilt) {
     TrackTooth tooth(track_);
-    const auto cause = removalCause(*track_, tooth, pointsAt(-1), Vec3::UnitZ());
+    const auto cause = removalCauses(*track_, tooth, {pointsAt(-1)}, Vec3::UnitZ()).front();
     ASSERT_TRUE(cause);
     EXPECT_NEAR(cause->tilt.value_or(90), 0, 0.1);
     EXPECT_LT(cause->to, 2.1);
-    EXPECT_FALSE(removalCause(*track_, tooth, {}, Vec3::UnitZ()));
-    EXPECT_FALSE(removalCause(*track_, tooth, {{Vec3(0, 1.5, -0.1), 1}}, Vec3::UnitZ()));
+    const std::vector<RemovedPoint> none, kept = {{Vec3(0, 1.5, -0.1), 1}};
+    for (const auto& cause : removalCauses(*track_, tooth, {none, kept}, Vec3::UnitZ())) EXPECT_FALSE(cause);
 }
 
 }  // namespace
