@@ -4,9 +4,6 @@
 // Modelled after drawings of the manufacturers: head 9 mm wide and 14 mm high, 20 mm across the coupling.
 #include "instruments/contra_angle.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "instruments/modelling/handpiece.h"
 
 namespace tactooth {
@@ -41,13 +38,7 @@ constexpr HandpieceForm kForm{.head = kHead,
                               .top = 40,
                               .cellSize = 0.4};
 
-/// Grooves along the coupling, for the fingers.
-double fluteDepth(const Vec3& p, double middle) {
-    constexpr double kFrom = 66, kTo = 75, kFade = 1.5, kDepth = 0.3, kFlutes = 16;
-    const double angle = std::atan2(p.y(), p.z() - middle);
-    const double wave = std::max(0.0, std::cos(kFlutes * angle));
-    return kDepth * wave * smoothStep(kFrom - kFade, kFrom, p.x()) * smoothStep(kTo + kFade, kTo, p.x());
-}
+constexpr Flutes kFlutes{.from = 66, .to = 75, .depth = 0.3, .count = 16};  // along the coupling
 
 /// The lever on the cap that releases the bur.
 double latch(const Vec3& p) {
@@ -60,7 +51,7 @@ TriangleMesh makeContraAngle(int triangles) {
     const Handpiece body(kForm);
     const auto solid = [&](const Vec3& p) {
         constexpr double kLatchFillet = 0.5;
-        return smoothUnion(body(p, fluteDepth(p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
+        return smoothUnion(body(p, fluteDepth(kFlutes, p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
     };
     return handpieceMesh(kForm, solid, triangles);
 }

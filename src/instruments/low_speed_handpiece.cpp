@@ -5,7 +5,6 @@
 #include "instruments/low_speed_handpiece.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "instruments/modelling/handpiece.h"
 
@@ -42,13 +41,7 @@ constexpr HandpieceForm kForm{.head = kHead,
                               .top = 42,
                               .cellSize = 0.4};
 
-/// Grooves along the motor, for the fingers.
-double fluteDepth(const Vec3& p, double middle) {
-    constexpr double kFrom = 68, kTo = 81, kFade = 1.5, kDepth = 0.35, kFlutes = 12;
-    const double angle = std::atan2(p.y(), p.z() - middle);
-    const double wave = std::max(0.0, std::cos(kFlutes * angle));
-    return kDepth * wave * smoothStep(kFrom - kFade, kFrom, p.x()) * smoothStep(kTo + kFade, kTo, p.x());
-}
+constexpr Flutes kFlutes{.from = 68, .to = 81, .depth = 0.35, .count = 12};  // along the motor
 
 /// The latch that holds the bur: a lever flat on the cap, from its hinge on the side of the handle to a tongue that
 /// stands over the edge.
@@ -64,7 +57,7 @@ TriangleMesh makeLowSpeedHandpiece(int triangles) {
     const Handpiece body(kForm);
     const auto solid = [&](const Vec3& p) {
         constexpr double kLatchFillet = 0.4;
-        return smoothUnion(body(p, fluteDepth(p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
+        return smoothUnion(body(p, fluteDepth(kFlutes, p, body.handleMiddle(p.x()))), latch(p), kLatchFillet);
     };
     return handpieceMesh(kForm, solid, triangles);
 }

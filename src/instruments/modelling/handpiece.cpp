@@ -2,10 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "instruments/modelling/handpiece.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/mesh/simplify.h"
 #include "geometry/util/assert.h"
 
 namespace tactooth {
+
+double fluteDepth(const Flutes& flutes, const Vec3& p, double middle) {
+    constexpr double kFade = 1.5;  // mm along the handle, at both ends
+    const double angle = std::atan2(p.y(), p.z() - middle);
+    const double wave = std::max(0.0, std::cos(flutes.count * angle));
+    return flutes.depth * wave * smoothStep(flutes.from - kFade, flutes.from, p.x()) *
+           smoothStep(flutes.to + kFade, flutes.to, p.x());
+}
 
 TriangleMesh handpieceMesh(const HandpieceForm& form, const ScalarField& solid, int triangles) {
     TACTOOTH_ASSERT(triangles > 0);

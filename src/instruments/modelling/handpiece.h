@@ -50,6 +50,15 @@ private:
     SectionLoft head_, handle_;
 };
 
+/// Grooves along a round handle, for the fingers.
+struct Flutes {
+    double from, to;  ///< x of their ends, mm
+    double depth;     ///< mm
+    int count;        ///< around the handle
+};
+/// Depth of the flutes at `p`, mm. `middle`: z of the middle of the handle there.
+[[nodiscard]] double fluteDepth(const Flutes& flutes, const Vec3& p, double middle);
+
 /// The closed surface of a handpiece of this form, with about `triangles` triangles. `solid` is its implicit function.
 [[nodiscard]] TriangleMesh handpieceMesh(const HandpieceForm& form, const ScalarField& solid, int triangles);
 
