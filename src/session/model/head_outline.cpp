@@ -52,25 +52,43 @@ std::vector<Vec2> evenly(const std::vector<Vec2>& line, int count) {
     return places;
 }
 
+using Rings = std::vector<RevolutionEnvelope::ProfilePoint>;
+
+/// The rings of a bur up to `end`, mm along its axis.
+Rings upTo(double end, const Rings& profile) {
+    Rings head;
+    for (const auto& ring : profile) {
+        if (ring.z <= end) {
+            head.push_back(ring);
+            continue;
+        }
+        if (head.empty()) break;
+        const auto last = head.back();  // the head ends between the two
+        const double share = (end - last.z) / (ring.z - last.z);
+        head.push_back({last.radius + share * (ring.radius - last.radius), end});
+        break;
+    }
+    return head;
+}
+
+/// Without the rings that are close to another and alike; the last ring stays, and those that are `widest`.
+Rings thinned(const Rings& head, double widest) {
+    constexpr double kAlike = 0.1;  // mm
+    Rings rings;
+    for (std::size_t i = 0; i < head.size(); ++i) {
+        const bool isNew = rings.empty() || std::abs(head[i].z - rings.back().z) >= kAlike ||
+                           std::abs(head[i].radius - rings.back().radius) >= kAlike;
+        if (isNew || i + 1 == head.size() || head[i].radius == widest) rings.push_back(head[i]);
+    }
+    return rings;
+}
+
 }  // namespace
 
-/// Rings that are close together and alike count as one.
 HeadOutline::HeadOutline(const RevolutionEnvelope& bur, double length) {
-    constexpr double kAlike = 0.1;  // mm
-    const auto& profile = bur.profile();
-    const double end = length > 0 ? bur.bottom() + length : bur.top();
-    for (const auto& ring : profile) radius_ = ring.z <= end ? std::max(radius_, ring.radius) : radius_;
-    for (std::size_t i = 0; i < profile.size() && profile[i].z <= end; ++i) {
-        const auto& ring = profile[i];
-        const bool isLast = i + 1 == profile.size() || profile[i + 1].z > end;
-        const bool isNew = rings_.empty() || std::abs(ring.z - rings_.back().z) >= kAlike ||
-                           std::abs(ring.radius - rings_.back().radius) >= kAlike;
-        if (isNew || isLast || ring.radius == radius_) rings_.push_back(ring);
-        if (!isLast || i + 1 == profile.size()) continue;
-        const auto& next = profile[i + 1];  // the head ends between the two
-        rings_.push_back({ring.radius + (end - ring.z) / (next.z - ring.z) * (next.radius - ring.radius), end});
-    }
-    for (const auto& ring : rings_) radius_ = std::max(radius_, ring.radius);
+    const Rings head = upTo(length > 0 ? bur.bottom() + length : bur.top(), bur.profile());
+    for (const auto& ring : head) radius_ = std::max(radius_, ring.radius);
+    rings_ = thinned(head, radius_);
 }
 
 /// The envelope of an instrument that does not turn is not its shape.
