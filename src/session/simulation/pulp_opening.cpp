@@ -34,7 +34,9 @@ void PulpOpening::follow(const CutEvents& events, const Surface& tooth, const Ma
         place_.reset();
         return;
     }
-    if (place_ && newest->time == time_ && isOnSurface_) return;
+    const std::pair surface(tooth.base->id(), tooth.revision);
+    if (place_ && newest->time == time_ && (isOnSurface_ || surface == searched_)) return;
+    searched_ = surface;
     const std::optional<Vec3> found = nearestPulp(tooth, materials, newest->place);
     place_ = found.value_or(newest->place);  // the surface comes a little later than the event
     time_ = newest->time;

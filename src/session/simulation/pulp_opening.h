@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "collision/bvh/surface.h"
 #include "session/simulation/cut_events.h"
@@ -24,6 +26,7 @@ private:
     std::optional<Vec3> place_;
     double time_ = 0;  // of the event
     bool isOnSurface_ = false;
+    std::pair<std::uint64_t, std::uint64_t> searched_;  // surface: id of its base, revision
 };
 
 }  // namespace tactooth
