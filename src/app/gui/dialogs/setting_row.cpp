@@ -13,6 +13,7 @@
 #include <array>
 
 #include "app/gui/settings/messages.h"
+#include "app/gui/text/language_names.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -33,15 +34,16 @@ constexpr std::array kWords = {Word{"fit", &msg::kSettingsWordFit},
                                Word{kMouseByForce, &msg::kSettingsWordForce},
                                Word{"fdi", &msg::kSettingsWordFdi},
                                Word{"universal", &msg::kSettingsWordUniversal},
-                               Word{"palmer", &msg::kSettingsWordPalmer},
-                               Word{"en", &msg::kSettingsWordEnglish}};
+                               Word{"palmer", &msg::kSettingsWordPalmer}};
 
 /// A word of the settings as the user reads it; numbers stay as they are.
 QString shownWord(const QString& word) {
     const auto* const known =
         std::ranges::find_if(kWords, [&](const Word& each) { return word == QString(each.word); });
     if (known != kWords.end()) return translated(*known->text);
-    return word == "ja" ? QStringLiteral("\u65e5\u672c\u8a9e") : word;  // each language by its own name
+    const std::vector<LanguageName> languages = languageNames();
+    const auto language = std::ranges::find(languages, word, &LanguageName::code);
+    return language != languages.end() ? language->title : word;
 }
 
 /// So that a step is felt and the range is not endless.

@@ -153,6 +153,5 @@ inline constexpr MessageText kSettingsWordOff{"settings_word_off", "off", "オ�
 inline constexpr MessageText kSettingsWordFdi{"settings_word_fdi", "FDI", "FDI"};  // a name
 inline constexpr MessageText kSettingsWordUniversal{"settings_word_universal", "Universal", "ユニバーサル"};
 inline constexpr MessageText kSettingsWordPalmer{"settings_word_palmer", "Palmer", "パーマー"};
-inline constexpr MessageText kSettingsWordEnglish{"settings_word_english", "English", "English"};  // a name
 
 }  // namespace tactooth::msg
