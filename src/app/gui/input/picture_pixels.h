@@ -16,6 +16,7 @@
 namespace tactooth {
 
 inline constexpr double kZoomStep = 0.88;  ///< factor of the distance for one notch, or one press of a key
+inline constexpr double kMirrorStep = 1;   ///< mm that the mirror comes nearer, likewise
 
 /// Of the picture that fills the widget.
 [[nodiscard]] inline ImageSize pictureSize(const QWidget& widget) {

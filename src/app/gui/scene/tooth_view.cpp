@@ -425,8 +425,7 @@ void ToothView::endKeyPress() {
 void ToothView::wheelEvent(QWheelEvent* event) {
     const double notches = notchesOf(*event);
     if (mirrorMouse_.isHeld()) {
-        constexpr double kMirrorStep = 1;  // mm for one notch
-        mirrorMouse_.approach(viewport(), kMirrorStep * notches);
+        approachMirror(kMirrorStep * notches);
     } else if (contents_ || (event->modifiers() & keys_.zoom)) {
         camera_.zoom(std::pow(kZoomStep, notches), pixelAt(*this, event->position()), pictureSize(*this));
         redraw();

@@ -66,7 +66,7 @@ bool ToothView::obeyKey(const QKeyEvent& key) {
     }
     if (key.key() != keys_.nearer && key.key() != keys_.farther) return false;
     if (mirrorMouse_.isHeld()) {
-        approachMirror(key.key() == keys_.nearer ? 1 : -1);
+        approachMirror(key.key() == keys_.nearer ? kMirrorStep : -kMirrorStep);
         return true;
     }
     camera_.zoom(key.key() == keys_.nearer ? kZoomStep : 1 / kZoomStep, mouse_, size);
