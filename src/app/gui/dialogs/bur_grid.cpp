@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/dialogs/cell_painting.h"
 #include "app/gui/icons/line_icon.h"
 
 namespace tactooth {
@@ -18,10 +19,8 @@ namespace {
 constexpr int kPlaceRole = Qt::UserRole;  // in the list of the drill bar; none: a heading
 constexpr int kFavouriteRole = kPlaceRole + 1;
 constexpr int kExerciseRole = kPlaceRole + 2;
-constexpr int kPad = 5;        // pixels around a cell's picture
 constexpr double kTall = 6.5;  // heights of the font: the picture of a bur
 constexpr double kWide = 3.4;  // likewise, for a wheel of 4 mm and a number beside the star
-constexpr int kSpacing = 4;    // pixels between cells
 const QString kStar = QStringLiteral("\u2605"), kEmptyStar = QStringLiteral("\u2606");
 
 }  // namespace
@@ -42,47 +41,37 @@ public:
         if (index.data(kPlaceRole).isValid()) {
             paintBur(*painter, option, index);
         } else {
-            paintHeading(*painter, option, index.data().toString());
+            paintGroup(*painter, option, index.data().toString());
         }
         painter->restore();
     }
 
 private:
-    static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QString& text) {
-        QFont bold = option.font;
-        bold.setBold(true);
-        painter.setFont(bold);
-        painter.setPen(option.palette.color(QPalette::Active, QPalette::Text));
-        painter.drawText(option.rect.adjusted(kPad, 0, -kPad, -2), Qt::AlignLeft | Qt::AlignBottom, text);
+    static void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QString& text) {
+        paintHeading(painter, option, text);
         painter.setPen(option.palette.color(QPalette::Active, QPalette::Mid));
-        painter.drawLine(option.rect.bottomLeft() + QPoint(kPad, 0), option.rect.bottomRight() - QPoint(kPad, 0));
+        painter.drawLine(option.rect.bottomLeft() + QPoint(kCellPad, 0),
+                         option.rect.bottomRight() - QPoint(kCellPad, 0));
     }
 
     void paintBur(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
         painter.setRenderHint(QPainter::Antialiasing);
         const bool isCurrent = (option.state & QStyle::State_Selected) != 0;
-        const bool isUnderMouse = (option.state & QStyle::State_MouseOver) != 0;
         const QColor highlight = option.palette.color(QPalette::Active, QPalette::Highlight);
         const QColor text = option.palette.color(QPalette::Active, QPalette::Text);
-        if (isCurrent || isUnderMouse) {
-            QColor ground = highlight;
-            ground.setAlpha(isCurrent ? 70 : 30);
-            painter.setBrush(ground);
-            painter.setPen(isCurrent ? QPen(highlight, 2) : QPen(Qt::NoPen));
-            painter.drawRoundedRect(option.rect.adjusted(1, 1, -1, -1), kPad, kPad);
-        }
+        paintCellGround(painter, option, isCurrent);
         const QSize size = grid_.pictures_.size();
-        const QRect picture(QPoint(option.rect.center().x() - size.width() / 2, option.rect.top() + kPad), size);
+        const QRect picture(QPoint(option.rect.center().x() - size.width() / 2, option.rect.top() + kCellPad), size);
         const auto& bur = grid_.burs_[static_cast<std::size_t>(index.data(kPlaceRole).toInt())];
         const QPixmap* drawn = bur.spec ? grid_.pictures_.find(bur.spec->number) : nullptr;
         if (drawn != nullptr) painter.drawPixmap(picture.topLeft(), *drawn);
         if (!bur.spec) lineIcon("bur").paint(&painter, picture);
         painter.setPen(text);
-        const QRect line = option.rect.adjusted(2, kPad + size.height(), -2, -2);
+        const QRect line = option.rect.adjusted(2, kCellPad + size.height(), -2, -2);
         painter.drawText(line, Qt::AlignCenter,
                          option.fontMetrics.elidedText(index.data().toString(), Qt::ElideMiddle, line.width()));
         const bool isFavourite = index.data(kFavouriteRole).toBool();
-        if (bur.spec && (isFavourite || isCurrent || isUnderMouse)) {
+        if (bur.spec && (isFavourite || isCurrent || isUnderMouse(option))) {
             painter.drawText(starIn(option.rect, option.fontMetrics), Qt::AlignCenter,
                              isFavourite ? kStar : kEmptyStar);
         }
@@ -110,7 +99,7 @@ BurGrid::BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favouri
     setViewMode(QListView::IconMode);
     setMovement(QListView::Static);
     setResizeMode(QListView::Adjust);
-    setSpacing(kSpacing);
+    setSpacing(kCellSpacing);
     setMouseTracking(true);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -126,8 +115,8 @@ BurGrid::BurGrid(const std::vector<BurItem>& burs, std::set<std::string> favouri
 void BurGrid::add(const BurGroup& group) {
     auto* heading = new QListWidgetItem(group.title, this);
     heading->setFlags(Qt::NoItemFlags);
-    QSize cell = pictures_.size() + QSize(6 * kPad, 2 * kPad + fontMetrics().height());
-    cell.setWidth(std::max(cell.width(), fontMetrics().horizontalAdvance("878K-016") + 2 * kPad));
+    QSize cell = pictures_.size() + QSize(6 * kCellPad, 2 * kCellPad + fontMetrics().height());
+    cell.setWidth(std::max(cell.width(), fontMetrics().horizontalAdvance("878K-016") + 2 * kCellPad));
     for (const BurItem& bur : group.burs) {
         auto* item = new QListWidgetItem(bur.spec ? QString::fromStdString(bur.spec->number) : bur.title, this);
         item->setData(kPlaceRole, bur.place);
@@ -162,7 +151,7 @@ bool BurGrid::isFavourite(const BurItem& bur) const { return bur.spec && favouri
 void BurGrid::widenHeadings() {
     const int height = static_cast<int>(1.6 * fontMetrics().height());
     for (int i = 0; i < count(); ++i) {
-        if (burOf(item(i)) == nullptr) item(i)->setSizeHint({viewport()->width() - 3 * kSpacing, height});
+        if (burOf(item(i)) == nullptr) item(i)->setSizeHint({viewport()->width() - 3 * kCellSpacing, height});
     }
 }
 

@@ -10,6 +10,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "app/gui/dialogs/cell_painting.h"
 #include "app/gui/icons/line_icon.h"
 
 namespace tactooth {
@@ -19,8 +20,6 @@ constexpr int kCardRole = Qt::UserRole;  // number of the card; none: a heading
 constexpr int kFactsRole = kCardRole + 1;
 constexpr int kPictureRole = kCardRole + 2;
 constexpr int kIconRole = kCardRole + 3;
-constexpr int kPad = 5;      // pixels inside a card
-constexpr int kSpacing = 4;  // pixels between cards
 
 bool isCard(const QListWidgetItem* item) { return item != nullptr && item->data(kCardRole).isValid(); }
 
@@ -43,26 +42,11 @@ public:
     }
 
 private:
-    static void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QString& text) {
-        QFont bold = option.font;
-        bold.setBold(true);
-        painter.setFont(bold);
-        painter.setPen(option.palette.color(QPalette::Active, QPalette::Text));
-        painter.drawText(option.rect.adjusted(kPad, 0, -kPad, -2), Qt::AlignLeft | Qt::AlignBottom, text);
-    }
-
     void paintCard(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
         const QPalette& colours = option.palette;
         const bool isCurrent = (option.state & QStyle::State_Selected) != 0 && list_.hasFocus();
-        const bool isUnderMouse = (option.state & QStyle::State_MouseOver) != 0;
-        if (isCurrent || isUnderMouse) {
-            QColor ground = colours.color(QPalette::Active, QPalette::Highlight);
-            painter.setPen(isCurrent ? QPen(ground, 2) : QPen(Qt::NoPen));
-            ground.setAlpha(isCurrent ? 70 : 30);
-            painter.setBrush(ground);
-            painter.drawRoundedRect(option.rect.adjusted(1, 1, -1, -1), kPad, kPad);
-        }
-        const QRect picture(option.rect.topLeft() + QPoint(kPad, kPad), list_.pictureSize());
+        paintCellGround(painter, option, isCurrent);
+        const QRect picture(option.rect.topLeft() + QPoint(kCellPad, kCellPad), list_.pictureSize());
         paintPicture(painter, picture, index, colours);
         const int line = option.fontMetrics.height();
         QRect words(picture.left(), picture.bottom() + 3, picture.width(), 2 * line);
@@ -80,7 +64,7 @@ private:
     /// The middle of the picture, as large as the card lets it be.
     static void paintPicture(QPainter& painter, const QRect& place, const QModelIndex& index, const QPalette& colours) {
         QPainterPath rounded;
-        rounded.addRoundedRect(place, kPad, kPad);
+        rounded.addRoundedRect(place, kCellPad, kCellPad);
         const auto drawn = index.data(kPictureRole).value<QPixmap>();
         if (drawn.isNull()) {
             painter.fillPath(rounded, colours.color(QPalette::Active, QPalette::AlternateBase));
@@ -104,7 +88,7 @@ CardList::CardList(const QString& name) {
     setViewMode(QListView::IconMode);
     setMovement(QListView::Static);
     setResizeMode(QListView::Adjust);
-    setSpacing(kSpacing);
+    setSpacing(kCellSpacing);
     setMouseTracking(true);
     setFrameShape(QFrame::NoFrame);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -118,12 +102,14 @@ QSize CardList::pictureSize() const {
     return {3 * height / 2, height};
 }
 
-QSize CardList::cardSize() const { return pictureSize() + QSize(2 * kPad, 2 * kPad + 5 + 3 * fontMetrics().height()); }
+QSize CardList::cardSize() const {
+    return pictureSize() + QSize(2 * kCellPad, 2 * kCellPad + 5 + 3 * fontMetrics().height());
+}
 
-int CardList::heightOf(int rows) const { return rows * (cardSize().height() + 2 * kSpacing); }
+int CardList::heightOf(int rows) const { return rows * (cardSize().height() + 2 * kCellSpacing); }
 
 int CardList::widthOf(int columns) const {
-    return columns * (cardSize().width() + kSpacing) + 2 * kSpacing + verticalScrollBar()->sizeHint().width();
+    return columns * (cardSize().width() + kCellSpacing) + 2 * kCellSpacing + verticalScrollBar()->sizeHint().width();
 }
 
 void CardList::addHeading(const QString& text) {
@@ -159,7 +145,7 @@ void CardList::take(const QListWidgetItem* item) {
 void CardList::widenHeadings() {
     const int height = static_cast<int>(1.4 * fontMetrics().height());
     for (int i = 0; i < count(); ++i) {
-        if (!isCard(item(i))) item(i)->setSizeHint({viewport()->width() - 3 * kSpacing, height});
+        if (!isCard(item(i))) item(i)->setSizeHint({viewport()->width() - 3 * kCellSpacing, height});
     }
 }
 
