@@ -49,8 +49,8 @@ struct Search {
 /// Source: the Illinois method (M. Dowell, P. Jarratt, "A Modified Regula Falsi Method", BIT 11, 1971): the value of a
 /// bound that stays for a second time is halved.
 template <class WorkOf>
-FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
-                       double work, double high, const PlannedRemoval& whole, const WorkOf& requiredFor) {
+FeedResult feedWithWork(CutVolume& volume, const RevolutionEnvelope& envelope, const Pose& from, const Pose& to,
+                        double work, double high, const PlannedRemoval& whole, const WorkOf& requiredFor) {
     TACTOOTH_ASSERT(high > 0 && high <= 1);
     FeedResult result;
     result.requiredWork = requiredFor(whole);
@@ -60,7 +60,7 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
     bool wasAbove = true;
     for (int trial = 0; trial < kTrials && work > 0 && std::isfinite(search.above); ++trial) {
         const double middle = search.next();
-        PlannedRemoval part = volume.removablePartWay(whole, envelope, from, between(from, to, middle));
+        PlannedRemoval part = volume.removableUpTo(whole, envelope, from, between(from, to, middle));
         const double required = requiredFor(part);
         const bool isAbove = required > work;
         if (isAbove) {
@@ -71,7 +71,7 @@ FeedResult feedPartWay(CutVolume& volume, const RevolutionEnvelope& envelope, co
         if (trial == 0 && isAbove) {
             // A bur that was pushed to a new place must first cut the clearance around it. Work that does not suffice
             // for that suffices for no step.
-            PlannedRemoval inPlace = volume.removablePartWay(whole, envelope, from, from);
+            PlannedRemoval inPlace = volume.removableUpTo(whole, envelope, from, from);
             const double workInPlace = requiredFor(inPlace);
             if (workInPlace > work) {
                 result.requiredWork = workInPlace;
@@ -126,7 +126,7 @@ FeedResult feedBur(CutVolume& volume, const RevolutionEnvelope& envelope, const 
         result.fraction = 1;
         result.carve = volume.carve(whole);
     } else {
-        result = feedPartWay(volume, envelope, from, to, work, high, whole, requiredFor);
+        result = feedWithWork(volume, envelope, from, to, work, high, whole, requiredFor);
     }
     result.work = workFor(result.carve.removed, materials, sharpness);
     TACTOOTH_ASSERT(result.work <= work);

@@ -179,13 +179,13 @@ PlannedRemoval CutVolume::removable(const RevolutionEnvelope& envelope, const Po
     return result;
 }
 
-PlannedRemoval CutVolume::removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
-                                           const Pose& fromInTooth, const Pose& partWay) const {
+PlannedRemoval CutVolume::removableUpTo(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
+                                        const Pose& fromInTooth, const Pose& end) const {
     TACTOOTH_ASSERT(whole.afterCarve == carves_);
     PlannedRemoval result;
     result.clearance = whole.clearance;
     result.afterCarve = whole.afterCarve;
-    result.steps = sweepSteps(envelope, fromInTooth, partWay, whole.clearance, kLongestStep * lattice_.spacing());
+    result.steps = sweepSteps(envelope, fromInTooth, end, whole.clearance, kLongestStep * lattice_.spacing());
     std::vector<BrickRemoval> parts(whole.where.size());
     parallelFor(parts.size(), [&](std::size_t i) {
         parts[i] = removableFromNodes(*bricks_.find(whole.where[i].key), whole.where[i], lattice_, result.steps);

@@ -57,10 +57,10 @@ public:
     }
     /// Carries out a plan. Nothing was carved after the plan was made.
     CarveResult carve(const PlannedRemoval& removable);
-    /// The same for the first part of that move, up to `partWay`. Reads only the nodes that the whole move reaches.
+    /// The same for the first part of that move, up to `end`. Reads only the nodes that the whole move reaches.
     /// Nothing was carved after `whole` was planned.
-    [[nodiscard]] PlannedRemoval removablePartWay(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
-                                                  const Pose& fromInTooth, const Pose& partWay) const;
+    [[nodiscard]] PlannedRemoval removableUpTo(const PlannedRemoval& whole, const RevolutionEnvelope& envelope,
+                                               const Pose& fromInTooth, const Pose& end) const;
 
     /// Removes every detached piece (findDetachedPieces).
     DetachedPieces removeDetached();

@@ -149,7 +149,7 @@ TEST(CutVolume, APartOfThePathIsPlannedFromTheNodesOfTheWhole) {
         CutVolume other(block(), kVoxel);
         for (CutVolume* one : {&volume, &other}) one->carve(bur, at(0, 0, 0.5), start);
         const PlannedRemoval whole = volume.removable(bur, start, at(0.2, 0, -0.7));
-        const PlannedRemoval planned = volume.removablePartWay(whole, bur, start, end);
+        const PlannedRemoval planned = volume.removableUpTo(whole, bur, start, end);
         (void)other.removable(bur, start, at(0.2, 0, -0.7));  // makes the same bricks
         const double alone = total(other.carve(bur, start, end).removed);
         EXPECT_GT(alone, 0) << part;
@@ -254,7 +254,7 @@ TEST(CutVolumeAsserts, APlanHoldsUntilTheNextCut) {
     const PlannedRemoval planned = volume.removable(bur, at(0, 0, 0.5), at(0, 0, -0.5));
     (void)volume.carve(planned);
     EXPECT_ASSERT(volume.carve(planned));
-    EXPECT_ASSERT(static_cast<void>(volume.removablePartWay(planned, bur, at(0, 0, 0.5), at(0, 0, 0))));
+    EXPECT_ASSERT(static_cast<void>(volume.removableUpTo(planned, bur, at(0, 0, 0.5), at(0, 0, 0))));
 }
 
 TEST(CutVolumeAsserts, WithoutAMarkNothingIsUndone) {
