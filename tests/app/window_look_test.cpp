@@ -46,6 +46,7 @@ private slots:
     void aTargetWithoutACavityHasNoGhost();
     void thePlotsHoldStillZoomAndAreExported();
     void theRealTimePanelShowsTheTicksAndCountsAnew();
+    void theRealTimePanelShowsHowLongPicturesTake();
     void aHeavySceneIsSaidWithoutTakingTheKeys();
     void openedTeethAreInTheRecentMenu();
     void darkColoursAndBack();
@@ -279,8 +280,27 @@ void WindowLookTest::theRealTimePanelShowsTheTicksAndCountsAnew() {
     QTRY_VERIFY_WITH_TIMEOUT(ticks() > 0 && ticks() + all <= ofRunner(), kPatience);
     auto* panel = window_->findChild<TimingPanel*>();
     panel->reset();  // as at a restart of the runner
-    panel->show(*window_->model().runner(), "mouse", 1000);
+    panel->show(*window_->model().runner(), view().pictureTimes().counts(), "mouse", 1000);
     QVERIFY(ticks() >= all);
+    window_->findChild<QDockWidget*>("Last ten seconds")->raise();
+}
+
+void WindowLookTest::theRealTimePanelShowsHowLongPicturesTake() {
+    window_->findChild<QDockWidget*>("Real time")->raise();
+    const QString row = "picture in motion, ms";
+    const auto shown = [this, &row](const QString& column) {
+        for (const QLabel* cell : window_->findChildren<QLabel*>()) {
+            if (cell->accessibleName() == row + " " + column) return cell->text().toDouble();
+        }
+        return -1.0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(shown("max") >= 0, kPatience);
+    QTest::mouseClick(window_->findChild<QToolButton*>("countAnew"), Qt::LeftButton);
+    key(Qt::Key_2);  // another side
+    QTRY_VERIFY_WITH_TIMEOUT(shown("max") > 0, kPatience);
+    const double longest = view().pictureTimes().largest() / 1000;
+    QVERIFY(shown("p50") <= shown("max"));
+    QVERIFY2(shown("max") <= 1.03 * longest + 1, qPrintable(QString::number(longest)));  // a bucket is 3 % wide
     window_->findChild<QDockWidget*>("Last ten seconds")->raise();
 }
 

@@ -2470,6 +2470,10 @@ It can be overcome, and is off in an examination.</source>
         <translation>1 周期の計算、µs</translation>
     </message>
     <message>
+        <source>picture in motion, ms</source>
+        <translation>動いている間の画像、ms</translation>
+    </message>
+    <message>
         <source>wake-up latency, µs</source>
         <translation>起床の遅れ、µs</translation>
     </message>

@@ -51,7 +51,7 @@ void PanelUpdater::showStatus() {
     panels_.status->show(*model_.runner(), sound_.status());
     if (!isInSight(*panels_.timing)) return;
     const HapticDevice* device = model_.devices().first();
-    panels_.timing->show(*model_.runner(),
+    panels_.timing->show(*model_.runner(), panels_.view->pictureTimes().counts(),
                          device != nullptr ? QString::fromStdString(device->info().name) : tr("mouse"),
                          model_.hand().rate);
 }

@@ -32,7 +32,8 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     numbers->setHorizontalSpacing(12);
     numbers->setVerticalSpacing(1);
     const std::array<QString, kRows> names = {tr("tick duration, µs"), tr("wake-up latency, µs"),
-                                              tr("period jitter, µs"), tr("reading to force, µs")};
+                                              tr("period jitter, µs"), tr("reading to force, µs"),
+                                              tr("picture in motion, ms")};
     const std::array<const char*, kColumns> heads = {"p50", "p99", "p99.9", QT_TR_NOOP("max")};
     for (std::size_t column = 0; column < kColumns; ++column) {
         numbers->addWidget(new QLabel(tr(heads[column])), 0, static_cast<int>(column) + 1, Qt::AlignRight);
@@ -68,30 +69,33 @@ TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent), picture_(new Histog
     column->addLayout(body, 1);
 }
 
-TimingPanel::Snapshot TimingPanel::now(const LiveRunner& runner) {
+TimingPanel::Snapshot TimingPanel::now(const LiveRunner& runner, const LatencyCounts& pictures) {
     const ServoTiming& timing = runner.feed().timing();
     return {{timing.tick.counts(), timing.lateness.counts(), timing.jitter.counts(),
-             runner.feed().deviceToForce().counts()},
+             runner.feed().deviceToForce().counts(), pictures},
             timing.ticks.load(std::memory_order_relaxed),
             timing.missed.load(std::memory_order_relaxed)};
 }
 
 /// Otherwise the counters of another runner would count for this one until the next show.
 void TimingPanel::reset() {
+    const LatencyCounts pictures = from_.rows[kPictures];  // they go on
     latest_ = from_ = {};
+    from_.rows[kPictures] = pictures;
     summary_->setText({});
     for (auto& row : cells_) {
         for (QLabel* cell : row) cell->clear();
     }
 }
 
-void TimingPanel::show(const LiveRunner& runner, const QString& device, double rateHz) {
-    latest_ = now(runner);
+void TimingPanel::show(const LiveRunner& runner, const LatencyCounts& pictures, const QString& device, double rateHz) {
+    latest_ = now(runner, pictures);
     std::array<LatencyCounts, kRows> counts;
     for (std::size_t row = 0; row < kRows; ++row) {
         counts[row] = latest_.rows[row].since(from_.rows[row]);
         for (std::size_t column = 0; column < kColumns; ++column) {
-            cells_[row][column]->setText(locale().toString(counts[row].quantile(kQuantiles[column]), 'f', 0));
+            const double unit = row == kPictures ? 1000 : 1;  // us
+            cells_[row][column]->setText(locale().toString(counts[row].quantile(kQuantiles[column]) / unit, 'f', 0));
         }
     }
     const std::uint64_t ticks = latest_.ticks - from_.ticks;

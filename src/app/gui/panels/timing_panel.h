@@ -14,27 +14,29 @@ namespace tactooth {
 
 class ElidedLabel;
 
-/// Real-time behaviour: how long the ticks of the servo took, how late they began, how many were missed, and what the
-/// system allows.
+/// Real-time behaviour: how long the ticks of the servo took, how late they began, how many were missed, what the
+/// system allows, and how long the pictures took.
 class TimingPanel final : public QWidget {
     Q_OBJECT
 
 public:
     explicit TimingPanel(QWidget* parent = nullptr);
 
-    /// `device`: its name for people. Call it about once a second.
-    void show(const LiveRunner& runner, const QString& device, double rateHz);
+    /// `pictures`: how long those in motion took since the program's start. `device`: its name for people. Call it
+    /// about once a second.
+    void show(const LiveRunner& runner, const LatencyCounts& pictures, const QString& device, double rateHz);
     /// The next values belong to another runner, which counts from zero.
     void reset();
 
 private:
-    static constexpr std::size_t kRows = 4, kColumns = 4;
+    static constexpr std::size_t kRows = 5, kColumns = 4;
+    static constexpr std::size_t kPictures = 4;  // the row of the pictures; the others are counters of the runner
     /// All counters at one moment.
     struct Snapshot {
         std::array<LatencyCounts, kRows> rows;
         std::uint64_t ticks = 0, missed = 0;
     };
-    [[nodiscard]] static Snapshot now(const LiveRunner& runner);
+    [[nodiscard]] static Snapshot now(const LiveRunner& runner, const LatencyCounts& pictures);
 
     HistogramView* picture_;
     std::array<std::array<QLabel*, kColumns>, kRows> cells_{};

@@ -151,7 +151,11 @@ void ToothView::paintGL() {
     if (magnifies() && now.tool) scene.magnified = now.tool->toolInTooth * Vec3(0, 0, 0.5 * now.tool->head.length);
     if (const auto done = draw(scene, settings, careful); !done) report(done.error());
     context()->functions()->glFinish();  // a software renderer still works after the last call
-    if (!careful) framePacer_.recordFrame(change, 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed()));
+    const double milliseconds = 1e-6 * static_cast<double>(sinceDrawn_.nsecsElapsed());
+    if (!careful) {
+        framePacer_.recordFrame(change, milliseconds);
+        pictureTimes_.add(1000 * milliseconds);
+    }
     ++pictures_;
 }
 

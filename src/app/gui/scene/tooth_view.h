@@ -22,6 +22,7 @@
 #include "app/gui/scene/surface_tool.h"
 #include "app/gui/scene/view_overlays.h"
 #include "app/gui/settings/window_settings.h"
+#include "haptics/latency_histogram.h"
 #include "session/hands/hand_pointer.h"
 #include "session/model/session_model.h"
 #include "view/camera/orbit_camera.h"
@@ -47,6 +48,8 @@ public:
     void refresh();
     /// Number of pictures drawn so far.
     [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
+    /// How long each picture took to draw while something moved, us.
+    [[nodiscard]] const LatencyHistogram& pictureTimes() const { return pictureTimes_; }
     /// Whether it shows the full-quality picture of a scene at rest.
     [[nodiscard]] bool isAtRest() const;
     /// Whether it shows something between that picture and the last one before it.
@@ -202,6 +205,7 @@ private:
     QTimer rest_;                                             // runs out when nothing has moved for kRestMs
     QElapsedTimer sinceDrawn_;
     std::uint64_t pictures_ = 0;
+    LatencyHistogram pictureTimes_;
     PictureKeys keys_;
     bool isPressedByKey_ = false;
     Vec2 mouse_ =
