@@ -49,5 +49,19 @@ TEST(GalleryCommand, DrawsTheTeethThatAreAskedFor) {
     EXPECT_GT(std::filesystem::file_size(folder / "g/teeth.png"), 20000u);
 }
 
+TEST(GalleryCommand, RefusesOptionsOfTeethWithExercises) {
+    const test::TemporaryFolder folder;
+    const std::vector<std::vector<std::string>> ofTeeth = {
+        {"--teeth", "36"}, {"--triangles", "2000"}, {"--seed", "1"}, {"--no-cache"}};
+    for (const std::vector<std::string>& options : ofTeeth) {
+        std::vector<std::string> arguments = {"gallery", "--out", folder / "g", "--exercises"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramRun run = runTactooth(arguments);
+        EXPECT_EQ(run.exitCode, 2) << options.front();
+        EXPECT_NE(run.err.find(options.front()), std::string::npos) << run.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / "g"));
+    }
+}
+
 }  // namespace
 }  // namespace tactooth

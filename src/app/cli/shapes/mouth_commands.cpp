@@ -113,20 +113,21 @@ void addGallery(CLI::App& program, CommandAction& chosen) {
         "Draws the built-in teeth and instruments as contact sheets, teeth.png and instruments.png. Needs no display.",
         options, runGallery);
     command->add_option("--out", options->out, "Folder for the sheets")->required()->type_name("DIR");
-    addTriangles(*command, options->triangles, "Triangles of each tooth");
-    command->add_option("--seed", options->seed, withDefault("Seed of the patient", options->seed, ", average teeth"))
-        ->transform(seedNumber())
-        ->type_name("N");
-    CLI::Option* teeth =
+    const std::vector<CLI::Option*> ofTeeth = {
+        addTriangles(*command, options->triangles, "Triangles of each tooth"),
+        command
+            ->add_option("--seed", options->seed, withDefault("Seed of the patient", options->seed, ", average teeth"))
+            ->transform(seedNumber())
+            ->type_name("N"),
         command
             ->add_option("--teeth", options->teeth, "Draws only these teeth (FDI numbers), larger, without instruments")
             ->transform(fdiNumber())
-            ->type_name("N");
-    command
-        ->add_flag("--exercises", options->exercises,
-                   "Draws the ideal of each built-in exercise instead: ID.jpg. Takes some minutes")
-        ->excludes(teeth);
-    command->add_flag("--no-cache", options->noCache, "Generates all teeth again and does not use the cache");
+            ->type_name("N"),
+        command->add_flag("--no-cache", options->noCache, "Generates all teeth again and does not use the cache")};
+    CLI::Option* exercises =
+        command->add_flag("--exercises", options->exercises,
+                          "Draws the ideal of each built-in exercise instead: ID.jpg. Takes some minutes");
+    for (CLI::Option* option : ofTeeth) exercises->excludes(option);
 }
 
 }  // namespace
