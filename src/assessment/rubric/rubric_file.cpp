@@ -125,17 +125,21 @@ Expected<Rubric> readRubric(const std::filesystem::path& file) {
     return parseRubric(bytes->text(), displayName(file));
 }
 
+std::string builtinRubricNames() {
+    std::string names;
+    for (const BuiltinRubricText& each : builtinRubricTexts()) {
+        names.append(names.empty() ? "" : ", ").append(each.name);
+    }
+    return names;
+}
+
 Expected<Rubric> findRubric(const std::string& nameOrFile) {
     for (const BuiltinRubricText& each : builtinRubricTexts()) {
         if (nameOrFile == each.name) return parseRubric(each.text, each.name);
     }
     const std::filesystem::path file(nameOrFile);
     if (file.has_extension() || file.has_parent_path()) return readRubric(file);
-    std::string names;
-    for (const BuiltinRubricText& each : builtinRubricTexts()) {
-        names.append(names.empty() ? "" : ", ").append(each.name);
-    }
-    return unexpected(msg::kRubricUnknown, quotedWord(nameOrFile), names);
+    return unexpected(msg::kRubricUnknown, quotedWord(nameOrFile), builtinRubricNames());
 }
 
 }  // namespace tactooth

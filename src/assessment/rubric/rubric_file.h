@@ -27,6 +27,8 @@ struct BuiltinRubricText {
     const char* text;
 };
 [[nodiscard]] std::span<const BuiltinRubricText> builtinRubricTexts();
+/// Their names, with commas between.
+[[nodiscard]] std::string builtinRubricNames();
 
 /// The rubric of an exercise that names none.
 inline constexpr std::string_view kUsualRubric = "near-ideal";

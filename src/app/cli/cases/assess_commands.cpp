@@ -7,6 +7,7 @@
 #include "app/cli/terminal/command_registry.h"
 #include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
+#include "assessment/rubric/rubric_file.h"
 
 namespace tactooth {
 namespace {
@@ -22,12 +23,9 @@ void addComparison(CLI::App& command, ComparisonOptions& options) {
         ->excludes(expert)
         ->type_name("EXERCISE");
     command
-        .add_option(
-            "--rubric", options.rubric,
-            "What the mark is made of: a TOML file (docs/assessment.md), or near-ideal (default, unless the exercise "
-            "has another), "
-            "near-ideal-strict, class-1, class-2, class-3, class-5, crown-metal, crown-ceramic or "
-            "endodontic-access")
+        .add_option("--rubric", options.rubric,
+                    "What the mark is made of: a TOML file (docs/assessment.md), or one of " + builtinRubricNames() +
+                        " (default: that of the exercise, or " + std::string(kUsualRubric) + ")")
         ->type_name("RUBRIC");
     command
         .add_option("--original", options.original,
