@@ -90,13 +90,14 @@ Expected<void> drawInstruments(OffscreenRenderer& renderer, const std::filesyste
         if (!picture) return Unexpected{picture.error()};
         sheet.place(i % kColumns, i / kColumns, *picture, burs[i].number);
     }
-    const std::array<std::pair<const char*, TriangleMesh>, 7> others = {{{"turbine", makeTurbine()},
+    const std::array<std::pair<const char*, TriangleMesh>, 8> others = {{{"turbine", makeTurbine()},
                                                                          {"contra-angle", makeContraAngle()},
                                                                          {"low speed", makeLowSpeedHandpiece()},
                                                                          {"mirror 22 mm", makeMirror(22).surface},
                                                                          {"mirror 24 mm", makeMirror(24).surface},
                                                                          {"explorer 23", makeExplorer()},
-                                                                         {"probe", makePeriodontalProbe()}}};
+                                                                         {"probe", makePeriodontalProbe()},
+                                                                         {"excavator", makeSpoonExcavator()}}};
     for (int i = 0; i < static_cast<int>(others.size()); ++i) {
         const auto picture = instrumentPicture(renderer, others[i].second, kTile);
         if (!picture) return Unexpected{picture.error()};
