@@ -41,6 +41,18 @@ TEST(SceneBuilder, ShowsToothBurTurbineAndMirror) {
     EXPECT_EQ(scene.mirror->mirrorInWorld.position, Vec3(0, -12, 5));
 }
 
+TEST(SceneBuilder, TheShankOfADiamondBurIsSmooth) {
+    SceneContents contents = contentsWithEverything();
+    contents.tool->head = {.length = 1.5, .radius = 1, .neck = 0.6};
+    const SceneObject diamond = makeScene(contents).objects[1];
+    ASSERT_EQ(diamond.appearances.size(), 2U);
+    EXPECT_GT(diamond.appearances[0].grain, 0.5F);
+    EXPECT_LT(diamond.appearances[1].grain, 0.1F);
+    EXPECT_EQ(diamond.secondAbove, 1.5F);
+    contents.tool->material = BurMaterial::Carbide;
+    EXPECT_FALSE(makeScene(contents).objects[1].secondAbove);
+}
+
 TEST(SceneBuilder, ASectionTakesNothingFromInstruments) {
     SceneContents contents = contentsWithEverything();
     contents.suction = ShownSuction{contents.mirror->mesh, {}};

@@ -18,7 +18,13 @@ void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
     bur.objectInWorld = tool.toolInTooth;
-    bur.appearances = {tool.material == BurMaterial::Diamond ? appearances::diamond() : appearances::carbide()};
+    bur.appearances = {appearances::carbide()};
+    if (tool.material == BurMaterial::Diamond && tool.head.length > 0) {
+        bur.appearances = {appearances::diamond(), appearances::steel()};
+        bur.secondAbove = static_cast<float>(tool.head.length);
+    } else if (tool.material == BurMaterial::Diamond) {
+        bur.appearances = {appearances::diamond()};
+    }
     bur.moves = true;
     const float blur = tool.blurred != nullptr ? spinBlur(tool.speedRpm, tool.edge) : 0;
     bur.spin = blur < 1 ? tool.spin : 0;
@@ -29,13 +35,14 @@ void addBur(Scene& scene, const ShownTool& tool) {
         cap.shape = tool.cap;
         cap.closed = false;
         *cap.glassAbove += 0.01F;  // mm: the cap itself is of the head
+        cap.secondAbove.reset();
         scene.objects.push_back(std::move(cap));
     }
     if (blur == 0) return;
     constexpr float kCover = 0.86F;  // at full speed the gaps between the blades still shimmer through
     bur.shape = tool.blurred;
     bur.spin = 0;
-    bur.appearances.front().opacity = kCover * blur;
+    for (Appearance& appearance : bur.appearances) appearance.opacity = kCover * blur;
     scene.objects.push_back(std::move(bur));
 }
 

@@ -261,6 +261,7 @@ void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, 
     program.use();
     setAppearances(program, drawable.object->appearances);
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));
+    program.set("secondAbove", drawable.object->secondAbove.value_or(0.0F));
     program.set("objectToWorld", drawable.objectToWorld);
     program.set("sectioned", drawable.object->sectioned ? 1 : 0);
     if (!machined && (rich || wet)) setLiquids(program, drawable.object->liquids);

@@ -55,6 +55,9 @@ struct SceneObject {
     /// The part above this height along the object's own z axis, mm, turns to glass where it hides Scene::sight from
     /// the eye; kAllGlass: all of it. Nothing: it stays solid.
     std::optional<float> glassAbove;
+    /// Above this height along the object's own z axis, mm, more than 0, the second appearance takes the place of those
+    /// of the tags: the shank of a bur. Nothing: nowhere.
+    std::optional<float> secondAbove = {};
     SurfaceLiquids liquids = {};  ///< on its surface
 };
 inline constexpr float kAllGlass = -1e9F;

@@ -15,6 +15,7 @@ uniform float hiddenOpacities[MAX_APPEARANCES];
 out float appearanceHidden;
 #endif
 uniform int appearanceCount;
+uniform float secondAbove;  // object frame, mm: the height above which the second appearance counts alone; 0: none
 uniform int sectioned;  // 0: the section does not cut this object
 
 out vec3 worldPosition;
@@ -32,6 +33,7 @@ void main() {
     objectPosition = position;
     int first = 2 * min(int(appearanceMix & 255u), appearanceCount - 1);
     int second = 2 * min(int((appearanceMix >> 8) & 255u), appearanceCount - 1);
+    if (secondAbove != 0.0 && position.z > secondAbove) first = second = 2 * min(1, appearanceCount - 1);
     float share = float((appearanceMix >> 16) & 255u) / 255.0;
     surfaceAppearance = mix(appearances[first], appearances[second], share);
     materialAppearance = mix(appearances[first + 1], appearances[second + 1], share);

@@ -15,6 +15,7 @@ namespace tactooth {
 namespace {
 
 using test::coveredPixelCount;
+using test::kTestSize;
 using test::meanColour;
 using test::objectOf;
 using test::sceneOf;
@@ -65,6 +66,34 @@ TEST_F(RendererTest, DrawsAsManyAppearancesAsAToothHasMaterials) {
     ASSERT_EQ(kMaxAppearances, kMaxMaterials + 8);  // those are for zones
     const Image wanted = draw(sceneOf({one}, {0, 0}));
     EXPECT_EQ(draw(sceneOf({many}, {0, 0})).at(160, 120), wanted.at(160, 120));
+}
+
+/// The shank of a bur is another material than its head.
+TEST_F(RendererTest, ASecondAppearanceBeginsAtItsHeight) {
+    const Appearance red{.colour = {0.8F, 0.1F, 0.1F}}, green{.colour = {0.1F, 0.8F, 0.1F}};
+    SceneObject bur = objectOf(test::cylinder(Vec3::Zero(), 1, 2, 64), red);
+    TriangleMesh above = test::cylinder(Vec3(0, 0, 2.2), 1, 2, 64);
+    SceneObject shank = objectOf(std::move(above), red);
+    for (SceneObject* part : {&bur, &shank}) {
+        part->appearances = {red, green};
+        part->secondAbove = 2.1F;
+    }
+    const Image image = draw(sceneOf({bur, shank}, {0, 0}));  // z up
+    int lower = 0, upper = 0, wrong = 0;
+    for (int y = 0; y < kTestSize.height; ++y) {
+        for (int x = 0; x < kTestSize.width; ++x) {
+            const Rgba pixel = image.at(x, y);
+            if (pixel[3] != 255) continue;
+            const bool isGreen = pixel[1] > pixel[0];
+            (y < kTestSize.height / 2 ? upper : lower) += 1;
+            wrong += isGreen != (y < kTestSize.height / 2) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(lower, 1000);
+    EXPECT_GT(upper, 1000);
+    EXPECT_EQ(wrong, 0);
+    bur.secondAbove.reset();
+    EXPECT_GT(meanColour(draw(sceneOf({bur}, {0, 0}))).x(), 2 * meanColour(draw(sceneOf({bur}, {0, 0}))).y());
 }
 
 TEST_F(RendererTest, AToolThrowsItsShadow) {

@@ -62,11 +62,13 @@ Expected<Image> toothPicture(OffscreenRenderer& renderer, const std::shared_ptr<
 Expected<Image> burPicture(OffscreenRenderer& renderer, const BurSpec& spec, double millimetres, ImageSize size) {
     constexpr int kTriangles = 20000;
     SceneContents contents;
-    contents.tool = ShownTool{.bur = std::make_shared<const TriangleMesh>(makeBur(spec, kTriangles).surface),
+    const auto bur = std::make_shared<const TriangleMesh>(makeBur(spec, kTriangles).surface);
+    contents.tool = ShownTool{.bur = bur,
                               .turbine = nullptr,
                               .material = spec.material,
                               .toolInTooth = {},
-                              .spin = 0};
+                              .spin = 0,
+                              .head = burHeadOf(*bur)};
     OrbitCamera orbit;
     orbit.setView({.azimuth = 0.6, .elevation = -0.25});
     contents.camera = cameraOn(Vec3(0, 0, 0.44 * millimetres), millimetres, orbit, size);
