@@ -18,12 +18,11 @@ void addBur(Scene& scene, const ShownTool& tool) {
     SceneObject bur;
     bur.shape = tool.bur;
     bur.objectInWorld = tool.toolInTooth;
-    bur.appearances = {appearances::carbide()};
-    if (tool.material == BurMaterial::Diamond && tool.head.length > 0) {
-        bur.appearances = {appearances::diamond(), appearances::steel()};
+    const bool isDiamond = tool.material == BurMaterial::Diamond;
+    bur.appearances = {isDiamond ? appearances::diamond() : appearances::carbide()};
+    if (isDiamond && tool.head.length > 0) {
+        bur.appearances.push_back(appearances::steel());
         bur.secondAbove = static_cast<float>(tool.head.length);
-    } else if (tool.material == BurMaterial::Diamond) {
-        bur.appearances = {appearances::diamond()};
     }
     bur.moves = true;
     const float blur = tool.blurred != nullptr ? spinBlur(tool.speedRpm, tool.edge) : 0;
