@@ -77,11 +77,16 @@ TimingPanel::Snapshot TimingPanel::now(const LiveRunner& runner, const LatencyCo
             timing.missed.load(std::memory_order_relaxed)};
 }
 
+void TimingPanel::Snapshot::forgetRunner() {
+    const LatencyCounts pictures = rows[kPictures];
+    *this = {};
+    rows[kPictures] = pictures;
+}
+
 /// Otherwise the counters of another runner would count for this one until the next show.
 void TimingPanel::reset() {
-    const LatencyCounts pictures = from_.rows[kPictures];  // they go on
-    latest_ = from_ = {};
-    from_.rows[kPictures] = pictures;
+    latest_.forgetRunner();
+    from_.forgetRunner();
     summary_->setText({});
     for (auto& row : cells_) {
         for (QLabel* cell : row) cell->clear();

@@ -35,6 +35,8 @@ private:
     struct Snapshot {
         std::array<LatencyCounts, kRows> rows;
         std::uint64_t ticks = 0, missed = 0;
+        /// The pictures go on.
+        void forgetRunner();
     };
     [[nodiscard]] static Snapshot now(const LiveRunner& runner, const LatencyCounts& pictures);
 
