@@ -118,7 +118,7 @@ void MouseManipulator::release() {
     pressing_ = false;
     mayRetract_ = true;
     withdraws_ = true;
-    tries_ = 0;
+    catches_ = 0;
     if (knowsScene()) {
         leaving_ = true;
         aimedAt_ = clampedToWorkspace((landing_ ? *landing_ : Vec3(tip_ - pressDepth_ * pressDirection_)) -
@@ -180,13 +180,13 @@ void MouseManipulator::noteTrail(const Vec3& toolTip) {
 /// Goes back as it came, to the place where the press began. False: it need not, or has arrived.
 bool MouseManipulator::retrace(double dt, const Vec3& toolTip, double depth) {
     constexpr double kCaughtFor = 0.12;   // s: the hand has left the floor that it pressed on
-    constexpr int kTries = 2;             // to leave along the shaft: the end of a press looks like the first one
+    constexpr int kSecondCatch = 2;       // on its way along the shaft: the end of a press looks like the first one
     constexpr double kLongestWait = 0.5;  // s: something else holds it, an undone cut for example
     if (!withdraws_) trail_.clear();
     waits_ = retraces_ || depth > kCaught ? waits_ + dt : 0;
-    tries_ += depth > kCaught && !caught_ ? 1 : 0;
+    catches_ += depth > kCaught && !caught_ ? 1 : 0;
     if (!retraces_) {
-        if ((waits_ < kCaughtFor && tries_ < kTries) || trail_.empty()) return false;
+        if ((waits_ < kCaughtFor && catches_ < kSecondCatch) || trail_.empty()) return false;
         waits_ = 0;
         caught_ = false;
     }

@@ -124,7 +124,7 @@ private:
     bool caught_ = false;      // something holds the tool away from a hand that does not press
     bool retraces_ = false;    // it could not leave along its shaft: it goes back as it came
     double waits_ = 0;         // s without progress on that path
-    int tries_ = 0;            // since the button went up: times that something has caught the tool
+    int catches_ = 0;          // since the button went up: times that something has caught the tool
     std::vector<Pose> trail_;  // of the pressed tool, without loops
     bool retracting_ = false;
     bool mayRetract_ = true;  // once for each point aimed at: the tool may be unable to reach it
