@@ -55,7 +55,7 @@ struct Found {
     double longestLeave = 0;  // s from the end of a press until the tool was free
 };
 
-/// A session with a mouse that wanders at random over the picture.
+/// A session with a mouse that wanders at random over the picture, or draws one stroke.
 class Wanderer {
 public:
     /// `frame`: s from one step of the window to the next.
