@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -54,7 +55,8 @@ namespace tactooth {
 namespace {
 
 using test::kTick;
-constexpr int kNoSeccomp = 3;  // exit status
+constexpr int kNoSeccomp = 3;   // exit status
+constexpr double kReach = 1.5;  // mm that the hand goes aside
 
 struct Report {
     std::uint64_t hash;
@@ -66,12 +68,18 @@ struct Report {
 OperatorInput handAt(const Vec3& top, int tick) {
     const double time = kTick * tick;
     const Vec3 aside(std::cos(2.1 * time), std::sin(3.3 * time), 0.5 * std::sin(1.7 * time) - 0.7);
-    return {{top + 1.5 * aside, Quat(Eigen::AngleAxisd(0.3 * std::sin(time), Vec3::UnitX()))}, 0, false};
+    return {{top + kReach * aside, Quat(Eigen::AngleAxisd(0.3 * std::sin(time), Vec3::UnitX()))}, 0, false};
 }
 
+/// The middle of the tooth, as high as the tooth is where the hand circles: the fossa of a molar lies below its cusps.
 Vec3 topOf(const TriangleMesh& tooth) {
     const Box3 box = boundingBox(tooth);
-    return {box.center().x(), box.center().y(), box.max().z()};
+    Vec3 top(box.center().x(), box.center().y(), box.min().z());
+    for (const Vec3f& vertex : tooth.vertices) {
+        const Vec3 place = vertex.cast<double>();
+        if ((place - top).head<2>().norm() < kReach) top.z() = std::max(top.z(), place.z());
+    }
+    return top;
 }
 
 /// The ticks only, from the moment when the process may only compute.
