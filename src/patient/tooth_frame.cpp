@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/util/degree.h"
 #include "geometry/util/pose.h"
 #include "patient/messages.h"
 #include "patient/tooth_sections.h"
@@ -15,7 +16,7 @@
 namespace tactooth {
 namespace {
 
-constexpr double kUprightTolerance = 30 * std::numbers::pi / 180;  // rad: teeth in a jaw lean by up to 20 degrees
+constexpr double kUprightTolerance = 30 * kDegree;  // rad: teeth in a jaw lean by up to 20 degrees
 constexpr double kMinElongation = 1.15;  // a body that is longer than wide by less has no long axis
 
 struct LongAxis {
@@ -41,11 +42,14 @@ LongAxis longAxisOf(const TriangleMesh& mesh) {
     return {middle, moments.eigenvectors().col(2), ratio > kMinElongation};
 }
 
-/// Positive if the upper half of the body along z is the thicker one.
-double volumeImbalance(const TriangleMesh& mesh, const Quat& upright) {
+/// What the half of the body toward `axis` has more of the volume than the other half, as a share of the whole.
+double volumeImbalance(const TriangleMesh& mesh, const Vec3& axis) {
+    const Quat upright = shortestRotation(axis, Vec3::UnitZ());
     const SectionProfile profile = sectionProfile(transformed(mesh, {Vec3::Zero(), upright}));
     const auto half = profile.areas.begin() + static_cast<std::ptrdiff_t>(profile.areas.size() / 2);
-    return std::accumulate(half, profile.areas.end(), 0.0) - std::accumulate(profile.areas.begin(), half, 0.0);
+    const double upper = std::accumulate(half, profile.areas.end(), 0.0);
+    const double lower = std::accumulate(profile.areas.begin(), half, 0.0);
+    return (upper - lower) / (upper + lower);
 }
 
 /// The rotation of the file's frame that brings `crown` up and, among those, `buccal` closest to +y.
@@ -63,6 +67,8 @@ struct Orientation {
     std::vector<ImportNote> why;
 };
 
+double angleFromZ(const Vec3& direction) { return std::acos(std::clamp(direction.z(), -1.0, 1.0)); }
+
 Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const LongAxis& shape,
                     std::vector<ImportNote>& why) {
     const auto add = [&](const MessageText& text) { why.push_back({ImportNoteTopic::Orientation, text}); };
@@ -73,7 +79,7 @@ Vec3 crownDirection(const TriangleMesh& outer, const FrameHints& hints, const Lo
         if (axis.dot(*hints.crown) < 0) axis = -axis;
         add(msg::kNoteCrownAtEnamel);
     } else {
-        if (volumeImbalance(outer, shortestRotation(axis, Vec3::UnitZ())) < 0) axis = -axis;
+        if (volumeImbalance(outer, axis) < 0) axis = -axis;
         add(msg::kNoteCrownThicker);
     }
     return axis;
@@ -85,17 +91,17 @@ Orientation orientationOf(const TriangleMesh& outer, const FrameHints& hints, co
         orientation.why.push_back({ImportNoteTopic::Orientation, std::move(message)});
     };
     const Vec3 crown = crownDirection(outer, hints, shape, orientation.why);
-    const double tilt = std::acos(std::clamp(crown.z(), -1.0, 1.0));
+    const double tilt = angleFromZ(crown);
     constexpr double kClear = 0.2;  // sine of the angle to the long axis: a smaller one gives no buccal direction
     if (hints.buccal && hints.buccal->cross(crown).norm() > kClear * hints.buccal->norm()) {
         orientation.upright = uprightRotation(crown, *hints.buccal);
         add(msg::kNoteCheekOutward);
     } else if (tilt < kUprightTolerance) {
         orientation.upright = Quat::Identity();
-        add({msg::kNoteUpright, rounded(tilt * 180 / std::numbers::pi, 0)});
+        add({msg::kNoteUpright, rounded(tilt / kDegree, 0)});
     } else {
         orientation.upright = shortestRotation(crown, Vec3::UnitZ());
-        add({msg::kNoteTurnedUpright, rounded(tilt * 180 / std::numbers::pi, 0)});
+        add({msg::kNoteTurnedUpright, rounded(tilt / kDegree, 0)});
     }
     return orientation;
 }
@@ -113,13 +119,28 @@ FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints) {
     if (hints.turn != 0) {
         upright = Quat(Eigen::AngleAxisd(hints.turn, Vec3::UnitZ())) * upright;
         orientation.why.push_back(
-            {ImportNoteTopic::Orientation, {msg::kNoteTurnedAbout, rounded(hints.turn * 180 / std::numbers::pi, 0)}});
+            {ImportNoteTopic::Orientation, {msg::kNoteTurnedAbout, rounded(hints.turn / kDegree, 0)}});
     }
     const TriangleMesh turned = transformed(outer, {Vec3::Zero(), upright});
     Vec3 origin = upright * shape.middle;
     origin.z() = neckHeight(sectionProfile(turned));
     const Quat back = upright.conjugate();
     return {{back * origin, back}, std::move(orientation.why)};
+}
+
+std::optional<double> crownTilt(const TriangleMesh& outer) {
+    const LongAxis shape = longAxisOf(outer);
+    if (!shape.isClear) return std::nullopt;
+    constexpr double kClear = 0.05;  // teeth have 0.2 to 0.6; both ends of a body with less are equally thick
+    const double imbalance = volumeImbalance(outer, shape.axis);
+    if (std::abs(imbalance) < kClear) return std::nullopt;
+    return angleFromZ(imbalance < 0 ? Vec3(-shape.axis) : shape.axis);
+}
+
+std::optional<ImportNote> noteOnTilt(const TriangleMesh& outer) {
+    const std::optional<double> tilt = crownTilt(outer);
+    if (!tilt || *tilt < kUprightTolerance) return std::nullopt;
+    return ImportNote{ImportNoteTopic::Orientation, {msg::kNoteTilted, rounded(*tilt / kDegree, 0)}};
 }
 
 }  // namespace tactooth

@@ -28,4 +28,12 @@ struct FrameGuess {
 /// surface does not show the buccal side: it comes from `hints`, or is +y of the file by the shortest rotation.
 [[nodiscard]] FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints = {});
 
+/// The angle between +z of the file, where views and exercises expect the crown, and the crown of a tooth, rad. The
+/// crown is taken to be the thicker end of the long axis. Nothing if the surface is about as long as wide, or as thick
+/// at both ends. `outer` is closed and in mm.
+[[nodiscard]] std::optional<double> crownTilt(const TriangleMesh& outer);
+
+/// What a user should know who opens a tooth as it lies in its file; nothing if it stands crown up.
+[[nodiscard]] std::optional<ImportNote> noteOnTilt(const TriangleMesh& outer);
+
 }  // namespace tactooth

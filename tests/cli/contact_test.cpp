@@ -55,6 +55,31 @@ TEST_F(ContactCommand, RefusesMissingAndBadFiles) {
                   "not an STL surface");
 }
 
+TEST_F(ContactCommand, TakesABurByItsNumber) {
+    const std::string bur = file("57.stl");
+    ASSERT_EQ(runTactooth({"bur", "57", "--out", bur}).exitCode, 0);
+    const std::string poses = trajectory({{0, 0, 0, 1}, {0.001, 0.3, 0.2, -0.25}});
+    std::vector<std::vector<double>> depths;
+    for (const std::vector<std::string>& named : std::vector<std::vector<std::string>>{
+             {"--bur", "57"}, {"--tool", "57"}, {"--tool", "500 314 107 006 010"}, {"--bur", bur}}) {
+        const ProgramRun run = runTactooth(
+            {"contact", "--tooth", plate(), named[0], named[1], "--poses", poses, "--out", out()});
+        ASSERT_EQ(run.exitCode, 0) << run.err;
+        depths.push_back({table().at(0, "depth"), table().at(1, "depth")});
+        EXPECT_NEAR(depths.back()[1], 0.25, 2e-3) << named[1];
+    }
+    EXPECT_EQ(depths[0], depths[1]);
+    EXPECT_EQ(depths[0], depths[2]);
+}
+
+TEST_F(ContactCommand, SaysOfANameThatItIsNeitherANumberNorAFile) {
+    const std::string good = trajectory({{0, 0, 0, 1}});
+    for (const char* const name : {"58b", "round", "0", "500 314 107 006"}) {
+        expectRefused(runTactooth({"contact", "--tooth", plate(), "--bur", name, "--poses", good, "--out", out()}),
+                      std::string(name) + ": there is neither a bur of this number nor a file of this name");
+    }
+}
+
 TEST_F(ContactCommand, NeedsAllOfItsOptions) {
     const ProgramRun run = runTactooth({"contact", "--tooth", plate()});
     EXPECT_EQ(run.exitCode, 2);

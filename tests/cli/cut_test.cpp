@@ -53,6 +53,14 @@ TEST_F(CutCommand, ARigidFeedLeavesTheHoleOfTheBur) {
     EXPECT_NEAR(removed.rows.back()[1], hole, 0.003 * hole);
 }
 
+TEST_F(CutCommand, ABurOfTheCatalogueLeavesItsHole) {
+    const ProgramRun run = runTactooth({"cut", "--tooth", block(), "--bur", "57", "--trajectory", drillAt(0, 0.8),
+                                        "--out", file("cut.stl"), "--speed-rpm", "200000", "--feed", "rigid"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const double hole = kPi * 0.25 * 0.8;  // the blades of bur 57 turn within a diameter of 1 mm
+    EXPECT_NEAR(48 - volumeOf("cut.stl"), hole, 0.03 * hole);
+}
+
 TEST_F(CutCommand, AMaterialOfTheUsersIsALayerAColumnAndAFile) {
     EXPECT_TRUE(writeStl(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 0)), file("filling.stl")));
     test::writeText(file("mine.toml"), "[composite]\nstiffness = 0.7\nremoval = 0.02\nnesting = 6\n");

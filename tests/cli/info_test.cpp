@@ -47,6 +47,27 @@ TEST_F(Info, TableSaysWhatASoundSurfaceIsLike) {
                            "  Findings      none\n");
 }
 
+/// A body of 4 x 4 x 12 mm, thicker at the end toward -y.
+TriangleMesh lyingWedge() {
+    TriangleMesh mesh = test::box(Vec3(-2, -6, -2), Vec3(2, 6, 2));
+    for (Vec3& vertex : mesh.vertices) {
+        if (vertex.y() > 0) vertex = {vertex.x() / 2, vertex.y(), vertex.z() / 2};
+    }
+    return mesh;
+}
+
+TEST_F(Info, ATiltedBodyIsSaidToBeTilted) {
+    ASSERT_TRUE(writeStl(lyingWedge(), folder() / "wedge.stl"));
+    EXPECT_THAT(runTactooth({"info", folder() / "wedge.stl"}).out,
+                HasSubstr("  Long axis     thicker end 90 degrees from +z\n"));
+    const auto json = nlohmann::json::parse(runTactooth({"info", "--json", folder() / "wedge.stl"}).out);
+    EXPECT_NEAR(json["crown_tilt_degrees"].get<double>(), 90, 0.1);
+    const ProgramRun picture = runTactooth(
+        {"render", "--tooth", folder() / "wedge.stl", "--out", folder() / "wedge.png", "--size", "160x120"});
+    EXPECT_EQ(picture.exitCode, 0);
+    EXPECT_THAT(picture.err, AllOf(HasSubstr("90 degrees away from +z"), HasSubstr("case new")));
+}
+
 TEST_F(Info, TableNamesWeaknessesAndIsStillASuccess) {
     TriangleMesh open = test::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     open.triangles.pop_back();
@@ -65,6 +86,7 @@ TEST_F(Info, JsonHoldsTheNumbers) {
     EXPECT_EQ(json["triangles"], 12);
     EXPECT_EQ(json["vertices"], 8);
     EXPECT_EQ(json["box"]["size"], nlohmann::json({1.0, 2.0, 3.0}));
+    EXPECT_TRUE(json["crown_tilt_degrees"].is_null());
     EXPECT_EQ(json["closed"], true);
     EXPECT_EQ(json["volume"], 6.0);
     EXPECT_EQ(json["area"], 22.0);

@@ -6,6 +6,7 @@
 
 #include "geometry/util/degree.h"
 #include "instruments/builtin_tooth.h"
+#include "support/shapes.h"
 
 namespace tactooth {
 namespace {
@@ -74,6 +75,31 @@ TEST(ToothFrame, WhatAPersonChoosesIsDone) {
 TEST(ToothFrame, TheOriginIsAtTheNeck) {
     const FrameGuess guess = guessToothFrame(molar());
     EXPECT_NEAR(guess.toothInFile.position.z(), 0, 2.5);  // the neck of the built-in teeth
+}
+
+TEST(ToothFrame, TheTiltIsTheAngleOfTheCrownToZ) {
+    const double own = crownTilt(molar()).value();
+    EXPECT_LT(own, 12 * kDegree);
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, -1, 0)}) {
+        for (const double degrees : {25.0, 60.0, 90.0, 150.0, 180.0}) {
+            const TriangleMesh turned = transformed(molar(), {Vec3(5, 5, 5), turn(degrees, axis)});
+            EXPECT_NEAR(crownTilt(turned).value(), degrees * kDegree, own + 1e-6) << degrees;
+        }
+    }
+}
+
+TEST(ToothFrame, OnlyAToothThatLiesHasANoteOnItsTilt) {
+    for (const double degrees : {0.0, 15.0}) {
+        EXPECT_FALSE(noteOnTilt(transformed(molar(), {Vec3::Zero(), turn(degrees, Vec3(1, 0, 0))}))) << degrees;
+    }
+    for (const double degrees : {50.0, 90.0, 180.0}) {
+        EXPECT_TRUE(noteOnTilt(transformed(molar(), {Vec3::Zero(), turn(degrees, Vec3(1, 0, 0))}))) << degrees;
+    }
+}
+
+TEST(ToothFrame, ABodyThatIsTheSameAtBothEndsHasNoTilt) {
+    EXPECT_FALSE(crownTilt(test::box(Vec3(0, 0, 0), Vec3(1, 1, 5))));
+    EXPECT_FALSE(crownTilt(test::box(Vec3(0, 0, 0), Vec3(5, 5, 5))));
 }
 
 }  // namespace

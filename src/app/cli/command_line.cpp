@@ -76,15 +76,23 @@ CLI::Option* addRecord(CLI::App& command, std::filesystem::path& file, const std
         ->type_name("FILE");
 }
 
+/// The option that contact and feel share.
+void addTool(CLI::App& command, std::filesystem::path& tool) {
+    command
+        .add_option("--tool,--bur", tool,
+                    "STL file of the tool, mm: tip at the origin, +z along the shaft; or the number of a bur "
+                    "('tactooth bur --list')")
+        ->required()
+        ->type_name("NUMBER|FILE");
+}
+
 void addContact(CLI::App& program, CommandAction& chosen) {
     const auto options = std::make_shared<ContactOptions>();
     CLI::App* command =
         addCommand(program, chosen, "contact", "Computes the penetration depth of a tool in a tooth at single poses.",
                    options, runContact);
     command->add_option("--tooth", options->tooth, "STL file of the tooth, mm")->required()->type_name("FILE");
-    command->add_option("--tool", options->tool, "STL file of the tool, mm: tip at the origin, +z along the shaft")
-        ->required()
-        ->type_name("FILE");
+    addTool(*command, options->tool);
     command
         ->add_option("--poses", options->poses,
                      "CSV file t,x,y,z,qw,qx,qy,qz: poses of the tool in the tooth frame, s and mm")
@@ -104,9 +112,7 @@ void addFeel(CLI::App& program, CommandAction& chosen) {
         ->required()
         ->type_name("FILE");
     addWorkOn(*command, options->workOn);
-    command->add_option("--tool", options->tool, "STL file of the tool, mm: tip at the origin, +z along the shaft")
-        ->required()
-        ->type_name("FILE");
+    addTool(*command, options->tool);
     command
         ->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: poses of the hand, s and mm")
         ->required()
@@ -172,10 +178,10 @@ void addCut(CLI::App& program, CommandAction& chosen) {
     command->add_option("--material", options->material, "What a tooth without layers is made of (default: enamel)")
         ->type_name("NAME");
     command
-        ->add_option("--tool", options->tool,
-                     "STL file of the bur (mm, tip at the origin, +z along the shaft) or its TOML description "
-                     "(default: the bur of the case)")
-        ->type_name("FILE");
+        ->add_option("--tool,--bur", options->tool,
+                     "The bur: its number ('tactooth bur --list'), an STL file (mm, tip at the origin, +z along the "
+                     "shaft) or its TOML description (default: the bur of the case)")
+        ->type_name("NUMBER|FILE");
     command
         ->add_option("--trajectory", options->trajectory, "CSV file t,x,y,z,qw,qx,qy,qz: poses of the hand, s and mm")
         ->required()
@@ -287,9 +293,9 @@ void addDemo(CLI::App& program, CommandAction& chosen) {
         ->excludes("--tooth");
     command
         ->add_option("--bur", options->bur,
-                     "STL file of the bur (mm, tip at the origin, +z along the shaft) or its TOML description "
-                     "(default: the bur of the case, else the built-in fissure bur 57)")
-        ->type_name("FILE");
+                     "The bur: its number ('tactooth bur --list'), an STL file (mm, tip at the origin, +z along the "
+                     "shaft) or its TOML description (default: the bur of the case, else the fissure bur 57)")
+        ->type_name("NUMBER|FILE");
 }
 
 void addSound(CLI::App& program, CommandAction& chosen) {

@@ -12,9 +12,9 @@
 #include "patient/jaw_frame.h"
 #include "patient/length_unit.h"
 #include "patient/messages.h"
+#include "session/cases/bur_by_name.h"
 #include "session/cases/case_names.h"
 #include "session/cases/case_surfaces.h"
-#include "session/cases/custom_bur.h"
 #include "session/cases/messages.h"
 #include "session/io/limited_toml.h"
 #include "session/io/material_file.h"
@@ -140,7 +140,7 @@ private:
 
     Expected<void> addBurs() {
         for (std::size_t i = 0; i < request_.burs.size(); ++i) {
-            const auto bur = readCustomBur(request_.burs[i]);
+            const auto bur = findOrReadBur(request_.burs[i]);
             if (!bur) return Unexpected{bur.error()};
             const std::string stem = "burs/" + std::to_string(i + 1);
             made_.files.push_back({stem + ".toml", bytesOf(customBurText(*bur, std::to_string(i + 1) + ".stl"))});

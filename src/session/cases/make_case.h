@@ -23,7 +23,7 @@ struct CaseRequest {
     std::string provenance = {};
     std::optional<int> quadrant = {};  ///< 1..4: a name that ends in 1..8 is a tooth of this quarter of the mouth
     ImportOptions choices = {};
-    std::vector<std::filesystem::path> burs = {};  ///< as readCustomBur takes them
+    std::vector<std::filesystem::path> burs = {};  ///< as findOrReadBur takes them
     std::filesystem::path materials = {};
 };
 

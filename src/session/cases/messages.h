@@ -31,6 +31,10 @@ inline constexpr MessageText kCaseRotation{"case_rotation", "the rotation must b
 inline constexpr MessageText kCasePosition{"case_position",
                                            "the position lies more than 1000 mm away; lengths are in mm",
                                            "位置が 1000 mm より遠くにあります。長さの単位は mm です"};
+inline constexpr MessageText kNoSuchBur{
+    "no_such_bur",
+    "%1: there is neither a bur of this number nor a file of this name; 'tactooth bur --list' shows the numbers.",
+    "%1：この番号のバーも、この名前のファイルもありません。番号の一覧は 'tactooth bur --list' で分かります。"};
 inline constexpr MessageText kBurMaterialUnknown{"bur_material_unknown", "'material' must be carbide or diamond",
                                                  "'material' は carbide か diamond でなければなりません"};
 inline constexpr MessageText kBurSurfaceElsewhere{

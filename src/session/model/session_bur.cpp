@@ -6,6 +6,7 @@
 
 #include "geometry/util/messages.h"
 #include "instruments/bur_shape.h"
+#include "session/cases/bur_by_name.h"
 #include "session/model/spin_envelope_mesh.h"
 
 namespace tactooth {
@@ -63,6 +64,13 @@ Expected<SessionBur> loadSessionBur(const std::filesystem::path& path) {
     Expected<CustomBur> own = readCustomBur(path);
     if (!own) return Unexpected{own.error()};
     return makeSessionBur(std::move(*own), path);
+}
+
+Expected<SessionBur> findOrLoadSessionBur(const std::filesystem::path& numberOrFile) {
+    if (const auto spec = findBur(numberOrFile.native())) return makeSessionBur(*spec);
+    Expected<CustomBur> own = findOrReadBur(numberOrFile);
+    if (!own) return Unexpected{own.error()};
+    return makeSessionBur(std::move(*own), numberOrFile);
 }
 
 std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder) {

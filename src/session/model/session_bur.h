@@ -37,6 +37,8 @@ struct SessionBur {
 [[nodiscard]] Expected<SessionBur> makeSessionBur(CustomBur bur, const std::filesystem::path& file);
 [[nodiscard]] SessionBur makeHandInstrument(HandInstrument kind);
 [[nodiscard]] Expected<SessionBur> loadSessionBur(const std::filesystem::path& path);
+/// As findOrReadBur finds it.
+[[nodiscard]] Expected<SessionBur> findOrLoadSessionBur(const std::filesystem::path& numberOrFile);
 /// The bur or hand instrument that somebody worked with: of the catalogue, or of its file, which may also lie in
 /// `folder`. Nothing if it is not there any more, or belongs to a case.
 [[nodiscard]] std::optional<SessionBur> burOf(const SessionWork& work, const std::filesystem::path& folder);

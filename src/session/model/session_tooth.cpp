@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/util/messages.h"
+#include "patient/tooth_frame.h"
 #include "session/cases/case_names.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/simulation/session_voxel.h"
@@ -88,6 +89,9 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
     SessionTooth tooth{
         std::move(place.name),       std::move(work->piece), place.mesialX, std::move(work->provenance), place.box,
         std::move(place.teethOfCase)};
+    if (tooth.teethOfCase.empty() && !isToothFile(source.outer)) {
+        if (auto tilted = noteOnTilt(tooth.piece->tooth().outer()->mesh())) work->importNotes.push_back(*tilted);
+    }
     for (const ImportNote& importNote : work->importNotes)
         tooth.provenance.emplace_back("assumed", inWords(importNote));
     tooth.importNotes = std::move(work->importNotes);

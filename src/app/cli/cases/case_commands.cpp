@@ -47,8 +47,8 @@ void addNew(CLI::App& parent, CommandAction& chosen) {
     command->add_option("--title", options->title, "Name of the case")->type_name("TEXT");
     command->add_option("--licence", options->licence, "Licence of the surfaces")->type_name("TEXT");
     command->add_option("--provenance", options->provenance, "Origin of the surfaces")->type_name("TEXT");
-    command->add_option("--bur", options->burs, "Bur of the case: its surface or its TOML description")
-        ->type_name("FILE")
+    command->add_option("--bur", options->burs, "Bur of the case: its number, its surface or its TOML description")
+        ->type_name("NUMBER|FILE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command->add_option("--materials", options->materials, "TOML file with the values of materials, as for 'cut'")

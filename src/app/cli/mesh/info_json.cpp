@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/terminal/info_text.h"
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
@@ -33,6 +34,7 @@ std::string infoJson(std::string_view name, const SurfaceFacts& facts) {
                  {"triangles", facts.storedTriangles},
                  {"vertices", report.vertices},
                  {"box", toJson(report.box)},
+                 {"crown_tilt_degrees", facts.crownTilt ? Json(*facts.crownTilt / kDegree) : Json(nullptr)},
                  {"closed", report.closed()},
                  {"oriented", report.oriented()},
                  {"watertight", isSolid},

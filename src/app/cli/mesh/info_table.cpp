@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/cli/terminal/info_text.h"
+#include "geometry/util/degree.h"
 
 namespace tactooth {
 namespace {
@@ -52,6 +53,9 @@ std::string infoTable(std::string_view name, const SurfaceFacts& facts) {
     table += row("Triangles", grouped(facts.storedTriangles));
     table += row("Vertices", grouped(report.vertices));
     table += row("Size", fmt::format("{:.2f} x {:.2f} x {:.2f} mm", size.x(), size.y(), size.z()));
+    if (facts.crownTilt) {
+        table += row("Long axis", fmt::format("thicker end {:.0f} degrees from +z", *facts.crownTilt / kDegree));
+    }
     table += row("Closed", closednessOf(report));
     table += row("Orientation", orientationOf(facts));
     table += row("Shells", grouped(report.shells.size()));

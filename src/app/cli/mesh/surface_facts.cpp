@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/terminal/info_text.h"
 #include "app/cli/terminal/messages.h"
+#include "patient/tooth_frame.h"
 
 namespace tactooth {
 
@@ -9,8 +10,13 @@ SurfaceFacts surfaceFacts(const TriangleMesh& mesh) {
     const MeshReport stored = reportOn(mesh);
     ExaminedSolid examined = examineSolid(mesh);
     const bool isChanged = examined.mesh.triangles != mesh.triangles || examined.mesh.vertices != mesh.vertices;
-    return {stored.triangles, stored.insideOut(), stored.oriented(), isChanged ? reportOn(examined.mesh) : stored,
-            examined.report};
+    const bool isSolid = examined.report.isSolid();
+    return {stored.triangles,
+            stored.insideOut(),
+            stored.oriented(),
+            isChanged ? reportOn(examined.mesh) : stored,
+            examined.report,
+            isSolid ? crownTilt(examined.mesh) : std::nullopt};
 }
 
 std::vector<std::string> SurfaceFacts::findings() const {

@@ -184,6 +184,7 @@ Expected<void> render(const RenderOptions& options) {
     if (!given) return Unexpected{given.error()};
     auto tooth = toothOf(options, **given);
     if (!tooth) return Unexpected{tooth.error()};
+    printImportNotes(tooth->importNotes);
     // A built-in tooth has the built-in materials. All registries begin with these.
     const MaterialTable materials(options.tooth.empty() ? **given : tooth->piece->tooth().materials());
     auto inspection = inspectionOf(options, *tooth);

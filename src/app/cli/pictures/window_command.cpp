@@ -84,16 +84,18 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         ->group(kGroup);
     program
         .add_option("--bur", arguments.bur,
-                    "Uses your own bur: an STL file (tip at the origin, +z along the shaft) or its TOML description")
-        ->type_name("FILE")
+                    "The bur to begin with: its number (as 57), or your own: an STL file (tip at the origin, +z along the "
+                    "shaft) or its TOML description")
+        ->type_name("NUMBER|FILE")
         ->group(kGroup);
 }
 
 void addExercise(CLI::App& program, WindowArguments& arguments) {
     program
         .add_option("--exercise", arguments.exercise,
-                    "Opens your own exercise: a TOML file with tooth, bur and ideal cavity (docs/exercises.md)")
-        ->type_name("FILE")
+                    "Opens an exercise: a built-in one (as class-1-46), or your own, a TOML file with tooth, bur and "
+                    "ideal cavity (docs/exercises.md)")
+        ->type_name("NAME|FILE")
         ->excludes("--tooth")
         ->excludes("--mouth")
         ->group(kGroup);

@@ -10,6 +10,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "haptics/load_surface.h"
+#include "session/cases/bur_by_name.h"
 #include "session/io/csv_table.h"
 #include "session/io/finite_tick.h"
 #include "session/scripts/touch_run.h"
@@ -38,7 +39,7 @@ int runContact(const ContactOptions& options) {
     std::vector<ImportNote> importNotes;
     const auto tooth = loadSurface(options.tooth, &importNotes);
     if (!tooth) return reportError(tooth.error());
-    const auto tool = loadTool(options.tool, &importNotes);
+    const auto tool = findOrLoadTool(options.tool, &importNotes);
     if (!tool) return reportError(tool.error());
     printImportNotes(importNotes);
     auto file = CsvWriter::create(options.out, kColumns);

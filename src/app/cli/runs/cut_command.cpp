@@ -19,6 +19,7 @@
 #include "geometry/io/stl_writer.h"
 #include "geometry/util/display_text.h"
 #include "geometry/util/messages.h"
+#include "session/cases/bur_by_name.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
@@ -173,7 +174,7 @@ Expected<ToothSource> toothSource(const CutOptions& options, const MaterialRegis
 /// The bur that the options name, or else the bur of the case.
 Expected<CustomBur> burOf(const CutOptions& options, const ToothPlacement& place,
                           std::vector<ImportNote>& importNotes) {
-    if (!options.tool.empty()) return readCustomBur(options.tool, &importNotes);
+    if (!options.tool.empty()) return findOrReadBur(options.tool, &importNotes);
     if (place.bur) return *place.bur;
     return unexpected(msg::kNoBurGiven);
 }

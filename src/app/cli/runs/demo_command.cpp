@@ -25,6 +25,7 @@
 #include "instruments/bur_shape.h"
 #include "instruments/turbine.h"
 #include "journal/file/atomic_journal_file.h"
+#include "session/cases/bur_by_name.h"
 #include "session/cases/loaded_tooth.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
@@ -101,8 +102,11 @@ Expected<void> loadDemoTooth(const DemoOptions& options, const MaterialRegistry&
 Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
     TriangleMesh mesh;
     double sharpness = 1;
-    if (!options.bur.empty()) {
-        auto own = readCustomBur(options.bur);
+    const std::optional<BurSpec> chosen = findBur(options.bur.native());
+    if (chosen) {
+        cast.customBur.reset();  // not that of the case
+    } else if (!options.bur.empty()) {
+        auto own = findOrReadBur(options.bur);
         if (!own) return Unexpected{own.error()};
         cast.customBur = std::move(*own);
     }
@@ -114,7 +118,7 @@ Expected<void> loadDemoBur(const DemoOptions& options, DemoInputs& cast) {
         cast.props.tool.material = cast.customBur->material;
         cast.props.tool.edge = cast.customBur->edge();
     } else {
-        const BurSpec spec = findBur(kDefaultBur).value();
+        const BurSpec spec = chosen ? *chosen : findBur(kDefaultBur).value();
         mesh = makeBur(spec).surface;
         sharpness = spec.sharpness;
         cast.burName = fmt::format("built-in: {} (US No. {})", spec.name, spec.number);

@@ -18,7 +18,7 @@ struct DemoOptions {
     bool mouth = false;               ///< the built-in tooth in its mouth
     std::filesystem::path record;     ///< recorded also to this file; empty: only to `out`
     bool seal = false;                ///< signs the recording with the key of this station
-    std::filesystem::path bur;        ///< empty: the built-in round bur
+    std::filesystem::path bur;        ///< as findOrReadBur finds it; empty: that of the case, or fissure bur 57
 };
 
 /// Plays the demonstration session without display, device or sound card. Writes its pictures, sound, plot, table, cut

@@ -11,6 +11,7 @@
 #include "geometry/files/file_transaction.h"
 #include "haptics/latency_histogram.h"
 #include "haptics/load_surface.h"
+#include "session/cases/bur_by_name.h"
 #include "session/cases/open_case.h"
 #include "session/io/material_file.h"
 #include "session/io/tick_csv.h"
@@ -65,7 +66,7 @@ int runFeel(const FeelOptions& options) {
     if (!materials) return reportError(materials.error());
     const auto tooth = toothOf(options, **materials, importNotes);
     if (!tooth) return reportError(tooth.error());
-    const auto tool = loadTool(options.tool, &importNotes);
+    const auto tool = findOrLoadTool(options.tool, &importNotes);
     if (!tool) return reportError(tool.error());
     printImportNotes(importNotes);
     auto file = TickCsv::create(options.out);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct SurfaceFacts {
     bool storedOriented = true;
     MeshReport used;
     SolidReport solid;
+    std::optional<double> crownTilt = {};  ///< of a solid, as tactooth::crownTilt
     std::vector<ImportNote> reading = {};  ///< from reading the file
 
     /// Weaknesses and repairs, one sentence each; empty for a sound surface.

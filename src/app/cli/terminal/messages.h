@@ -63,8 +63,8 @@ inline constexpr MessageText kTargetLeavesNoGhost{
     "窩洞のある同じ歯の表面を選んでください。"};
 
 // Burs.
-inline constexpr MessageText kNoBurGiven{"no_bur_given", "there is no bur: give --tool, or a case that brings one.",
-                                         "バーがありません。--tool か、バーの入った症例を指定してください。"};
+inline constexpr MessageText kNoBurGiven{"no_bur_given", "there is no bur: give --bur, or a case that brings one.",
+                                         "バーがありません。--bur か、バーの入った症例を指定してください。"};
 inline constexpr MessageText kNoBurNamed{"no_bur_named", "no bur is named; give a number, or --list for all of them.",
                                          "バーが指定されていません。番号か、一覧を出す --list を指定してください。"};
 inline constexpr MessageText kBurNotListed{

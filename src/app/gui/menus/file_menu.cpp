@@ -65,7 +65,8 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     bindKey(*add(tr("Se&ttings…"), "settings", this, &FileMenu::settingsWanted), KeyId::Settings);
     add(tr("&Keys…"), "keys", this, &FileMenu::keysWanted);
     menu->addSeparator();
-    bindKey(*add(tr("&Quit"), "quit", &window, &QWidget::close), KeyId::Quit);
+    quit_ = add(tr("&Quit"), "quit", &window, &QWidget::close);
+    bindKey(*quit_, KeyId::Quit);
     for (QAction* action : {open, save}) hideMarkInBars(*action);
     bar.addActions({open, &chart_.action(), save});
 }

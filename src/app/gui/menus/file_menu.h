@@ -8,6 +8,7 @@
 #include "app/gui/menus/tooth_chart_entry.h"
 #include "app/gui/settings/window_settings.h"
 
+class QAction;
 class QMainWindow;
 class QMenu;
 class QToolBar;
@@ -35,6 +36,7 @@ public:
     void store(WindowSettings& settings) const;
     /// The files that were opened or saved last, newest first.
     [[nodiscard]] const QStringList& recent() const { return recent_; }
+    [[nodiscard]] QAction& quit() const { return *quit_; }
 
 signals:
     /// The user wants to choose a recording to open.
@@ -57,6 +59,7 @@ private:
     ToothController& teeth_;
     ExerciseController& exercise_;
     ToothChartEntry chart_;
+    QAction* quit_ = nullptr;
     QMenu* recentMenu_ = nullptr;
     QMenu* caseMenu_ = nullptr;
     QStringList recent_;  // newest first

@@ -45,6 +45,7 @@ void WelcomeEntry::open() {
     connect(page_, &WelcomeDialog::fileChosen, &parts_.teeth, &ToothController::openFile);
     connect(page_, &WelcomeDialog::languageChosen, &parts_.appearance, &AppearanceMenu::chooseLanguage);
     connect(page_, &WelcomeDialog::comesAtStartChanged, this, [this](bool comes) { comesAtStart_ = comes; });
+    page_->addAction(&parts_.files.quit());  // the menus do not hear keys while the page is open
     page_->open();
 }
 

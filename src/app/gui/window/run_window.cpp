@@ -22,7 +22,7 @@
 #include "app/gui/text/translation.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/window_owner.h"
-#include "assessment/exercise_file.h"
+#include "assessment/exercise_catalogue.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/unfinished_files.h"
 #include "haptics/real_time.h"
@@ -57,10 +57,11 @@ Expected<WindowSettings> withFlags(WindowSettings settings, const WindowOptions&
     return settings;
 }
 
-Expected<SessionTooth> toothOfExercise(const std::filesystem::path& file) {
-    Expected<Exercise> read = readExercise(file);
-    if (!read) return Unexpected{read.error()};
-    return makeSessionTooth(std::make_shared<const Exercise>(std::move(*read)));
+Expected<SessionTooth> toothOfExercise(const std::string& nameOrFile) {
+    if (auto builtin = builtinExercise(nameOrFile)) return makeSessionTooth(builtin);
+    Expected<Exercise> found = findExercise(nameOrFile);
+    if (!found) return Unexpected{found.error()};
+    return makeSessionTooth(std::make_shared<const Exercise>(std::move(*found)));
 }
 
 std::vector<std::filesystem::path> recentFiles(const WindowSettings& settings) {
@@ -162,7 +163,7 @@ int runWindow(const WindowOptions& options) {
     }
     std::optional<SessionBur> bur;
     if (options.bur) {
-        Expected<SessionBur> loaded = loadSessionBur(*options.bur);
+        Expected<SessionBur> loaded = findOrLoadSessionBur(*options.bur);
         if (!loaded) return reportError(loaded.error());
         bur = std::move(*loaded);
     }

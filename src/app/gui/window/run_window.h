@@ -17,9 +17,9 @@ struct WindowOptions {
     std::optional<ToothSource> tooth;
     std::string workOn;                              ///< name of the tooth of a case; empty: the first
     std::optional<MouthChoice> mouth;                ///< a tooth in a whole mouth; excludes `tooth`
-    std::optional<std::filesystem::path> exercise;   ///< excludes `tooth` and `mouth`
+    std::optional<std::string> exercise;             ///< as findExercise finds it; excludes `tooth` and `mouth`
     std::optional<std::filesystem::path> recording;  ///< a recorded session to replay; excludes `tooth`
-    std::optional<std::filesystem::path> bur;
+    std::optional<std::filesystem::path> bur;  ///< as findOrReadBur finds it
     std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
     bool records = true;                          ///< false: nothing is kept or restored
     std::string stream;                           ///< where each tick is sent (LiveStream::open); empty: nowhere

@@ -42,6 +42,7 @@ private slots:
     void aRecordingThatEndedIsRecentWorkWithItsPicture();
     void theCheckBoxIsKept();
     void anotherLanguageKeepsThePageOpen();
+    void theKeyToQuitClosesTheWindowToo();
     void cleanupTestCase();
 
 private:
@@ -225,6 +226,19 @@ void WindowWelcomeTest::anotherLanguageKeepsThePageOpen() {
     QCOMPARE(owner.window().settings().language, std::string("ja"));
     QCOMPARE(owner.window().findChild<QPushButton*>("practise")->text(), QStringLiteral("練習する"));
     applyLanguage(application, "en");
+}
+
+void WindowWelcomeTest::theKeyToQuitClosesTheWindowToo() {
+    auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+    OpenAlOutput sound;
+    WindowOwner owner(application, sound);
+    MainWindow& window = owner.open({});
+    window.show();
+    window.welcome().open();
+    auto* page = window.findChild<WelcomeDialog*>();
+    QVERIFY(QTest::qWaitForWindowActive(page, kPatience));
+    QTest::keyClick(page, Qt::Key_Q, Qt::ControlModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), kPatience);
 }
 
 void WindowWelcomeTest::savePictures(const QString& folder) {
