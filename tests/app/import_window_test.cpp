@@ -43,6 +43,7 @@ private slots:
     void theScanIsShownTurningUntilSomebodyTakesHoldOfIt();
     void aClickOnTheCheekTurnsTheScan();
     void theWindowStaysAliveWhileTheLayersAreMade();
+    void anImportIsInTheRecentMenu();
     void theImportCanBeCancelled();
     void aSurfaceThatCannotBeReadIsRefused();
     void theSameLayerOfTwoTeethIsRefused();
@@ -193,6 +194,24 @@ void ImportWindowTest::theWindowStaysAliveWhileTheLayersAreMade() {
     const auto kept = openCase(folder_ / "molar.ttcase");
     QVERIFY2(kept.has_value(), kept ? "" : kept.error().message().c_str());
     QVERIFY(kept->description.teeth.front().isModelled);
+    QVERIFY(window_->settings().recent.starts_with((folder_ / "molar.ttcase").string()));
+}
+
+void ImportWindowTest::anImportIsInTheRecentMenu() {
+    drop({scan_});
+    waitForImportNotes("Units taken as cm");
+    QVERIFY(!dialog()->findChild<QCheckBox*>("keepCase")->isChecked());
+    importButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kLoadPatience);
+    waitForToothNamed("molar.stl");
+    auto* recent = window_->findChild<QMenu*>("recent");
+    emit recent->aboutToShow();
+    QCOMPARE(recent->actions().front()->text(), QString("Import molar.stl…"));
+    QCOMPARE(recent->actions().front()->statusTip(), QString::fromStdString(scan_.string()));
+    recent->actions().front()->trigger();
+    waitForImportNotes("Units taken as cm");
+    dialog()->reject();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
 }
 
 void ImportWindowTest::theImportCanBeCancelled() {

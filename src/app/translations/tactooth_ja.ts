@@ -1161,6 +1161,10 @@ It can be overcome, and is off in an examination.</source>
         <translation>終了(&amp;Q)</translation>
     </message>
     <message>
+        <source>Import %1…</source>
+        <translation>%1 の取り込み…</translation>
+    </message>
+    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -2032,6 +2036,10 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>Case, %1</source>
         <translation>症例、%1</translation>
+    </message>
+    <message>
+        <source>Scan, %1</source>
+        <translation>スキャン、%1</translation>
     </message>
     <message>
         <source>Exercise, %1</source>

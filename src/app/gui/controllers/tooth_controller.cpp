@@ -48,13 +48,14 @@ ToothController::ToothController(SessionModel& model, const ExaminationMode& mod
     unsaved_.setSaver([this](const std::function<void()>& saved) { askForSave(saved); });
     connect(&importer_, &ScanImporter::failed, this,
             [this](const QString& sentence) { messages_.showError(sentence); });
-    connect(&importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth) {
-        if (mode_.allowsAnotherTooth() && removedNow(model_) == importedAt_) return install(tooth);
-        replaceTooth([this, tooth] { install(tooth); });  // something was cut meanwhile
+    connect(&importer_, &ScanImporter::imported, this, [this](const SessionTooth& tooth, const RecentFile& from) {
+        if (mode_.allowsAnotherTooth() && removedNow(model_) == importedAt_) return install(tooth, from);
+        replaceTooth([this, tooth, from] { install(tooth, from); });  // something was cut meanwhile
     });
 }
 
-void ToothController::install(const SessionTooth& imported) {
+void ToothController::install(const SessionTooth& imported, const RecentFile& from) {
+    emit fileOpened(from.text());
     messages_.setHint(tr("%1 was imported").arg(QString::fromStdString(imported.name)));
     model_.install(imported);
 }
@@ -117,7 +118,11 @@ void ToothController::openTooth(const ToothSource& source, const std::string& wo
 }
 
 void ToothController::openFile(const QString& file) {
-    if (isRecording(file.toStdString())) {
+    if (const RecentFile recent = RecentFile::fromText(file); recent.isScan) {
+        std::vector<std::filesystem::path> surfaces;
+        for (const QString& surface : recent.files) surfaces.emplace_back(surface.toStdString());
+        importScan(surfaces);
+    } else if (isRecording(file.toStdString())) {
         emit fileOpened(file);
         emit recordingChosen(file);
     } else if (QFileInfo(file).suffix() == "toml") {

@@ -38,7 +38,7 @@ public:
     /// `hint`: what the status line says meanwhile.
     void load(Task<SessionTooth>::Function tooth, const QString& hint, LoadedShare share = nullptr);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
-    /// A tooth, a case, the description of an exercise, or a recorded session.
+    /// A tooth, a case, the description of an exercise, a recorded session, or a scan to import, as RecentFile::text.
     void openFile(const QString& file);
     /// Another tooth of the case that is open.
     void openToothOfCase(const std::string& name) { openTooth(source_, name); }
@@ -81,6 +81,7 @@ public:
     [[nodiscard]] const std::vector<std::filesystem::path>& knownFiles() const { return knownFiles_; }
 
 signals:
+    /// `file`: as RecentFile::text.
     void fileOpened(const QString& file);
     void toothSaved(const QString& file);
     void exerciseFileChosen(const QString& file);
@@ -94,7 +95,7 @@ signals:
 
 private:
     void replaceTooth(const std::function<void()>& load);
-    void install(const SessionTooth& imported);
+    void install(const SessionTooth& imported, const RecentFile& from);
     [[nodiscard]] bool isReplaying() const;
 
     SessionModel& model_;

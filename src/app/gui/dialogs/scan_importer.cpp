@@ -54,6 +54,12 @@ fs::path caseFileOf(const std::vector<fs::path>& files) {
     return file.replace_extension(kCaseEnding);
 }
 
+RecentFile scanOf(const std::vector<fs::path>& files) {
+    RecentFile scan{{}, true};
+    for (const fs::path& file : files) scan.files << QString::fromStdString(file.string());
+    return scan;
+}
+
 /// The surface of a scan as enamel, for the preview.
 std::shared_ptr<const Surface> surfaceToShow(const TriangleMesh& outer) {
     const auto enamel = static_cast<SurfaceTag>(builtinMaterials().withRole(MaterialRole::Enamel));
@@ -108,6 +114,7 @@ void ScanImporter::build() {
     control_ = std::make_shared<Control>();
     dialog_->showBuilding(0);
     const fs::path caseFile = dialog_->savesCase() ? caseFileOf(files_) : fs::path();
+    from_ = caseFile.empty() ? scanOf(files_) : RecentFile{{QString::fromStdString(caseFile.string())}};
     building_.start([control = control_, scan = *examined_, choices = dialog_->choices(), caseFile,
                      title = files_.front().stem().string()]() -> Expected<SessionTooth> {
         const auto goesOn = [&](double part) {
@@ -143,7 +150,7 @@ void ScanImporter::poll() {
     if (!built || !dialog_) return;
     dialog_->accept();
     if (*built) {
-        emit imported(std::move(**built));
+        emit imported(std::move(**built), from_);
     } else {
         emit failed(translated(built->error()));
     }

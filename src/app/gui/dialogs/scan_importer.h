@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/gui/dialogs/import_dialog.h"
+#include "app/gui/model/recent_file.h"
 #include "session/model/session_tooth.h"
 #include "session/model/task.h"
 
@@ -32,7 +33,8 @@ public:
     [[nodiscard]] bool isBusy() const { return examining_.isBusy() || building_.isBusy(); }
 
 signals:
-    void imported(SessionTooth tooth);
+    /// `from`: the surfaces, or the case that was made of them.
+    void imported(SessionTooth tooth, RecentFile from);
     void failed(const QString& sentence);
 
 private:
@@ -50,6 +52,7 @@ private:
     void stop();
 
     std::vector<std::filesystem::path> files_;
+    RecentFile from_;  // what is being built
     QPointer<ImportDialog> dialog_;
     std::shared_ptr<const Scan> scan_;  // null until it is read
     std::shared_ptr<const ExaminedScan> examined_;

@@ -14,6 +14,7 @@
 #include "app/gui/dialogs/card_list.h"
 #include "app/gui/icons/exercise_picture.h"
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/model/recent_file.h"
 #include "app/gui/model/thumbnail_store.h"
 #include "app/gui/text/language_names.h"
 #include "app/gui/text/translation.h"
@@ -35,6 +36,8 @@ QLabel* heading(const QString& text) {
 
 const char* iconOf(RecentWork::Kind kind) {
     switch (kind) {
+        case RecentWork::Kind::Scan:
+            return "import";
         case RecentWork::Kind::Case:
             return "case";
         case RecentWork::Kind::Exercise:
@@ -55,6 +58,8 @@ QString factsOf(const RecentWork& work) {
                             : locale.toString(work.time.date(), WelcomeDialog::tr("d MMM")) + ' ';
     const QString time = day + locale.toString(work.time.time(), QLocale::ShortFormat);
     switch (work.kind) {
+        case RecentWork::Kind::Scan:
+            return WelcomeDialog::tr("Scan, %1").arg(time);
         case RecentWork::Kind::Case:
             return WelcomeDialog::tr("Case, %1").arg(time);
         case RecentWork::Kind::Exercise:
@@ -182,11 +187,12 @@ CardList* WelcomeDialog::makeRecent() {
     list->setObjectName("recentWork");
     const ThumbnailStore thumbnails;
     for (const RecentWork& work : contents_.recent) {
-        list->addCard({.picture = QPixmap::fromImage(thumbnails.load(work.file)),
+        const QStringList files = RecentFile::fromText(work.file).files;
+        list->addCard({.picture = QPixmap::fromImage(thumbnails.load(files.front())),
                        .icon = iconOf(work.kind),
                        .title = work.title,
                        .facts = factsOf(work),
-                       .tip = work.file});
+                       .tip = files.join('\n')});
     }
     list->setFixedHeight(list->heightOf(1));
     connect(list, &CardList::taken, this, [this](int card) {

@@ -15,6 +15,7 @@
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/menus/menu_switch.h"
+#include "app/gui/model/recent_file.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -87,18 +88,18 @@ void FileMenu::remember(const QString& file) {
 
 void FileMenu::setRecent(const QStringList& files) {
     recent_ = files;
-    std::vector<std::filesystem::path> known;
-    for (const QString& file : recent_) known.emplace_back(file.toStdString());
-    teeth_.setKnownFiles(std::move(known));
+    teeth_.setKnownFiles(openedFiles(recent_));
 }
 
 void FileMenu::fillRecent() {
     recentMenu_->clear();
-    for (const QString& file : recent_) {
-        QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
-        action->setStatusTip(file);
-        action->setToolTip(file);
-        connect(action, &QAction::triggered, this, [this, file] { teeth_.openFile(file); });
+    for (const QString& text : recent_) {
+        const RecentFile recent = RecentFile::fromText(text);
+        const QString name = QFileInfo(recent.files.front()).fileName();
+        QAction* action = recentMenu_->addAction(recent.isScan ? tr("Import %1…").arg(name) : name);
+        action->setStatusTip(recent.files.join(", "));
+        action->setToolTip(recent.files.join('\n'));
+        connect(action, &QAction::triggered, this, [this, text] { teeth_.openFile(text); });
     }
     if (recent_.isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
 }

@@ -34,7 +34,7 @@ public:
     void showTooth() { chart_.showTooth(); }
     void restore(const WindowSettings& settings);
     void store(WindowSettings& settings) const;
-    /// The files that were opened or saved last, newest first.
+    /// What was opened, imported or saved last, as RecentFile::text, newest first.
     [[nodiscard]] const QStringList& recent() const { return recent_; }
     [[nodiscard]] QAction& quit() const { return *quit_; }
 

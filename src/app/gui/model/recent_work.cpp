@@ -6,6 +6,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "app/gui/model/recent_file.h"
 #include "app/gui/text/translation.h"
 #include "session/cases/case_store.h"
 #include "session/recording/session_recording.h"
@@ -13,8 +14,9 @@
 namespace tactooth {
 namespace {
 
-RecentWork::Kind kindOf(const QString& file) {
-    const std::filesystem::path path = file.toStdString();
+RecentWork::Kind kindOf(const RecentFile& recent) {
+    if (recent.isScan) return RecentWork::Kind::Scan;
+    const std::filesystem::path path = recent.files.front().toStdString();
     if (path.extension() == kSessionFileEnding) return RecentWork::Kind::Recording;
     if (isCase(path)) return RecentWork::Kind::Case;
     return path.extension() == ".toml" ? RecentWork::Kind::Exercise : RecentWork::Kind::Tooth;
@@ -37,9 +39,10 @@ std::vector<RecentWork> recentWork(const QStringList& files, std::span<const std
     }
     all.removeDuplicates();
     std::vector<RecentWork> found;
-    for (const QString& file : all) {
-        const QFileInfo facts(file);
-        if (facts.exists()) found.push_back({file, titleOf(facts), kindOf(file), facts.lastModified()});
+    for (const QString& text : all) {
+        const RecentFile recent = RecentFile::fromText(text);
+        const QFileInfo facts(recent.files.front());
+        if (facts.exists()) found.push_back({text, titleOf(facts), kindOf(recent), facts.lastModified()});
     }
     std::ranges::stable_sort(found, std::greater(), &RecentWork::time);
     return found;

@@ -118,7 +118,7 @@ struct WindowSettings {
     std::string language;   ///< "en" or "ja"; empty: the language of the system
     bool welcome = true;    ///< the page with exercises and recent work comes at each start
     bool dark = false;
-    std::string recent;            ///< paths of the last teeth, one a line, newest first
+    std::string recent;            ///< what was opened last, RecentFile::text, one a line, newest first
     std::string notation = "fdi";  ///< of the tooth chart: "fdi", "universal" or "palmer"
     MirrorSettings mirror;
     bool water = true;                ///< water flows with the pedal

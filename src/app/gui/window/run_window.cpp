@@ -16,6 +16,7 @@
 #include "app/common/termination.h"
 #include "app/gui/model/current_work.h"
 #include "app/gui/model/exercise_tooth.h"
+#include "app/gui/model/recent_file.h"
 #include "app/gui/settings/settings_autosave.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/gui/text/messages.h"
@@ -65,11 +66,7 @@ Expected<SessionTooth> toothOfExercise(const std::string& nameOrFile) {
 }
 
 std::vector<std::filesystem::path> recentFiles(const WindowSettings& settings) {
-    std::vector<std::filesystem::path> files;
-    for (const QString& file : QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts)) {
-        files.emplace_back(file.toStdString());
-    }
-    return files;
+    return openedFiles(QString::fromStdString(settings.recent).split('\n', Qt::SkipEmptyParts));
 }
 
 /// The tooth of the command line, if it names one.

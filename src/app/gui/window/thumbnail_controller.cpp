@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/gui/controllers/tooth_controller.h"
+#include "app/gui/model/recent_file.h"
 #include "app/gui/scene/tooth_view.h"
 #include "session/recording/session_recording.h"
 
@@ -42,7 +43,7 @@ void ThumbnailController::update() {
 }
 
 void ThumbnailController::expect(const QString& file) {
-    expected_ = file;
+    expected_ = RecentFile::fromText(file).files.front();
     seen_ = view_.pictures();  // that shows the file before
 }
 

@@ -6,6 +6,7 @@
 
 #include <QFile>
 
+#include "app/gui/model/recent_file.h"
 #include "support/test_data.h"
 #include "support/text_file.h"
 
@@ -45,12 +46,14 @@ TEST_F(RecentWorkTest, TheNewestComesFirst) {
 TEST_F(RecentWorkTest, EachKindIsNamed) {
     const auto tooth = file("a.stl", 4), task = file("b.toml", 3), of = file("c.ttcase", 2),
                run = file("d.ttsession", 1);
-    const auto work = recentWork({name(tooth), name(task), name(of), name(run)}, {}, 8);
-    ASSERT_EQ(work.size(), 4U);
+    const QString scan = RecentFile{{name(file("e.ply", 0)), name(file("e_enamel.ply", 9))}, true}.text();
+    const auto work = recentWork({scan, name(tooth), name(task), name(of), name(run)}, {}, 8);
+    ASSERT_EQ(work.size(), 5U);
     EXPECT_EQ(work[0].kind, RecentWork::Kind::Tooth);
     EXPECT_EQ(work[1].kind, RecentWork::Kind::Exercise);
     EXPECT_EQ(work[2].kind, RecentWork::Kind::Case);
     EXPECT_EQ(work[3].kind, RecentWork::Kind::Recording);
+    EXPECT_EQ(work[4], (RecentWork{scan, "e", RecentWork::Kind::Scan, QDateTime::fromSecsSinceEpoch(0)}));
 }
 
 TEST_F(RecentWorkTest, WhatHasGoneIsLeftOutAndNothingComesTwice) {

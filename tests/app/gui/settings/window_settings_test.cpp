@@ -40,7 +40,7 @@ WindowSettings unusual() {
             .language = "ja",
             .welcome = false,
             .dark = true,
-            .recent = "/a.stl\n/b.tactooth",
+            .recent = "/a.stl\n/b.tactooth\nscan\t/c.stl\t/d.ply",
             .notation = "palmer",
             .mirror = {"5", true, true},
             .water = false,
