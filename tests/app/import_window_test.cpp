@@ -9,6 +9,8 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
@@ -16,6 +18,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "app/gui/dialogs/case_dialog.h"
 #include "app/gui/dialogs/import_dialog.h"
 #include "app/gui/dialogs/scan_preview.h"
 #include "app/gui/settings/window_setup.h"
@@ -49,6 +52,9 @@ private slots:
     void theSameLayerOfTwoTeethIsRefused();
     void aWideHoleIsFilledWhenChosen();
     void aDroppedCaseIsOpenedAndItsTeethCanBeChosen();
+    void aDroppedFolderOfScansBecomesACase();
+    void aFolderWithoutATooth();
+    void aCaseThatCannotBeWrittenStaysShown();
     void cleanupTestCase();
 
 private:
@@ -60,6 +66,15 @@ private:
     [[nodiscard]] QString importNotes() const {
         return dialog()->findChild<QTextBrowser*>("importNotes")->toPlainText();
     }
+    [[nodiscard]] CaseDialog* caseDialog() const { return window_->findChild<CaseDialog*>(); }
+    [[nodiscard]] QPushButton* caseButton() const {
+        return caseDialog()->findChild<QDialogButtonBox*>("caseButtons")->button(QDialogButtonBox::Ok);
+    }
+    [[nodiscard]] QString caseNotes() const {
+        return caseDialog()->findChild<QTextBrowser*>("caseNotes")->toPlainText();
+    }
+    void writeBlocks(const std::string& folder) const;
+    void saveCaseAs(const std::filesystem::path& file);
     void waitForImportNotes(const QString& words);
     void waitForToothNamed(const std::string& name);
 
@@ -265,14 +280,83 @@ void ImportWindowTest::aWideHoleIsFilledWhenChosen() {
     QTRY_VERIFY_WITH_TIMEOUT(dialog() == nullptr, kPatience);
 }
 
-void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
-    std::filesystem::create_directories(folder_ / "scans");
+/// Two teeth with their dentin, as a scanner's program leaves them.
+void ImportWindowTest::writeBlocks(const std::string& folder) const {
+    const auto path = folder_ / folder;
+    std::filesystem::create_directories(path);
     for (const auto& [name, x] : {std::pair("L6", 0.0), std::pair("L7", 10.0)}) {
         const TriangleMesh block = test::box(Vec3(x - 4, -4, -12), Vec3(x + 4, 4, 8));
-        QVERIFY(writeStl(block, folder_ / std::string("scans/").append(name).append("_outer.stl")).has_value());
+        QVERIFY(writeStl(block, path / std::string(name).append("_outer.stl")).has_value());
         const TriangleMesh core = test::box(Vec3(x - 3, -3, -11), Vec3(x + 3, 3, 5));
-        QVERIFY(writeStl(core, folder_ / std::string("scans/").append(name).append("_dentin.stl")).has_value());
+        QVERIFY(writeStl(core, path / std::string(name).append("_dentin.stl")).has_value());
     }
+}
+
+void ImportWindowTest::saveCaseAs(const std::filesystem::path& file) {
+    caseButton()->click();
+    auto* dialog = window_->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(file.string()));
+    QMetaObject::invokeMethod(dialog, "accept");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QFileDialog*>() == nullptr, kPatience);
+}
+
+void ImportWindowTest::aDroppedFolderOfScansBecomesACase() {
+    writeBlocks("patient");
+    drop({folder_ / "patient"});
+    QVERIFY(caseDialog() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(caseButton()->isEnabled(), kLoadPatience);
+    QVERIFY2(caseNotes().contains("L6") && caseNotes().contains("L7"), qPrintable(caseNotes()));
+    QVERIFY(!caseNotes().contains("tooth 36"));
+    auto* quadrant = caseDialog()->findChild<QComboBox*>("quadrant");
+    quadrant->setCurrentIndex(quadrant->findData(3));
+    QVERIFY(!caseButton()->isEnabled());  // it is made again
+    QTRY_VERIFY_WITH_TIMEOUT(caseButton()->isEnabled() && caseNotes().contains("tooth 36 (FDI)"), kLoadPatience);
+    const auto file = folder_ / "patient.ttcase";
+    QVERIFY(!std::filesystem::exists(file));
+    caseButton()->click();
+    auto* dialog = window_->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    QCOMPARE(dialog->selectedFiles().front(), QString::fromStdString(file.string()));  // beside the folder
+    QMetaObject::invokeMethod(dialog, "accept");
+    QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr, kLoadPatience);
+    waitForToothNamed("patient, L6");
+    QCOMPARE(openCase(file).value().description.teeth.back().fdi, 37);
+    // The next case of that folder gets a name of its own.
+    drop({folder_ / "patient"});
+    QTRY_VERIFY_WITH_TIMEOUT(caseButton()->isEnabled(), kLoadPatience);
+    caseButton()->click();
+    dialog = window_->findChild<QFileDialog*>();
+    QCOMPARE(dialog->selectedFiles().front(), QString::fromStdString((folder_ / "patient-2.ttcase").string()));
+    dialog->reject();
+    caseDialog()->reject();
+    QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr && !window_->teeth().isImporting(), kLoadPatience);
+}
+
+void ImportWindowTest::aFolderWithoutATooth() {
+    std::filesystem::create_directories(folder_ / "empty");
+    drop({folder_ / "empty"});
+    QTRY_VERIFY_WITH_TIMEOUT(!caseNotes().isEmpty(), kLoadPatience);
+    QVERIFY2(caseNotes().contains("empty"), qPrintable(caseNotes()));
+    QVERIFY(!caseButton()->isEnabled());
+    caseDialog()->reject();
+    QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr, kPatience);
+}
+
+void ImportWindowTest::aCaseThatCannotBeWrittenStaysShown() {
+    writeBlocks("other");
+    drop({folder_ / "other"});
+    QTRY_VERIFY_WITH_TIMEOUT(caseButton()->isEnabled(), kLoadPatience);
+    saveCaseAs(folder_ / "no such folder" / "other.ttcase");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->findChild<QMessageBox*>() != nullptr, kPatience);
+    QVERIFY(dismissMessage().contains("no such folder"));
+    QVERIFY(caseDialog() != nullptr && caseButton()->isEnabled());
+    caseDialog()->reject();
+    QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr, kPatience);
+}
+
+void ImportWindowTest::aDroppedCaseIsOpenedAndItsTeethCanBeChosen() {
+    writeBlocks("scans");
     const auto made = makeCase({.from = {folder_ / "scans"}, .title = "Blocks", .quadrant = 3});
     QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
     QVERIFY(writeCase(made->files, folder_ / "blocks.ttcase").has_value());

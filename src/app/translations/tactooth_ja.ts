@@ -1165,6 +1165,10 @@ It can be overcome, and is off in an examination.</source>
         <translation>%1 の取り込み…</translation>
     </message>
     <message>
+        <source>Import a &amp;folder of scans…</source>
+        <translation>スキャンのフォルダーの取り込み(&amp;F)…</translation>
+    </message>
+    <message>
         <source>Nothing yet</source>
         <translation>まだありません</translation>
     </message>
@@ -1384,6 +1388,18 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>The tooth was saved to %1</source>
         <translation>歯を %1 に保存しました</translation>
+    </message>
+    <message>
+        <source>Import a folder of scans</source>
+        <translation>スキャンのフォルダーの取り込み</translation>
+    </message>
+    <message>
+        <source>Save the case</source>
+        <translation>症例を保存</translation>
+    </message>
+    <message>
+        <source>Cases (*.ttcase)</source>
+        <translation>症例 (*.ttcase)</translation>
     </message>
     <message>
         <source>Import a scan: surfaces of one tooth</source>
@@ -2229,6 +2245,77 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>Click on the side of the cheek or lip. Drag to turn, wheel to zoom.</source>
         <translation>頬または唇の側をクリックしてください。ドラッグで回転、ホイールで拡大します。</translation>
+    </message>
+</context>
+<context>
+    <name>tactooth::CaseDialog</name>
+    <message>
+        <source>%1, tooth %2 (FDI)</source>
+        <translation>%1、歯 %2（FDI）</translation>
+    </message>
+    <message>
+        <source>Make a case from a folder of scans</source>
+        <translation>スキャンのフォルダーから症例を作る</translation>
+    </message>
+    <message>
+        <source>What the case holds, and what was assumed and repaired:</source>
+        <translation>症例の内容と、仮定・修復したこと：</translation>
+    </message>
+    <message>
+        <source>Save and open…</source>
+        <translation>保存して開く…</translation>
+    </message>
+    <message>
+        <source>As the names of the files say</source>
+        <translation>ファイル名のとおり</translation>
+    </message>
+    <message>
+        <source>Upper right (1)</source>
+        <translation>上顎右側 (1)</translation>
+    </message>
+    <message>
+        <source>Upper left (2)</source>
+        <translation>上顎左側 (2)</translation>
+    </message>
+    <message>
+        <source>Lower left (3)</source>
+        <translation>下顎左側 (3)</translation>
+    </message>
+    <message>
+        <source>Lower right (4)</source>
+        <translation>下顎右側 (4)</translation>
+    </message>
+    <message>
+        <source>Where a name ends in a single digit, as L6, it is a tooth of this quarter of the mouth</source>
+        <translation>L6 のように 1 桁の数字で終わる名前を、この区分の歯とみなします</translation>
+    </message>
+    <message>
+        <source>Quadrant</source>
+        <translation>区分（1/4 顎）</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>内部</translation>
+    </message>
+    <message>
+        <source>Reading the surfaces…</source>
+        <translation>表面を読み込んでいます…</translation>
+    </message>
+    <message>
+        <source>Importing %1…</source>
+        <translation>%1 を取り込んでいます…</translation>
+    </message>
+    <message>
+        <source>Teeth: %1. Bodies around them: %2.</source>
+        <translation>歯：%1 本。周囲の物体：%2 個。</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,13 @@ void FileDialogs::openSeveral(const QString& title, const QString& filter, Files
     dialog->open();
 }
 
+void FileDialogs::openFolder(const QString& title, FileChosen chosen) const {
+    QFileDialog* dialog = make(title, QString(), QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, std::move(chosen));
+    dialog->open();
+}
+
 void FileDialogs::save(const QString& title, const QString& filter, const QString& name, FileChosen chosen) const {
     QFileDialog* dialog = make(title, filter, QFileDialog::AnyFile);
     dialog->setAcceptMode(QFileDialog::AcceptSave);

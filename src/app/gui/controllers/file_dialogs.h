@@ -23,6 +23,7 @@ public:
     using FilesChosen = std::function<void(const QStringList& files)>;
     void open(const QString& title, const QString& filter, FileChosen chosen) const;
     void openSeveral(const QString& title, const QString& filter, FilesChosen chosen) const;
+    void openFolder(const QString& title, FileChosen chosen) const;
     /// Proposes `name`; a file without a suffix gets that of `name`.
     void save(const QString& title, const QString& filter, const QString& name, FileChosen chosen) const;
 

@@ -52,6 +52,12 @@ ToothController::ToothController(SessionModel& model, const ExaminationMode& mod
         if (mode_.allowsAnotherTooth() && removedNow(model_) == importedAt_) return install(tooth, from);
         replaceTooth([this, tooth, from] { install(tooth, from); });  // something was cut meanwhile
     });
+    connect(&caseMaker_, &CaseMaker::failed, this, [this](const QString& sentence) { messages_.showError(sentence); });
+    connect(&caseMaker_, &CaseMaker::written, this, &ToothController::openFile);
+    connect(&caseMaker_, &CaseMaker::fileWanted, this, [this](const QString& proposed) {
+        files_.save(tr("Save the case"), tr("Cases (*.ttcase)"), proposed,
+                    [this](const QString& file) { caseMaker_.write(file); });
+    });
 }
 
 void ToothController::install(const SessionTooth& imported, const RecentFile& from) {
@@ -138,6 +144,8 @@ void ToothController::openDropped(const std::vector<std::filesystem::path>& file
     } else if (isCase(files.front()) || isToothFile(files.front()) || isRecording(files.front()) ||
                files.front().extension() == ".toml") {
         openFile(QString::fromStdString(files.front().string()));
+    } else if (std::error_code unreadable; std::filesystem::is_directory(files.front(), unreadable)) {
+        importFolder(files.front());
     } else {
         importScan(files);
     }
@@ -149,6 +157,13 @@ void ToothController::importScan(const std::vector<std::filesystem::path>& files
         importedAt_ = removedNow(model_);
         importer_.begin(files, &window_);
     });
+}
+
+void ToothController::importFolder(const std::filesystem::path& folder) {
+    const QString name = QString::fromStdString(folder.string());
+    if (isCase(folder)) return openFile(name);
+    files_.enterFolderOf(name);
+    caseMaker_.begin({folder}, &window_);
 }
 
 void ToothController::loadBur(const BurSpec& spec) {
@@ -207,6 +222,10 @@ void ToothController::askForScan() {
                        });
 }
 
+void ToothController::askForScanFolder() {
+    files_.openFolder(tr("Import a folder of scans"), [this](const QString& folder) { importFolder(folder.toStdString()); });
+}
+
 void ToothController::askForBur() {
     files_.open(tr("Open bur: tip at the origin, shaft along +z, mm"),
                 tr("Burs (*.stl *.STL *.obj *.ply *.toml);;All files (*)"),
@@ -236,6 +255,7 @@ void ToothController::askForSave(const std::function<void()>& saved) {
 
 void ToothController::poll() {
     importer_.poll();
+    caseMaker_.poll();
     if (const auto failure = loader_.poll()) {
         messages_.showError(*failure);
         emit loadingFailed();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/gui/dialogs/case_maker.h"
 #include "app/gui/dialogs/scan_importer.h"
 #include "session/model/session_loader.h"
 
@@ -46,6 +47,8 @@ public:
     void openDropped(const std::vector<std::filesystem::path>& files);
     /// Surfaces of one tooth in any unit and position. A dialog shows what is assumed before the import.
     void importScan(const std::vector<std::filesystem::path>& files);
+    /// Makes a case of all teeth of a folder, and opens it; a folder that is a case is opened.
+    void importFolder(const std::filesystem::path& folder);
     void loadBur(const BurSpec& spec);
     void openBur(const QString& file);
     /// Writes the surface of the tooth as it is now; shows a message if that fails.
@@ -56,6 +59,7 @@ public:
 
     void askForTooth();
     void askForScan();
+    void askForScanFolder();
     void askForBur();
     void askForExport();
     /// `saved`: called when the tooth was saved.
@@ -68,7 +72,7 @@ public:
     [[nodiscard]] std::optional<double> loadedShare() const;
     /// The tooth stays, and what is being loaded is dropped.
     void cancelLoading();
-    [[nodiscard]] bool isImporting() const { return importer_.isBusy(); }
+    [[nodiscard]] bool isImporting() const { return importer_.isBusy() || caseMaker_.isBusy(); }
     /// The files of the tooth that was opened last.
     [[nodiscard]] const ToothSource& source() const { return source_; }
     void setSource(ToothSource source) { source_ = std::move(source); }
@@ -107,6 +111,7 @@ private:
     SessionLoader loader_;
     LoadedShare share_;
     ScanImporter importer_;
+    CaseMaker caseMaker_;
     ToothSource source_;
     std::function<SessionWork()> work_;
     std::function<bool()> showsRecording_;

@@ -14,9 +14,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/gui/dialogs/import_choices.h"
 #include "app/gui/dialogs/scan_preview.h"
 #include "app/gui/text/translation.h"
-#include "patient/length_unit.h"
 
 namespace tactooth {
 namespace {
@@ -76,9 +76,7 @@ ImportDialog::ImportDialog(const QString& name, const QString& caseFile, QWidget
 }
 
 void ImportDialog::addChoices(QFormLayout& form) {
-    units_->setObjectName("units");
-    units_->addItem(tr("Guessed"), QVariant());
-    for (const LengthUnit& unit : kLengthUnits) units_->addItem(unit.name, unit.mm);
+    fillUnits(*units_);
     form.addRow(tr("Unit"), units_);
     upsideDown_->setObjectName("upsideDown");
     form.addRow(QString(), upsideDown_);
@@ -89,14 +87,9 @@ void ImportDialog::addChoices(QFormLayout& form) {
     turn_->setSuffix("°");
     turn_->setKeyboardTracking(false);
     form.addRow(tr("Turn about the long axis"), turn_);
-    holes_->setObjectName("holes");
-    holes_->addItem(tr("Fill small ones"), static_cast<int>(HolesToFill::Small));
-    holes_->addItem(tr("Fill all of them"), static_cast<int>(HolesToFill::All));
-    holes_->addItem(tr("Leave them open"), static_cast<int>(HolesToFill::None));
+    fillHoles(*holes_);
     form.addRow(tr("Holes"), holes_);
-    inside_->setObjectName("inside");
-    inside_->addItem(tr("A model of enamel, dentin and pulp"), true);
-    inside_->addItem(tr("Enamel all through"), false);
+    fillInside(*inside_);
     form.addRow(tr("Inside"), inside_);
     const auto say = [this] { emit choicesChanged(); };
     for (QComboBox* box : {units_, holes_, inside_}) connect(box, &QComboBox::currentIndexChanged, this, say);
@@ -114,11 +107,11 @@ void ImportDialog::turnTo(double azimuth) {
 
 ImportOptions ImportDialog::choices() const {
     ImportOptions choices;
-    if (units_->currentData().isValid()) choices.mmPerUnit = units_->currentData().toDouble();
+    choices.mmPerUnit = chosenUnit(*units_);
     choices.frame.isFlipped = upsideDown_->isChecked();
     choices.frame.turn = turn_->value() * std::numbers::pi / 180;
-    choices.holes = static_cast<HolesToFill>(holes_->currentData().toInt());
-    choices.modelsLayers = inside_->currentData().toBool();
+    choices.holes = chosenHoles(*holes_);
+    choices.modelsLayers = modelsLayers(*inside_);
     return choices;
 }
 

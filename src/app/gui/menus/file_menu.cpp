@@ -54,6 +54,7 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     caseMenu_->setObjectName("teethOfCase");
     connect(caseMenu_, &QMenu::aboutToShow, this, &FileMenu::fillCase);
     bindKey(*add(tr("&Import scan…"), "import", &teeth_, &ToothController::askForScan), KeyId::Import);
+    add(tr("Import a &folder of scans…"), "import", &teeth_, &ToothController::askForScanFolder);
     add(tr("Open &bur…"), "bur", &teeth_, &ToothController::askForBur);
     add(tr("Open e&xercise…"), "exercise", &exercise_, &ExerciseController::askForExercise);
     add(tr("Open recor&ding…"), "recording", this, &FileMenu::recordingWanted);
