@@ -338,8 +338,8 @@ TEST_P(ClearTravelAfterAnyStroke, TheBurComesOut) {
         const double x = between(-3.5, 3.5), y = between(-3, 3);
         return Vec3(x, y, 5);
     };
-    constexpr std::array kFrames = {kFrame, 0.05, 0.1, 0.3};
-    Wanderer wanderer(placeOf(*tooth), bur, GetParam(), kFrames.at(random() % kFrames.size()));
+    constexpr std::array kFrameTimes = {kFrame, 0.05, 0.1, 0.3};
+    Wanderer wanderer(placeOf(*tooth), bur, GetParam(), kFrameTimes.at(random() % kFrameTimes.size()));
     wanderer.hand().depthControl().setDepth(between(0.5, 4));
     wanderer.hand().setPressDepth(between(0.3, 3));
     if (between(0, 1) < 0.3) wanderer.hand().setPressMode(PressMode::Force);

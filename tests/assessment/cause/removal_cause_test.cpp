@@ -69,7 +69,7 @@ TEST_F(RemovalCauseTest, OfAnUprightBurHasNoTilt) {
     EXPECT_NEAR(cause->tilt.value_or(90), 0, 0.1);
     EXPECT_LT(cause->to, 2.1);
     const std::vector<RemovedPoint> none, kept = {{Vec3(0, 1.5, -0.1), 1}};
-    for (const auto& cause : removalCauses(*track_, tooth, {none, kept}, Vec3::UnitZ())) EXPECT_FALSE(cause);
+    for (const auto& each : removalCauses(*track_, tooth, {none, kept}, Vec3::UnitZ())) EXPECT_FALSE(each);
 }
 
 }  // namespace
