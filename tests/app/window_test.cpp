@@ -4,6 +4,7 @@
 // A session with the real window: real mouse and key events, the real runner, real files.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
@@ -101,14 +102,17 @@ void WindowTest::theBuiltInMolarComesByItself() {
     QVERIFY(surface().base->mesh().triangles.size() > 10000);
 }
 
-/// At the default size of the window each panel in front is visible as a whole.
+/// At the default size of the window each panel that is in front first is visible as a whole, and so are the tabs below
+/// the picture. A tab behind another one keeps an old size until it is in front.
 void WindowTest::whatIsSeenFirstIsSeenWhole() {
     QCOMPARE(window_->size(), QSize(1400, 900));
-    for (const QScrollArea* area : window_->findChildren<QScrollArea*>()) {
-        if (!area->isVisible() || area->widget() == nullptr) continue;
-        const auto hidden = [area] { return area->verticalScrollBar()->maximum(); };
-        const QString what = QString("%1 px of %2").arg(hidden()).arg(area->widget()->metaObject()->className());
-        QTRY_VERIFY2_WITH_TIMEOUT(hidden() == 0, qPrintable(what), kPatience);
+    constexpr int kSoon = 10'000;  // ms
+    for (const char* const name : {"Drill", "Force", "Look inside", "Exercise", "Real time", "Last ten seconds"}) {
+        auto* dock = window_->findChild<QDockWidget*>(name);
+        dock->raise();
+        const auto* area = qobject_cast<QScrollArea*>(dock->widget());
+        if (area == nullptr) continue;  // it takes any size
+        QTRY_VERIFY2_WITH_TIMEOUT(area->verticalScrollBar()->maximum() == 0, name, kSoon);
     }
 }
 

@@ -23,7 +23,7 @@
 #include "app/gui/text/translation.h"
 #include "app/gui/window/main_window.h"
 #include "app/gui/window/window_owner.h"
-#include "assessment/exercise_catalogue.h"
+#include "assessment/exercise_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/unfinished_files.h"
 #include "haptics/real_time.h"
