@@ -50,8 +50,8 @@ TEST_F(Info, TableSaysWhatASoundSurfaceIsLike) {
 /// A body of 4 x 4 x 12 mm, thicker at the end toward -y.
 TriangleMesh lyingWedge() {
     TriangleMesh mesh = test::box(Vec3(-2, -6, -2), Vec3(2, 6, 2));
-    for (Vec3& vertex : mesh.vertices) {
-        if (vertex.y() > 0) vertex = {vertex.x() / 2, vertex.y(), vertex.z() / 2};
+    for (Vec3f& vertex : mesh.vertices) {
+        if (vertex.y() > 0) vertex = Vec3f(vertex.x() / 2, vertex.y(), vertex.z() / 2);
     }
     return mesh;
 }

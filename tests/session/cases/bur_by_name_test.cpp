@@ -40,21 +40,21 @@ TEST_F(BurByName, EveryNumberOfTheCatalogueIsItsBur) {
             EXPECT_EQ(bur->sharpness, spec.sharpness) << number;
             EXPECT_FALSE(bur->surface.empty()) << number;
         }
-        EXPECT_EQ(findOrReadBur(spec.number)->name, spec.name);
-        EXPECT_EQ(findOrReadBur(spec.number)->gritMicrometres, spec.gritMicrometres);
+        EXPECT_EQ(findOrReadBur(spec.number).value().name, spec.name);
+        EXPECT_EQ(findOrReadBur(spec.number).value().gritMicrometres, spec.gritMicrometres);
     }
 }
 
 TEST_F(BurByName, TheNumberComesBeforeTheFile) {
-    EXPECT_EQ(findOrReadBur("57")->name, findBur("57")->name);
-    EXPECT_EQ(findOrReadBur("./57")->name, "57");
+    EXPECT_EQ(findOrReadBur("57").value().name, findBur("57")->name);
+    EXPECT_EQ(findOrReadBur("./57").value().name, "57");
     EXPECT_EQ(findOrLoadTool("57").value()->mesh().triangles.size(), makeBur(*findBur("57")).surface.triangles.size());
     EXPECT_LT(findOrLoadTool("./57").value()->mesh().triangles.size(), 200U);
 }
 
 TEST_F(BurByName, AFileNeedsNoEnding) {
-    EXPECT_EQ(findOrReadBur("rod")->name, "rod");
-    EXPECT_EQ(findOrReadBur("rod.stl")->name, "rod.stl");
+    EXPECT_EQ(findOrReadBur("rod").value().name, "rod");
+    EXPECT_EQ(findOrReadBur("rod.stl").value().name, "rod.stl");
     EXPECT_TRUE(findOrLoadTool("rod"));
 }
 
