@@ -31,10 +31,12 @@ LongAxis longAxisOf(const TriangleMesh& mesh) {
     Mat3 second = Mat3::Zero();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const double weight = mesh.areaVector(t).norm();
-        const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+        const Vec3 sum = mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2);
         area += weight;
-        middle += weight * centre;
-        second += weight * centre * centre.transpose();
+        middle += weight * sum / 3;
+        // The moment of a whole facet, whatever its size: the axis is that of the surface, not that of its mesh.
+        second += weight / 12 * sum * sum.transpose();
+        for (int i = 0; i < 3; ++i) second += weight / 12 * mesh.corner(t, i) * mesh.corner(t, i).transpose();
     }
     middle /= area;
     const Eigen::SelfAdjointEigenSolver<Mat3> moments(second / area - middle * middle.transpose());

@@ -337,7 +337,7 @@ void ImportWindowTest::aFolderWithoutATooth() {
     std::filesystem::create_directories(folder_ / "empty");
     drop({folder_ / "empty"});
     QTRY_VERIFY_WITH_TIMEOUT(!caseNotes().isEmpty(), kLoadPatience);
-    QVERIFY2(caseNotes().contains("empty"), qPrintable(caseNotes()));
+    QVERIFY2(caseNotes().contains("no STL, OBJ or PLY file"), qPrintable(caseNotes()));
     QVERIFY(!caseButton()->isEnabled());
     caseDialog()->reject();
     QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr, kPatience);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/mesh/subdivide.h"
 #include "geometry/util/degree.h"
 #include "instruments/builtin_tooth.h"
 #include "support/shapes.h"
@@ -95,6 +96,15 @@ TEST(ToothFrame, OnlyAToothThatLiesHasANoteOnItsTilt) {
     for (const double degrees : {50.0, 90.0, 180.0}) {
         EXPECT_TRUE(noteOnTilt(transformed(molar(), {Vec3::Zero(), turn(degrees, Vec3(1, 0, 0))}))) << degrees;
     }
+}
+
+TEST(ToothFrame, TheTiltDoesNotDependOnTheMesh) {
+    TriangleMesh wedge = test::box(Vec3(-2, -6, -2), Vec3(2, 6, 2));  // twelve triangles
+    for (Vec3f& vertex : wedge.vertices) {
+        if (vertex.y() > 0) vertex = Vec3f(vertex.x() / 2, vertex.y(), vertex.z() / 2);
+    }
+    EXPECT_NEAR(crownTilt(wedge).value(), 90 * kDegree, 1e-6);
+    EXPECT_NEAR(crownTilt(subdivided(wedge, 3)).value(), 90 * kDegree, 1e-6);
 }
 
 TEST(ToothFrame, ABodyThatIsTheSameAtBothEndsHasNoTilt) {
