@@ -105,7 +105,8 @@ inline constexpr MessageText kNoteTilted{
     "note_tilted",
     "The thicker end of the long axis points %1 degrees away from +z, where the crown should be: File > Import scan, "
     "or 'tactooth case new', turns such a tooth upright.",
-    "長軸の太い端が、歯冠のあるべき +z から %1 度ずれています。「ファイル」＞「スキャンの取り込み」か 'tactooth case new' "
+    "長軸の太い端が、歯冠のあるべき +z から %1 度ずれています。「ファイル」＞「スキャンの取り込み」か 'tactooth case "
+    "new' "
     "で取り込むと、歯が立ちます。"};
 inline constexpr MessageText kNoteUpsideDown{"note_upside_down", "Turned upside down, as chosen.",
                                              "指定により上下を逆にしました。"};

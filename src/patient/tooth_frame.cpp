@@ -17,7 +17,7 @@ namespace tactooth {
 namespace {
 
 constexpr double kUprightTolerance = 30 * kDegree;  // rad: teeth in a jaw lean by up to 20 degrees
-constexpr double kMinElongation = 1.15;  // a body that is longer than wide by less has no long axis
+constexpr double kMinElongation = 1.15;             // a body that is longer than wide by less has no long axis
 
 struct LongAxis {
     Vec3 middle;  ///< of the surface, mm

@@ -62,8 +62,8 @@ TEST_F(ContactCommand, TakesABurByItsNumber) {
     std::vector<std::vector<double>> depths;
     for (const std::vector<std::string>& named : std::vector<std::vector<std::string>>{
              {"--bur", "57"}, {"--tool", "57"}, {"--tool", "500 314 107 006 010"}, {"--bur", bur}}) {
-        const ProgramRun run = runTactooth(
-            {"contact", "--tooth", plate(), named[0], named[1], "--poses", poses, "--out", out()});
+        const ProgramRun run =
+            runTactooth({"contact", "--tooth", plate(), named[0], named[1], "--poses", poses, "--out", out()});
         ASSERT_EQ(run.exitCode, 0) << run.err;
         depths.push_back({table().at(0, "depth"), table().at(1, "depth")});
         EXPECT_NEAR(depths.back()[1], 0.25, 2e-3) << named[1];

@@ -60,8 +60,8 @@ TEST_F(BurByName, AFileNeedsNoEnding) {
 
 TEST_F(BurByName, WhatIsNeitherIsNamed) {
     for (const char* const name : {"58b", "round", "0", "500 314 107 006", ""}) {
-        for (const Error& error : {findOrReadBur(name).error(), findOrLoadTool(name).error(),
-                                   findOrLoadSessionBur(name).error()}) {
+        for (const Error& error :
+             {findOrReadBur(name).error(), findOrLoadTool(name).error(), findOrLoadSessionBur(name).error()}) {
             EXPECT_THAT(error.message(), HasSubstr("neither a bur of this number nor a file of this name")) << name;
         }
     }

@@ -11,12 +11,9 @@ SurfaceFacts surfaceFacts(const TriangleMesh& mesh) {
     ExaminedSolid examined = examineSolid(mesh);
     const bool isChanged = examined.mesh.triangles != mesh.triangles || examined.mesh.vertices != mesh.vertices;
     const bool isSolid = examined.report.isSolid();
-    return {stored.triangles,
-            stored.insideOut(),
-            stored.oriented(),
-            isChanged ? reportOn(examined.mesh) : stored,
-            examined.report,
-            isSolid ? crownTilt(examined.mesh) : std::nullopt};
+    return {stored.triangles,  stored.insideOut(),
+            stored.oriented(), isChanged ? reportOn(examined.mesh) : stored,
+            examined.report,   isSolid ? crownTilt(examined.mesh) : std::nullopt};
 }
 
 std::vector<std::string> SurfaceFacts::findings() const {

@@ -83,9 +83,10 @@ void addMouthAndBur(CLI::App& program, WindowArguments& arguments) {
         ->needs(mouth)
         ->group(kGroup);
     program
-        .add_option("--bur", arguments.bur,
-                    "The bur to begin with: its number (as 57), or your own: an STL file (tip at the origin, +z along the "
-                    "shaft) or its TOML description")
+        .add_option(
+            "--bur", arguments.bur,
+            "The bur to begin with: its number (as 57), or your own: an STL file (tip at the origin, +z along the "
+            "shaft) or its TOML description")
         ->type_name("NUMBER|FILE")
         ->group(kGroup);
 }

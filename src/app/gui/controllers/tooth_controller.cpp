@@ -223,7 +223,8 @@ void ToothController::askForScan() {
 }
 
 void ToothController::askForScanFolder() {
-    files_.openFolder(tr("Import a folder of scans"), [this](const QString& folder) { importFolder(folder.toStdString()); });
+    files_.openFolder(tr("Import a folder of scans"),
+                      [this](const QString& folder) { importFolder(folder.toStdString()); });
 }
 
 void ToothController::askForBur() {

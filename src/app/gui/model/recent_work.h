@@ -22,8 +22,8 @@ struct RecentWork {
     bool operator==(const RecentWork&) const = default;
 };
 
-/// The files that were opened or saved last, as RecentFile::text, and the recordings that ended last, at most `most` of each, the newest
-/// first. A file that has gone is left out, and one that is in both lists comes once.
+/// The files that were opened or saved last, as RecentFile::text, and the recordings that ended last, at most `most` of
+/// each, the newest first. A file that has gone is left out, and one that is in both lists comes once.
 [[nodiscard]] std::vector<RecentWork> recentWork(const QStringList& files,
                                                  std::span<const std::filesystem::path> recordings, int most);
 

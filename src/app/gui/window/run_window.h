@@ -19,12 +19,12 @@ struct WindowOptions {
     std::optional<MouthChoice> mouth;                ///< a tooth in a whole mouth; excludes `tooth`
     std::optional<std::string> exercise;             ///< as findExercise finds it; excludes `tooth` and `mouth`
     std::optional<std::filesystem::path> recording;  ///< a recorded session to replay; excludes `tooth`
-    std::optional<std::filesystem::path> bur;  ///< as findOrReadBur finds it
-    std::filesystem::path recordings;             ///< where sessions are kept; empty: the user's folder
-    bool records = true;                          ///< false: nothing is kept or restored
-    std::string stream;                           ///< where each tick is sent (LiveStream::open); empty: nowhere
-    bool sealed = false;                          ///< an examination; needs `records`
-    std::map<std::string, std::string> settings;  ///< by their flags (see windowOptions); they override the file
+    std::optional<std::filesystem::path> bur;        ///< as findOrReadBur finds it
+    std::filesystem::path recordings;                ///< where sessions are kept; empty: the user's folder
+    bool records = true;                             ///< false: nothing is kept or restored
+    std::string stream;                              ///< where each tick is sent (LiveStream::open); empty: nowhere
+    bool sealed = false;                             ///< an examination; needs `records`
+    std::map<std::string, std::string> settings;     ///< by their flags (see windowOptions); they override the file
     std::optional<std::string>
         device;  ///< see openDevice; if it does not open, the window says so and the mouse moves the bur
 };
