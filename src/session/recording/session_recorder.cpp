@@ -90,6 +90,11 @@ void SessionRecorder::describe(const std::string& work) {
 
 void SessionRecorder::open(const BeginEvent& event) {
     end();
+    {
+        const std::lock_guard lock(mutex_);
+        isBeyondGap_ = overflowed_;
+    }
+    if (isBeyondGap_) return;
     const MeshAttachment bur = attachmentOf(event.instrument.shape->mesh());
     attach(bur.name, bur.content);
     const std::lock_guard lock(mutex_);
@@ -125,6 +130,7 @@ void SessionRecorder::end() {
 void SessionRecorder::drain() {
     lanes_->drain(merger_);
     merger_.take(events_);
+    if (isBeyondGap_) events_.clear();
     overflowed_ = overflowed_ || lanes_->hasOverflowed();
 }
 
@@ -171,7 +177,7 @@ Expected<void> SessionRecorder::flush() {
 
 Expected<void> SessionRecorder::close(std::uint64_t toothHash) {
     end();
-    note(endText(toothHash));
+    note(endText(overflowed_ ? RecordedEnd{.hasGap = true} : RecordedEnd{.toothHash = toothHash}));
     const Expected<void> closed = writer_->close(firstTick_);
     if (!closed) return closed;
     if (overflowed_) return unexpected(msg::kRecordingOverflowed);

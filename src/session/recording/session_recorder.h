@@ -86,7 +86,8 @@ private:
     double unwritten_ = 0;              // s of a session that is not live
     std::chrono::steady_clock::time_point flushed_;
     bool overflowed_ = false;
-    std::jthread thread_;  // last: it uses the members above
+    bool isBeyondGap_ = false;  // a queue was full before this bur began to work: its events lead nowhere
+    std::jthread thread_;       // last: it uses the members above
 };
 
 }  // namespace tactooth

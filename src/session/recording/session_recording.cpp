@@ -130,15 +130,15 @@ Expected<void> SessionRecording::forEach(const std::function<bool(const SessionE
     return {};
 }
 
-Expected<std::optional<std::uint64_t>> SessionRecording::toothHash() const {
-    std::optional<std::uint64_t> hash;
+Expected<RecordedEnd> SessionRecording::end() const {
+    RecordedEnd end;
     for (const BlockPlace& block : journal_.blocks()) {
         if (block.header.type != BlockType::Note) continue;
         const Expected<std::vector<std::byte>> payload = journal_.payload(block);
         if (!payload) return Unexpected{payload.error()};
-        if (const auto end = parseEnd(textOf(*payload))) hash = end;
+        if (const auto found = parseEnd(textOf(*payload))) end = *found;
     }
-    return hash;
+    return end;
 }
 
 }  // namespace tactooth

@@ -43,8 +43,8 @@ public:
     /// Calls `visit` with each event in turn, until it returns false. Fails with one sentence if a block is damaged.
     [[nodiscard]] Expected<void> forEach(const std::function<bool(const SessionEvent&)>& visit) const;
 
-    /// CutModel::hash at the end; nothing if the recording was cut off.
-    [[nodiscard]] Expected<std::optional<std::uint64_t>> toothHash() const;
+    /// The end of a recording that was finished; without hash and gap if it was cut off.
+    [[nodiscard]] Expected<RecordedEnd> end() const;
 
 private:
     SessionRecording(JournalReader journal, RecordingFacts facts);

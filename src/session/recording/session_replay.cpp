@@ -43,9 +43,9 @@ Expected<void> SessionReplay::playUntil(std::optional<double> end, const TickCal
         return true;
     });
     if (!played || stopped || differsAt_) return played;
-    const Expected<std::optional<std::uint64_t>> recorded = recording_->toothHash();
+    const Expected<RecordedEnd> recorded = recording_->end();
     if (!recorded) return Unexpected{recorded.error()};
-    if (*recorded && **recorded != kernel_->toothHash()) differsAt_ = seconds_;
+    if (recorded->toothHash && *recorded->toothHash != kernel_->toothHash()) differsAt_ = seconds_;
     return {};
 }
 

@@ -200,18 +200,23 @@ Expected<RecordingFacts> parseHeader(const std::string& text, const std::string&
     return facts;
 }
 
-std::string endText(std::uint64_t toothHash) {
-    return Json{{"end", {{"tooth_hash", fmt::format("{:016x}", toothHash)}}}}.dump();
+std::string endText(const RecordedEnd& end) {
+    Json json = Json::object();
+    if (end.toothHash) json["tooth_hash"] = fmt::format("{:016x}", *end.toothHash);
+    if (end.hasGap) json["gap"] = true;
+    return Json{{"end", json}}.dump();
 }
 
-std::optional<std::uint64_t> parseEnd(const std::string& text) {
+std::optional<RecordedEnd> parseEnd(const std::string& text) {
     const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
     if (!json.is_object() || !json.contains("end")) return std::nullopt;
+    const Json& gap = json["end"].is_object() && json["end"].contains("gap") ? json["end"]["gap"] : Json();
+    if (gap.is_boolean() && gap.get<bool>()) return RecordedEnd{.hasGap = true};
     const std::string hash = textOf(json["end"], "tooth_hash");
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(hash.data(), hash.data() + hash.size(), value, 16);
     if (error != std::errc() || end != hash.data() + hash.size() || hash.empty()) return std::nullopt;
-    return value;
+    return RecordedEnd{.toothHash = value};
 }
 
 }  // namespace tactooth

@@ -57,8 +57,12 @@ struct RecordingFacts {
 [[nodiscard]] Expected<RecordingFacts> parseHeader(const std::string& json, const std::string& file);
 
 /// The last note of a recording.
-[[nodiscard]] std::string endText(std::uint64_t toothHash);
+struct RecordedEnd {
+    std::optional<std::uint64_t> toothHash = {};  ///< of the cut tooth; nothing if the events do not lead to it
+    bool hasGap = false;                          ///< a queue was full: events are missing from there on
+};
+[[nodiscard]] std::string endText(const RecordedEnd& end);
 /// Nothing for another text.
-[[nodiscard]] std::optional<std::uint64_t> parseEnd(const std::string& json);
+[[nodiscard]] std::optional<RecordedEnd> parseEnd(const std::string& json);
 
 }  // namespace tactooth

@@ -100,9 +100,9 @@ void makeTrack(const SessionRecording& recording, std::shared_ptr<CutModel> mode
     std::optional<Message> fault;
     if (!read) fault = read.error();
     if (read && !differsAt && !stop.stop_requested()) {
-        const auto recorded = recording.toothHash();
+        const auto recorded = recording.end();
         if (!recorded) fault = recorded.error();
-        if (recorded && *recorded && **recorded != maker.toothHash()) differsAt = maker.seconds();
+        if (recorded && recorded->toothHash && *recorded->toothHash != maker.toothHash()) differsAt = maker.seconds();
     }
     track.finish(differsAt, std::move(fault));
 }

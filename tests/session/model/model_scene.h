@@ -55,6 +55,7 @@ public:
     void setMixer(const SoundMixer&) override {}
     void setPlacement(const SoundPlacement&) override {}
     void setHeadphones(bool) override {}
+    void setRoom(bool) override {}
     void setKit(std::shared_ptr<const SoundKit>) override {}
     [[nodiscard]] SoundStatus status() const override { return SoundStatus::Silent; }
 

@@ -232,6 +232,47 @@ TEST(SessionRecording, HostileEventsDoNoHarm) {
     EXPECT_GT(refused, kRounds / 2);
 }
 
+/// More ticks than a queue holds come at once. What is before is replayed, and nothing that comes later.
+TEST(SessionRecording, AFullQueueEndsIt) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "s.ttsession";
+    const std::shared_ptr<CutModel> model = toothAmongOthers();
+    auto recorder = SessionRecorder::create(file, *model, "test tooth");
+    ASSERT_TRUE(recorder) << recorder.error().message();
+    const BeginEvent bur{test::flatBur(1), HapticSettings{}};
+    auto lanes = (*recorder)->begin(bur);
+    TickEvent tick;
+    tick.input.rotation[3] = static_cast<std::int32_t>(1 / TickInput::kRotationStep);
+    tick.input.elapsed = 1 << 10;  // about a millisecond
+    tick.input.hasPose = true;
+    tick.input.position[2] = static_cast<std::int64_t>(5 / TickInput::kPositionStep);  // above the tooth
+    std::size_t sent = 0;
+    for (; sent < 10'000'000 && !lanes->hasOverflowed(); ++sent) lanes->servo(tick);
+    ASSERT_TRUE(lanes->hasOverflowed());
+    lanes = (*recorder)->begin(bur);  // another bur is taken
+    for (int i = 0; i < 100; ++i) lanes->servo(tick);
+    const auto closed = (*recorder)->close(model->hash() + 1);  // nobody can reach what was cut beyond the gap
+    ASSERT_FALSE(closed);
+    EXPECT_THAT(closed.error().message(), HasSubstr("The recording has a gap"));
+
+    const auto recording = SessionRecording::open(file);
+    ASSERT_TRUE(recording) << recording.error().message();
+    EXPECT_TRUE(recording->end().value().hasGap);
+    EXPECT_FALSE(recording->end().value().toothHash);
+    EXPECT_LT(recording->ticks(), sent);
+    EXPECT_GE(recording->ticks(), 1U << 14);
+    int begins = 0;
+    ASSERT_TRUE(recording->forEach([&](const SessionEvent& event) {
+        begins += std::holds_alternative<BeginEvent>(event) ? 1 : 0;
+        return true;
+    }));
+    EXPECT_EQ(begins, 1);
+    auto replay = SessionReplay::start(*recording);
+    ASSERT_TRUE(replay) << replay.error().message();
+    ASSERT_TRUE(replay->playUntil(2.0, [](double, const Tick&) {}));
+    EXPECT_FALSE(replay->differsAt());
+}
+
 TEST(SessionRecording, AFileThatIsNoRecordingHasItsSentence) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "s.ttsession") << "not a recording";

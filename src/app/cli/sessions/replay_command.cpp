@@ -141,8 +141,11 @@ Json summaryOf(const SessionReplay& replay, const SessionRecording& recording, d
     for (const MaterialId id : model.tooth().materials().byRole()) {
         removed[std::string(model.tooth().materials().nameOf(id))] = model.removed()[static_cast<std::size_t>(id)];
     }
+    const Expected<RecordedEnd> end = recording.end();
+    const bool hasGap = end && end->hasGap;
     Json json = {{"title", recording.facts().title},
-                 {"complete", recording.journal().isComplete()},
+                 {"complete", recording.journal().isComplete() && !hasGap},
+                 {"gap", hasGap},
                  {"seconds", replay.seconds()},
                  {"ticks", replay.ticks()},
                  {"speed", replay.seconds() / std::max(wallSeconds, 1e-9)},
@@ -160,7 +163,11 @@ void printSummary(const Json& summary, const std::string& recordedBy) {
     for (const auto& [material, volume] : summary["removed_mm3"].items()) {
         if (volume.get<double>() > 0) print("removed {:>12}: {:8.3f} mm^3\n", material, volume.get<double>());
     }
-    if (!summary["complete"].get<bool>()) print("The recording was cut off: this is what was left of it.\n");
+    if (summary["gap"].get<bool>()) {
+        print("The recording has a gap, because that computer was too slow: this is what was before it.\n");
+    } else if (!summary["complete"].get<bool>()) {
+        print("The recording was cut off: this is what was left of it.\n");
+    }
     if (summary["same"].get<bool>()) {
         print("The tooth, the forces and the events are those of the recording, bit for bit.\n");
     } else {

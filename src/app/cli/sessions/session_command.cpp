@@ -33,14 +33,15 @@ struct EventCounts {
     }
 };
 
-Json infoOf(const SessionRecording& recording, const EventCounts& counts) {
+Json infoOf(const SessionRecording& recording, const EventCounts& counts, const RecordedEnd& end) {
     const JournalReader& journal = recording.journal();
     Json json = {{"case", recording.facts().title},
                  {"date", recording.facts().date},
                  {"seconds", counts.seconds},
                  {"ticks", counts.ticks},
                  {"bytes", journal.bytes()},
-                 {"complete", journal.isComplete()},
+                 {"complete", journal.isComplete() && !end.hasGap},
+                 {"gap", end.hasGap},
                  {"cut_off_at", nullptr},
                  {"sealed", recording.facts().isSealed},
                  {"public_key", nullptr},
@@ -78,6 +79,8 @@ void printInfo(const Json& json) {
     }
     if (json["complete"].get<bool>()) {
         print("complete:  yes\n");
+    } else if (json["gap"].get<bool>()) {
+        print("complete:  no: the computer was too slow for a while, and the recording ends there\n");
     } else if (json["cut_off_at"].is_null()) {
         print("complete:  no: it ends after a whole block, without an end mark\n");
     } else {
@@ -94,7 +97,9 @@ int runSessionInfo(const SessionInfoOptions& options) {
     EventCounts counts;
     const auto read = recording->forEach([&](const SessionEvent& event) { return counts.add(event), true; });
     if (!read) return reportError(read.error());
-    const Json json = infoOf(*recording, counts);
+    const auto end = recording->end();
+    if (!end) return reportError(end.error());
+    const Json json = infoOf(*recording, counts, *end);
     if (options.json) {
         print("{}\n", json.dump(2));
     } else {
