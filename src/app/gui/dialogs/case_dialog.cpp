@@ -20,7 +20,8 @@ constexpr int kParts = 1000;  // of the progress bar
 
 QString titleOf(const CaseTooth& tooth) {
     const QString name = QString::fromStdString(tooth.name);
-    return tooth.fdi == 0 ? name : CaseDialog::tr("%1, tooth %2 (FDI)").arg(name).arg(tooth.fdi);
+    if (tooth.fdi == 0) return CaseDialog::tr("%1, number unknown: choose its quadrant").arg(name);
+    return CaseDialog::tr("%1, tooth %2 (FDI)").arg(name).arg(tooth.fdi);
 }
 
 QString asList(const QString& title, const std::vector<std::string>& sentences) {

@@ -44,16 +44,16 @@ TEST_F(RecentWorkTest, TheNewestComesFirst) {
 }
 
 TEST_F(RecentWorkTest, EachKindIsNamed) {
-    const auto tooth = file("a.stl", 4), task = file("b.toml", 3), of = file("c.ttcase", 2),
-               run = file("d.ttsession", 1);
-    const QString scan = RecentFile{{name(file("e.ply", 0)), name(file("e_enamel.ply", 9))}, true}.text();
+    const auto tooth = file("a.stl", 5), task = file("b.toml", 4), of = file("c.ttcase", 3),
+               run = file("d.ttsession", 2);
+    const QString scan = RecentFile{{name(file("e.ply", 1)), name(file("e_enamel.ply", 9))}, true}.text();
     const auto work = recentWork({scan, name(tooth), name(task), name(of), name(run)}, {}, 8);
     ASSERT_EQ(work.size(), 5U);
     EXPECT_EQ(work[0].kind, RecentWork::Kind::Tooth);
     EXPECT_EQ(work[1].kind, RecentWork::Kind::Exercise);
     EXPECT_EQ(work[2].kind, RecentWork::Kind::Case);
     EXPECT_EQ(work[3].kind, RecentWork::Kind::Recording);
-    EXPECT_EQ(work[4], (RecentWork{scan, "e", RecentWork::Kind::Scan, QDateTime::fromSecsSinceEpoch(0)}));
+    EXPECT_EQ(work[4], (RecentWork{scan, "e", RecentWork::Kind::Scan, QDateTime::fromSecsSinceEpoch(1)}));
 }
 
 TEST_F(RecentWorkTest, WhatHasGoneIsLeftOutAndNothingComesTwice) {
