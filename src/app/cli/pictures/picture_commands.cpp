@@ -11,7 +11,7 @@ namespace {
 
 void addSubject(CLI::App& command, RenderOptions& options) {
     command
-        .add_option("--tooth,--case,FILE", options.tooth,
+        .add_option("--tooth,--case,TOOTH", options.tooth,
                     "STL file (mm, crown toward +z), a case or a saved tooth (default: the built-in molar)")
         ->type_name("FILE");
     command.add_option("--work-on", options.workOn, "Tooth of the case to show (default: all teeth)")
