@@ -331,6 +331,7 @@ void addSound(CLI::App& program, CommandAction& chosen) {
         ->type_name("N");
     command->add_flag("--water", options->water, "Adds the cooling spray while the drive runs");
     command->add_flag("--suction", options->suction, "Adds the suction in the mouth");
+    command->add_flag("--room", options->room, "Adds the sound of the surgery around the chair");
     command->add_flag("--headphones", options->headphones,
                       "Places the sound by head-related transfer functions (HRTF) instead of stereo panning");
 }

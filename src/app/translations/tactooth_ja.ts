@@ -1892,6 +1892,14 @@ It can be overcome, and is off in an examination.</source>
         <translation>ヘッドホン</translation>
     </message>
     <message>
+        <source>Room</source>
+        <translation>部屋</translation>
+    </message>
+    <message>
+        <source>Adds the sound of the surgery around the chair</source>
+        <translation>診療室の響きを加えます</translation>
+    </message>
+    <message>
         <source>Places the sounds around the head, as two ears hear them; for loudspeakers leave it off</source>
         <translation>両耳で聞くように音を頭の周りに配置します。スピーカーではオフにします</translation>
     </message>
@@ -2249,6 +2257,10 @@ It can be overcome, and is off in an examination.</source>
 </context>
 <context>
     <name>tactooth::CaseDialog</name>
+    <message>
+        <source>%1, number unknown: choose its quadrant</source>
+        <translation>%1、番号不明（区分を選んでください）</translation>
+    </message>
     <message>
         <source>%1, tooth %2 (FDI)</source>
         <translation>%1、歯 %2（FDI）</translation>

@@ -29,18 +29,20 @@ LoopbackFunctions loopbackFunctions() {
             reinterpret_cast<LPALCRENDERSAMPLESSOFT>(alcGetProcAddress(nullptr, "alcRenderSamplesSOFT"))};
 }
 
-std::unique_ptr<OpenAlStream> openLoopback(const LoopbackFunctions& loopback, bool headphones) {
+std::unique_ptr<OpenAlStream> openLoopback(const LoopbackFunctions& loopback, bool headphones, bool room) {
     if (loopback.open == nullptr || loopback.render == nullptr) return nullptr;
-    const std::array<ALCint, 9> attributes{ALC_FREQUENCY,
-                                           kSoundRate,
-                                           ALC_FORMAT_CHANNELS_SOFT,
-                                           ALC_STEREO_SOFT,
-                                           ALC_FORMAT_TYPE_SOFT,
-                                           ALC_FLOAT_SOFT,
-                                           ALC_HRTF_SOFT,
-                                           headphones ? ALC_TRUE : ALC_FALSE,
-                                           0};
-    return OpenAlStream::create(loopback.open(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
+    const std::array<ALCint, 11> attributes{ALC_FREQUENCY,
+                                            kSoundRate,
+                                            ALC_FORMAT_CHANNELS_SOFT,
+                                            ALC_STEREO_SOFT,
+                                            ALC_FORMAT_TYPE_SOFT,
+                                            ALC_FLOAT_SOFT,
+                                            ALC_HRTF_SOFT,
+                                            headphones ? ALC_TRUE : ALC_FALSE,
+                                            ALC_OUTPUT_LIMITER_SOFT,
+                                            room ? ALC_TRUE : ALC_FALSE,  // as live
+                                            0};
+    return OpenAlStream::create(loopback.open(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f, room);
 }
 
 /// Reads a track forwards: the state at any later time.
@@ -95,7 +97,7 @@ Expected<void> renderInChunks(std::span<const TimedSoundState> track, double sec
                               const SampleSink& sink) {
     if (Expected<void> checked = check(track, seconds); !checked) return checked;
     const LoopbackFunctions loopback = loopbackFunctions();
-    const std::unique_ptr<OpenAlStream> stream = openLoopback(loopback, settings.headphones);
+    const std::unique_ptr<OpenAlStream> stream = openLoopback(loopback, settings.headphones, settings.room);
     if (stream == nullptr) {
         return unexpected(msg::kNoLoopback);
     }

@@ -27,6 +27,7 @@ struct OfflineSettings {
     SoundMixer mixer;
     std::uint64_t seed = 1;
     bool headphones = false;              ///< HRTF instead of left-right balance
+    bool room = false;                    ///< with the sound of the surgery
     std::shared_ptr<const SoundKit> kit;  ///< recordings instead of the synthesis; none: all synthesised
 };
 

@@ -39,14 +39,19 @@ void pause(const std::stop_token& stop, std::chrono::seconds time) {
     wake.wait_for(lock, stop, time, [] { return false; });
 }
 
-std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones) {
+std::unique_ptr<OpenAlStream> openDefaultDevice(bool headphones, bool room) {
     if (!hasSoundSystem()) return nullptr;
     silenceAlsaMessages();
-    // The sound is limited already (PeakLimiter); OpenAL's own limiter would add a quarter to its cost for nothing.
-    const std::array<ALCint, 7> attributes{
-        ALC_FREQUENCY, kSoundRate, ALC_HRTF_SOFT, headphones ? ALC_TRUE : ALC_FALSE, ALC_OUTPUT_LIMITER_SOFT,
-        ALC_FALSE,     0};
-    return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f);
+    // The direct sound is limited already (PeakLimiter); OpenAL's own limiter would add a quarter to its cost for
+    // nothing.
+    const std::array<ALCint, 7> attributes{ALC_FREQUENCY,
+                                           kSoundRate,
+                                           ALC_HRTF_SOFT,
+                                           headphones ? ALC_TRUE : ALC_FALSE,
+                                           ALC_OUTPUT_LIMITER_SOFT,
+                                           room ? ALC_TRUE : ALC_FALSE,
+                                           0};
+    return OpenAlStream::create(alcOpenDevice(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f, room);
 }
 
 // Priority over ordinary programs, below the servo loop (which takes more than the lowest priority). Where the system
@@ -140,6 +145,7 @@ private:
 OpenAlOutput::OpenAlOutput(const OpenAlOutputSettings& settings)
     : settings_(settings),
       headphones_(settings.headphones),
+      room_(settings.room),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 // Once the newest kit is played, older ones are not needed any more.
@@ -162,13 +168,16 @@ void OpenAlOutput::run(const std::stop_token& stop) {
 
 bool OpenAlOutput::playOnce(const std::stop_token& stop) {
     const bool headphones = headphones_.load(std::memory_order_relaxed);
-    const std::unique_ptr<OpenAlStream> stream = openDefaultDevice(headphones);
+    const bool room = room_.load(std::memory_order_relaxed);
+    const std::unique_ptr<OpenAlStream> stream = openDefaultDevice(headphones, room);
     if (stream == nullptr) return false;
     const ThreadContext current(stream->context());
     Feeder feeder(*this, *stream);
     status_.store(SoundStatus::Playing, std::memory_order_relaxed);
     while (!stop.stop_requested() && feeder.fill()) {
-        if (headphones_.load(std::memory_order_relaxed) != headphones) return true;
+        const bool isAsWanted =
+            headphones_.load(std::memory_order_relaxed) == headphones && room_.load(std::memory_order_relaxed) == room;
+        if (!isAsWanted) return true;
         std::this_thread::sleep_for(kPoll);
     }
     return false;

@@ -17,6 +17,7 @@ namespace tactooth {
 struct OpenAlOutputSettings {
     std::uint64_t seed = 1;
     bool headphones = false;  ///< place the sound by HRTF instead of by left-right balance
+    bool room = true;         ///< with the sound of the surgery
 };
 
 /// Plays on the default sound device of the system from its own thread. Without a sound card, or when it is unplugged,
@@ -30,6 +31,7 @@ public:
     void setMixer(const SoundMixer& mixer) override { mixer_.write(mixer); }
     void setPlacement(const SoundPlacement& placement) override { placement_.write(placement); }
     void setHeadphones(bool headphones) override { headphones_.store(headphones, std::memory_order_relaxed); }
+    void setRoom(bool room) override { room_.store(room, std::memory_order_relaxed); }
     void setKit(std::shared_ptr<const SoundKit> kit) override;
     [[nodiscard]] SoundStatus status() const override { return status_.load(std::memory_order_relaxed); }
 
@@ -59,6 +61,7 @@ private:
     std::vector<std::shared_ptr<const SoundKit>> kits_;  // for the thread that sets them: kits that may still be played
     std::uint64_t kitsSet_ = 0;                          // likewise
     std::atomic<bool> headphones_;
+    std::atomic<bool> room_;
     std::atomic<SoundStatus> status_{SoundStatus::Starting};
     std::atomic<std::uint64_t> playedBlocks_{0};
     std::atomic<std::uint64_t> underruns_{0};

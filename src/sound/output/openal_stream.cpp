@@ -40,7 +40,7 @@ LPALGETSOURCEDVSOFT latencyQuestion() {
 ThreadContext::ThreadContext(ALCcontext* context) { makeCurrent(context); }
 ThreadContext::~ThreadContext() { makeCurrent(nullptr); }
 
-std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCint* attributes, float gain) {
+std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCint* attributes, float gain, bool room) {
     if (device == nullptr) return nullptr;
     ALCcontext* context = alcCreateContext(device, attributes);
     if (context == nullptr) {
@@ -49,15 +49,16 @@ std::unique_ptr<OpenAlStream> OpenAlStream::create(ALCdevice* device, const ALCi
     }
     std::unique_ptr<OpenAlStream> stream(new OpenAlStream(device, context));
     const ThreadContext current(context);
-    if (!stream->makeSources(gain)) return nullptr;
+    if (!stream->makeSources(gain, room)) return nullptr;
     return stream;
 }
 
-bool OpenAlStream::makeSources(float gain) {
+bool OpenAlStream::makeSources(float gain, bool room) {
     if (alIsExtensionPresent("AL_EXT_FLOAT32") == AL_FALSE) return false;
     offsetAndLatency_ = latencyQuestion();
     alGetError();
     alGenSources(static_cast<ALsizei>(sources_.size()), sources_.data());
+    if (room && room_.emplace().surround(sources_)) gain *= RoomReverb::kSourceGain;
     queueLength_ = std::clamp(blocksTakenAtOnce(device_) + kSpareBlocks, 1, kMaxQueue);
     for (std::size_t place = 0; place < sources_.size(); ++place) {
         alGenBuffers(kMaxQueue, buffers_[place].data());
@@ -75,6 +76,7 @@ OpenAlStream::~OpenAlStream() {
         const auto count = static_cast<ALsizei>(sources_.size());
         alSourceStopv(count, sources_.data());
         alDeleteSources(count, sources_.data());
+        room_.reset();
         for (const Buffers& buffers : buffers_) alDeleteBuffers(kMaxQueue, buffers.data());
     }
     alcDestroyContext(context_);

@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
+#include "sound/output/room_reverb.h"
 #include "sound/output/sound_placement.h"
 #include "sound/voices/soundscape.h"
 
@@ -34,8 +36,8 @@ inline constexpr float kHeadphoneGain = 0.5f;
 class OpenAlStream {
 public:
     /// Takes ownership of `device`; null if it cannot make a context or the sources. `attributes` are those of
-    /// alcCreateContext; `gain` multiplies the amplitude.
-    static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes, float gain);
+    /// alcCreateContext; `gain` multiplies the amplitude. `room`: adds the sound of the surgery, if OpenAL can.
+    static std::unique_ptr<OpenAlStream> create(ALCdevice* device, const ALCint* attributes, float gain, bool room);
     ~OpenAlStream();
     OpenAlStream(const OpenAlStream&) = delete;
     OpenAlStream& operator=(const OpenAlStream&) = delete;
@@ -65,7 +67,7 @@ private:
     using Buffers = std::array<unsigned, kMaxQueue>;
 
     OpenAlStream(ALCdevice* device, ALCcontext* context) : device_(device), context_(context) {}
-    bool makeSources(float gain);
+    bool makeSources(float gain, bool room);
 
     ALCdevice* device_;
     ALCcontext* context_;
@@ -75,6 +77,7 @@ private:
     std::array<Buffers, kSoundSources> buffers_{};
     std::array<Buffers, kSoundSources> free_{};
     int freeCount_ = 0;  // the same number for each source
+    std::optional<RoomReverb> room_;
 };
 
 }  // namespace tactooth

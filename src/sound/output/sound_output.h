@@ -46,6 +46,8 @@ public:
     /// Whether the sound is placed by HRTF, for headphones, or by left-right balance. The sound stops for a moment at a
     /// change.
     virtual void setHeadphones(bool headphones) = 0;
+    /// Whether the surgery is heard around the drill. The sound stops for a moment at a change.
+    virtual void setRoom(bool room) = 0;
 
     /// Recordings to play from now on; null: all synthesised.
     virtual void setKit(std::shared_ptr<const SoundKit> kit) = 0;

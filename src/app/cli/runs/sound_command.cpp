@@ -71,6 +71,7 @@ int runSound(const SoundOptions& options) {
     }
     prepareAudioLibraries();
     settings.headphones = options.headphones;
+    settings.room = options.room;
     if (const auto done = write(options, *track, settings); !done) return reportError(done.error());
     if (const auto done = files.commit(); !done) return reportError(done.error());
     print("{:.3f} s of sound written to {}\n", track->back().time, displayName(options.out));

@@ -16,6 +16,7 @@ struct SoundOptions {
     std::string drive = "turbine";      ///< or "electric", "low-speed"
     int blades = 0;                     ///< of the bur; 0: a diamond
     bool headphones = false;
+    bool room = false;
     bool water = false;
     bool suction = false;
 };

@@ -17,6 +17,7 @@ SoundController::SoundController(SoundOutput& sound, SessionModel& model, const 
     : sound_(sound), model_(model), panels_(panels), messages_(messages), files_(files) {
     connect(panels_.sound, &SoundPanel::changed, this, [this] { sound_.setMixer(panels_.sound->mixer()); });
     connect(panels_.sound, &SoundPanel::headphonesChanged, this, [this](bool on) { sound_.setHeadphones(on); });
+    connect(panels_.sound, &SoundPanel::roomChanged, this, [this](bool on) { sound_.setRoom(on); });
     connect(panels_.sound, &SoundPanel::ownSoundsRequested, this, &SoundController::askForSounds);
     connect(panels_.sound, &SoundPanel::synthesisChosen, this, &SoundController::useSynthesis);
 }
@@ -73,12 +74,14 @@ void SoundController::poll() {
 void SoundController::restore(const WindowSettings& settings) {
     panels_.sound->setMixer(settings.sound);
     panels_.sound->setHeadphones(settings.headphones);
+    panels_.sound->setRoom(settings.room);
     if (!settings.ownSounds.empty()) read(QString::fromStdString(settings.ownSounds), nullptr);
 }
 
 void SoundController::change(const WindowSettings& settings) {
     panels_.sound->setMixer(settings.sound);
     panels_.sound->setHeadphones(settings.headphones);
+    panels_.sound->setRoom(settings.room);
     const QString file = QString::fromStdString(settings.ownSounds);
     if (file == file_) return;
     if (!file.isEmpty()) return open(file);
@@ -89,6 +92,7 @@ void SoundController::change(const WindowSettings& settings) {
 void SoundController::store(WindowSettings& settings) const {
     settings.sound = panels_.sound->mixer();
     settings.headphones = panels_.sound->headphones();
+    settings.room = panels_.sound->room();
     settings.ownSounds = file_.toStdString();
 }
 

@@ -33,13 +33,17 @@ SoundPanel::SoundPanel(QWidget* parent)
       master_(volumeSlider(tr("Everything"))),
       mute_(new QCheckBox(tr("Mute"))),
       headphones_(new QCheckBox(tr("Headphones"))),
+      room_(new QCheckBox(tr("Room"))),
       sounds_(new QComboBox) {
     headphones_->setToolTip(
         tr("Places the sounds around the head, as two ears hear them; for loudspeakers leave it off"));
+    room_->setToolTip(tr("Adds the sound of the surgery around the chair"));
+    room_->setChecked(true);
     sounds_->setObjectName("sounds");
     auto* switches = new QHBoxLayout;
     switches->addWidget(mute_);
     switches->addWidget(headphones_);
+    switches->addWidget(room_);
     switches->addStretch();
     auto* form = new QFormLayout(this);
     form->addRow(tr("Turbine"), motor_);
@@ -56,6 +60,7 @@ SoundPanel::SoundPanel(QWidget* parent)
         emit mutedChanged(muted);
     });
     connect(headphones_, &QCheckBox::toggled, this, &SoundPanel::headphonesChanged);
+    connect(room_, &QCheckBox::toggled, this, &SoundPanel::roomChanged);
     connect(sounds_, &QComboBox::activated, this, &SoundPanel::chooseSounds);
     showSounds({});
 }

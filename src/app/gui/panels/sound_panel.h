@@ -23,6 +23,8 @@ public:
     void setMuted(bool muted) { mute_->setChecked(muted); }
     [[nodiscard]] bool headphones() const { return headphones_->isChecked(); }
     void setHeadphones(bool headphones) { headphones_->setChecked(headphones); }
+    [[nodiscard]] bool room() const { return room_->isChecked(); }
+    void setRoom(bool room) { room_->setChecked(room); }
     /// Shows the file of the sounds in use; empty: synthesised sounds.
     void showSounds(const QString& file);
 
@@ -30,6 +32,7 @@ signals:
     void changed();
     void mutedChanged(bool muted);
     void headphonesChanged(bool headphones);
+    void roomChanged(bool room);
     void synthesisChosen();
     /// The user wants to choose a file.
     void ownSoundsRequested();
@@ -43,6 +46,7 @@ private:
     QSlider* master_;
     QCheckBox* mute_;
     QCheckBox* headphones_;
+    QCheckBox* room_;
     QComboBox* sounds_;
     QString shownFile_;
 };

@@ -118,6 +118,8 @@ inline constexpr MessageText kOptionSoundMuted{"option_sound_muted", "No sound",
 inline constexpr MessageText kOptionSoundHeadphones{"option_sound_headphones",
                                                     "Places the sounds around the head, for headphones (HRTF)",
                                                     "ヘッドホン用に、音を頭の周りに配置する（HRTF）"};
+inline constexpr MessageText kOptionSoundRoom{"option_sound_room", "Adds the sound of the surgery around the chair",
+                                              "診療室の響きを加える"};
 inline constexpr MessageText kOptionSoundRecordings{"option_sound_recordings", "File with your own sounds",
                                                     "自分の音のファイル"};
 inline constexpr MessageText kOptionRecordingSessions{"option_recording_sessions",

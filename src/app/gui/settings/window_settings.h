@@ -114,6 +114,7 @@ struct WindowSettings {
     DeviceSettings hand;
     SoundMixer sound;
     bool headphones = false;
+    bool room = true;       ///< the surgery is heard
     std::string ownSounds;  ///< file of the user's sounds; empty: synthesised sounds
     std::string language;   ///< "en" or "ja"; empty: the language of the system
     bool welcome = true;    ///< the page with exercises and recent work comes at each start

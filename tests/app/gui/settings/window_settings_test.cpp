@@ -36,6 +36,7 @@ WindowSettings unusual() {
             .hand = {"gamepad:Wireless", "pen:Left", 2.5, 2000, true, 3, 0, 5, "axis:2:Foot", 0.25, 0.75, "F5"},
             .sound = {.motor = 0.25, .cutting = 0.5, .master = 0.75, .muted = true, .environment = 0.125},
             .headphones = true,
+            .room = false,
             .ownSounds = "/home/someone/school.toml",
             .language = "ja",
             .welcome = false,
@@ -72,6 +73,7 @@ void expectEqual(const WindowSettings& a, const WindowSettings& b) {
     EXPECT_EQ(a.sound.muted, b.sound.muted);
     EXPECT_EQ(a.sound.environment, b.sound.environment);
     EXPECT_EQ(a.headphones, b.headphones);
+    EXPECT_EQ(a.room, b.room);
     EXPECT_EQ(a.ownSounds, b.ownSounds);
     EXPECT_EQ(a.language, b.language);
     EXPECT_EQ(a.welcome, b.welcome);
