@@ -45,6 +45,12 @@ std::unique_ptr<OpenAlStream> openLoopback(const LoopbackFunctions& loopback, bo
     return OpenAlStream::create(loopback.open(nullptr), attributes.data(), headphones ? kHeadphoneGain : 1.0f, room);
 }
 
+/// A room never quite falls silent; far below a step of 16 bits its sound is digital silence, as it is without a room.
+void dropInaudible(float& sample) {
+    constexpr float kInaudible = 1e-7f;  // -140 dB of full scale
+    if (std::abs(sample) < kInaudible) sample = 0;
+}
+
 /// Reads a track forwards: the state at any later time.
 class TrackReader {
 public:
@@ -118,6 +124,7 @@ Expected<void> renderInChunks(std::span<const TimedSoundState> track, double sec
         stream->queue(block);
         stream->ensurePlaying();
         loopback.render(stream->device(), stereo.data(), kSoundBlock);
+        std::ranges::for_each(stereo, dropInaudible);
         const std::size_t from = std::clamp<std::size_t>(first, frame, frame + kSoundBlock) - frame;
         const std::size_t to = std::min<std::size_t>(end - frame, kSoundBlock);
         if (from < to) sink(std::span<const float>(stereo).subspan(2 * from, 2 * (to - from)));
