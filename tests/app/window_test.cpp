@@ -107,6 +107,8 @@ void WindowTest::theBuiltInMolarComesByItself() {
 void WindowTest::whatIsSeenFirstIsSeenWhole() {
     QCOMPARE(window_->size(), QSize(1400, 900));
     constexpr int kSoon = 10'000;  // ms
+    const QByteArray before = window_->saveState();
+    const QSize picture = view().size();
     for (const char* const name : {"Drill", "Force", "Look inside", "Exercise", "Real time", "Last ten seconds"}) {
         auto* dock = window_->findChild<QDockWidget*>(name);
         dock->raise();
@@ -114,6 +116,8 @@ void WindowTest::whatIsSeenFirstIsSeenWhole() {
         if (area == nullptr) continue;  // it takes any size
         QTRY_VERIFY2_WITH_TIMEOUT(area->verticalScrollBar()->maximum() == 0, name, kSoon);
     }
+    window_->restoreState(before);
+    QTRY_COMPARE_WITH_TIMEOUT(view().size(), picture, kSoon);
 }
 
 void WindowTest::theMouseTouchesTheToothAndTheMeterShowsIt() {
@@ -132,7 +136,8 @@ void WindowTest::pressingHarderGivesMoreForce() {
     depth->setValue(0.4);
     pressBurOn(middle());
     QTRY_VERIFY_WITH_TIMEOUT(gauge("forceGauge") > 0.1, kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(window_->model().log().newest().contact.depth - 0.4) < 0.02, kPatience);
+    const auto pressed = [&] { return window_->model().log().newest().contact.depth; };
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(pressed() - 0.4) < 0.02, qPrintable(QString::number(pressed())), kPatience);
     const double light = std::max(gauge("forceGauge"), window_->model().log().newest().force.wrench.force.norm());
     for (int notch = 0; notch < 8; ++notch) {
         QWheelEvent wheel(middle(), view().mapToGlobal(middle()), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
