@@ -372,6 +372,7 @@ void WindowUnsavedTest::aSignalSavesAndTheNextStartRestores() {
     QMessageBox* question = nullptr;
     QTRY_VERIFY_WITH_TIMEOUT((question = window_->findChild<QMessageBox*>("restoreSession")) != nullptr, kPatience);
     QVERIFY(question->text().contains("Restore the session of"));
+    QVERIFY(QTest::qWaitForWindowExposed(question, kPatience));
     QTest::mouseClick(question->defaultButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), kLoadPatience);
     waitForTooth();
