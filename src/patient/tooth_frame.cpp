@@ -133,7 +133,7 @@ FrameGuess guessToothFrame(const TriangleMesh& outer, const FrameHints& hints) {
 std::optional<double> crownTilt(const TriangleMesh& outer) {
     const LongAxis shape = longAxisOf(outer);
     if (!shape.isClear) return std::nullopt;
-    constexpr double kClear = 0.05;  // teeth have 0.2 to 0.6; both ends of a body with less are equally thick
+    constexpr double kClear = 0.05;  // both ends of a body with less count as equally thick
     const double imbalance = volumeImbalance(outer, shape.axis);
     if (std::abs(imbalance) < kClear) return std::nullopt;
     return angleFromZ(imbalance < 0 ? Vec3(-shape.axis) : shape.axis);

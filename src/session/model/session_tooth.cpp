@@ -89,12 +89,12 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
     SessionTooth tooth{
         std::move(place.name),       std::move(work->piece), place.mesialX, std::move(work->provenance), place.box,
         std::move(place.teethOfCase)};
-    if (tooth.teethOfCase.empty() && !isToothFile(source.outer)) {
-        if (auto tilted = noteOnTilt(tooth.piece->tooth().outer()->mesh())) work->importNotes.push_back(*tilted);
-    }
     for (const ImportNote& importNote : work->importNotes)
         tooth.provenance.emplace_back("assumed", inWords(importNote));
     tooth.importNotes = std::move(work->importNotes);
+    if (tooth.teethOfCase.empty() && !isToothFile(source.outer)) {  // a hint: nothing was assumed
+        if (auto tilted = noteOnTilt(tooth.piece->tooth().outer()->mesh())) tooth.importNotes.push_back(*tilted);
+    }
     if (place.bur) {
         Expected<SessionBur> bur = makeSessionBur(std::move(*place.bur), {});
         if (!bur) return Unexpected{bur.error()};

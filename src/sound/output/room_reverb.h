@@ -7,9 +7,9 @@
 namespace tactooth {
 
 /// The surgery around the chair, as an effect of OpenAL (EFX) that all sources are sent to. The model is a treatment
-/// room of 4 x 3 x 2.7 m that reverberates for 0.5 s, with a listener 0.4 m from the tooth: by the formula for a
-/// diffuse field (Kuttruff, Room Acoustics, 5.1) its sound has there 1.9 dB less energy than the direct sound. Every
-/// call needs the context of the sources to be current.
+/// room of 4 x 3 x 2.7 m that reverberates for 0.5 s, with a listener 0.4 m from the tooth: there its
+/// sound, a diffuse field, has 1.9 dB less energy than the direct sound (docs/sound.md). Every call needs the context
+/// of the sources to be current.
 class RoomReverb {
 public:
     static constexpr double kReverberationTime = 0.5;  ///< s: until the energy has fallen by 60 dB
