@@ -25,16 +25,19 @@ constexpr double kNowhere = -1e9;  // mm: the height of a column beside the body
 /// A body as columns along the direction of the shaft: for each column, how deep the tip goes.
 class BodyColumns {
 public:
-    BodyColumns(const PreparationPlan& plan, const std::shared_ptr<const SurfacePart>& body)
+    /// `outer`: of the uncut tooth.
+    BodyColumns(const PreparationPlan& plan, const std::shared_ptr<const SurfacePart>& body, const SurfacePart& outer)
         : outward_(plan.outward), u_(plan.outward.unitOrthogonal()), v_(plan.outward.cross(u_)) {
         const Surface surface{.base = body};
+        const std::optional<Vec2> open = plan.body->openTo ? std::optional(inPlane(*plan.body->openTo)) : std::nullopt;
         double top = kNowhere;
         Eigen::AlignedBox2d box;
         for (const Vec3f& vertex : body->mesh().vertices) {
             const Vec3 place = vertex.cast<double>();
-            box.extend(Vec2(u_.dot(place), v_.dot(place)));
+            box.extend(inPlane(place));
             top = std::max(top, outward_.dot(place));
         }
+        if (open) extendTo(*open, outer, plan.body->burRadius, box);
         const double floor = plan.body->below ? top - *plan.body->below : kNowhere;
         corner_ = box.min() - Vec2::Constant(kPitch);
         columns_ = static_cast<int>(std::ceil(box.sizes().x() / kPitch)) + 3;
@@ -51,7 +54,9 @@ public:
                 tips_[at(i, j)] = bottom < floor + kLedge ? (plan.body->below ? floor : bottom) : bottom;
             }
         }
+        if (open) openTo(*open);
         narrow(plan.body->burRadius - kMargin);
+        if (open) leaveOutBeside(outer);
         if (plan.body->role == MaterialRole::Pulp) fillHollows(floor);
     }
 
@@ -68,6 +73,55 @@ public:
 
 private:
     [[nodiscard]] std::size_t at(int i, int j) const { return static_cast<std::size_t>(j * columns_ + i); }
+    /// The place in the plane square to the shaft; for a direction: its part in that plane.
+    [[nodiscard]] Vec2 inPlane(const Vec3& place) const { return {u_.dot(place), v_.dot(place)}; }
+
+    /// Makes the box reach past the tooth toward the open side, as far as a bur that has left it.
+    void extendTo(const Vec2& open, const SurfacePart& outer, double burRadius, Eigen::AlignedBox2d& box) const {
+        const Vec2 direction = open.normalized();
+        double farthest = kNowhere;
+        for (const Vec3f& vertex : outer.mesh().vertices)
+            farthest = std::max(farthest, direction.dot(inPlane(vertex.cast<double>())));
+        const double beyond = farthest + burRadius + kPitch - direction.dot(box.center());
+        box.extend(Eigen::AlignedBox2d(box).translate(std::max(0.0, beyond) * direction));
+    }
+
+    /// Lets each column go as deep as those before it on the way to the open side, so that nothing of the tooth stays
+    /// between the body and its outside.
+    void openTo(const Vec2& open) {
+        const Vec2 step = open.normalized() / 2;  // of a column
+        const std::vector<double> all = tips_;
+        for (int j = 0; j < rows_; ++j) {
+            for (int i = 0; i < columns_; ++i) {
+                double lowest = -kNowhere;
+                Vec2 place(i, j);
+                for (; isIn(place); place -= step) {
+                    const double tip =
+                        all[at(static_cast<int>(std::lround(place.x())), static_cast<int>(std::lround(place.y())))];
+                    if (tip > kNowhere) lowest = std::min(lowest, tip);
+                }
+                if (lowest < -kNowhere) tips_[at(i, j)] = lowest;
+            }
+        }
+    }
+
+    [[nodiscard]] bool isIn(const Vec2& column) const {
+        constexpr double kHalf = 0.49;  // what is nearer than half a column rounds to it
+        return column.minCoeff() > -kHalf && column.x() < columns_ - 1 + kHalf && column.y() < rows_ - 1 + kHalf;
+    }
+
+    /// Leaves out the columns over whose tip there is no tooth: the bur comes as far as the border of the tooth.
+    void leaveOutBeside(const SurfacePart& outer) {
+        const Surface surface{.base = std::shared_ptr<const SurfacePart>(std::shared_ptr<void>(), &outer)};
+        for (int j = 0; j < rows_; ++j) {
+            for (int i = 0; i < columns_; ++i) {
+                double& tip = tips_[at(i, j)];
+                if (tip <= kNowhere) continue;
+                const auto above = firstHit(surface, {placeAt(i, j, 0) + kFarAway * outward_, -outward_});
+                if (!above || kFarAway - *above < tip) tip = kNowhere;
+            }
+        }
+    }
 
     /// The outline of an access is convex: the horns of the pulp are its corners.
     void fillHollows(double floor) {
@@ -142,7 +196,7 @@ std::shared_ptr<const SurfacePart> bodyOf(const LayeredTooth& tooth, MaterialRol
 std::vector<BurPath> throughBody(const PreparationPlan& plan, const LayeredTooth& tooth, const SurfacePart& outer) {
     const std::shared_ptr<const SurfacePart> body = bodyOf(tooth, plan.body->role);
     if (body == nullptr) return {};
-    const BodyColumns columns(plan, body);
+    const BodyColumns columns(plan, body, outer);
     double top = kNowhere, bottom = -kNowhere;
     for (const Vec3f& vertex : outer.mesh().vertices) {
         top = std::max(top, plan.outward.dot(vertex.cast<double>()));

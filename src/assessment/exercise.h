@@ -49,6 +49,9 @@ struct BodyOutline {
     double burLength;   ///< of its head, mm
     /// Only what lies above this depth below the top of the body, mm, with a flat floor there; nothing: all of it.
     std::optional<double> below;
+    /// The side to which the cavity is open, unit, not along PreparationPlan::outward: what lies between the body and
+    /// that side of the tooth goes, too, and the floor does not rise toward it. Nothing: walls all around.
+    std::optional<Vec3> openTo = {};
 
     bool operator==(const BodyOutline&) const = default;
 };

@@ -183,6 +183,9 @@ private:
             if (role == plan.body->role) add("\n[cavity.removes]\ntissue = \"{}\"\n", key);
         }
         if (plan.body->below) add("below = {}\n", numberText(*plan.body->below));
+        for (const auto& [key, direction] : sideKeys(mesialX_)) {
+            if (plan.body->openTo == direction) add("open = \"{}\"\n", key);
+        }
     }
 
     void addCrown(const CrownOutline& crown) {

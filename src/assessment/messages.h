@@ -113,6 +113,12 @@ inline constexpr MessageText kFinishLineOffTooth{"finish_line_off_tooth",
 inline constexpr MessageText kABody{"a_body", "a table 'removes'", "'removes' の表"};
 inline constexpr MessageText kTissueUnknown{"tissue_unknown", "'tissue' must be caries, pulp or filling",
                                             "'tissue' は caries、pulp、filling のいずれかでなければなりません"};
+inline constexpr MessageText kOpenSideUnknown{
+    "open_side_unknown", "'open' must be occlusal, buccal, lingual, mesial or distal",
+    "'open' は occlusal、buccal、lingual、mesial、distal のいずれかでなければなりません"};
+inline constexpr MessageText kOpenSideUnfit{
+    "open_side_unfit", "'open' must name another side than that from which the bur comes, and is not for the pulp",
+    "'open' は、バーが入る側とは別の面でなければならず、歯髄には使えません"};
 inline constexpr MessageText kBodyUnfit{"body_unfit", "'removes' takes the place of the strokes",
                                         "'removes' はストロークの代わりに指定します"};
 inline constexpr MessageText kNoSuchBody{

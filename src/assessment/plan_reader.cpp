@@ -188,7 +188,7 @@ void PlanReader::readOutline(const toml::table& table, PreparationPlan& plan) {
 
 /// A body inside the tooth that the cavity removes.
 void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
-    toml_.allow(table, msg::kABody, {"tissue", "below"});
+    toml_.allow(table, msg::kABody, {"tissue", "below", "open"});
     std::array<std::string_view, kBodyKeys.size()> tissues;
     std::ranges::transform(kBodyKeys, tissues.begin(), &std::pair<std::string_view, MaterialRole>::first);
     const MaterialRole role = kBodyKeys.at(choice(toml_, table, "tissue", tissues, msg::kTissueUnknown, 0)).second;
@@ -197,6 +197,22 @@ void PlanReader::readBody(const toml::table& table, PreparationPlan& plan) {
     plan.body = {.role = role, .burRadius = bur_->headDiameter / 2, .burLength = bur_->headLength, .below = {}};
     if (isPulp && table.get("below") == nullptr) toml_.fail(table, {msg::kKeyMissing, "below"});
     if (table.get("below") != nullptr) plan.body->below = toml_.number(table, "below", 1, kMinDepth, kMaxDepth);
+    if (table.get("open") != nullptr) plan.body->openTo = openSide(table, plan);
+}
+
+/// The side to which a cavity is open.
+std::optional<Vec3> PlanReader::openSide(const toml::table& table, const PreparationPlan& plan) {
+    const auto sides = sideKeys(mesialX_);
+    const std::string name = toml_.text(table, "open", false);
+    const auto* const known = std::ranges::find(sides, name, &std::pair<std::string_view, Vec3>::first);
+    if (known == sides.end()) {
+        toml_.fail(*table.get("open"), msg::kOpenSideUnknown);
+        return std::nullopt;
+    }
+    constexpr double kAcross = 0.5;  // sine of the least angle to the shaft
+    const bool isAcross = known->second.cross(plan.outward).norm() >= kAcross;
+    if (!isAcross || plan.body->role == MaterialRole::Pulp) toml_.fail(*table.get("open"), msg::kOpenSideUnfit);
+    return known->second;
 }
 
 /// A crown preparation.

@@ -50,6 +50,7 @@ private:
     void readFissure(const toml::table& table, PreparationPlan& plan);
     void readOutline(const toml::table& table, PreparationPlan& plan);
     void readBody(const toml::table& table, PreparationPlan& plan);
+    [[nodiscard]] std::optional<Vec3> openSide(const toml::table& table, const PreparationPlan& plan);
     [[nodiscard]] std::optional<CrownOutline> readCrown(const toml::table& table);
     void readBoxes(const std::vector<const toml::table*>& boxes, PreparationPlan& plan);
     [[nodiscard]] ProximalBox box(const toml::table& table);

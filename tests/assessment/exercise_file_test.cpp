@@ -33,6 +33,7 @@ std::string exerciseWith(std::string_view line = {}, std::string_view change = {
 
 const std::string kStroke = "[[cavity.strokes]]\nfrom = [0.5, 0, 0]\n";
 const std::string kFissure = "[cavity.fissure]\nwidth = 1\n";
+const std::string kCaries = "[cavity.removes]\ntissue = \"caries\"\n";
 const std::string kBox = "[[cavity.boxes]]\nside = \"mesial\"\nwidth = 3\naxial_depth = 1.3\naxial_height = 1.1\n";
 
 Expected<Exercise> parsed(const std::string& text) { return parseExercise(text, "pit.toml", "/somewhere"); }
@@ -154,6 +155,18 @@ TEST(ExerciseFile, NamesPlacesOfDecayAndWhereNothingMayBeCut) {
     EXPECT_EQ(exercise->forbidden[0].corners[2], Vec3(3, 1, 2));
 }
 
+TEST(ExerciseFile, ACavityIsOpenToASideOfTheTooth) {
+    const auto openTo = [](const std::string& key) {
+        const auto exercise = parsed(exerciseWith(kStroke, kCaries + key));
+        EXPECT_TRUE(exercise) << exercise.error().message();
+        return std::get<PreparationPlan>(exercise->ideal).body->openTo;
+    };
+    EXPECT_FALSE(openTo(""));
+    EXPECT_EQ(openTo("open = \"mesial\"\n"), Vec3(mesialX(36) * Vec3::UnitX()));
+    EXPECT_EQ(openTo("open = \"distal\"\n"), Vec3(-mesialX(36) * Vec3::UnitX()));
+    EXPECT_EQ(openTo("open = \"buccal\"\n"), Vec3(Vec3::UnitY()));
+}
+
 TEST(ExerciseFile, ASoundToothHasNoDecayToRemove) {
     const auto exercise = parsed(exerciseWith(kStroke, "[cavity.removes]\ntissue = \"caries\"\n"));
     ASSERT_TRUE(exercise) << exercise.error().message();
@@ -245,6 +258,10 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {kStroke, kBox, "a box ends a cavity along a fissure"},
         {kStroke, "[cavity.removes]\ntissue = \"bone\"\n", "'tissue' must be caries, pulp or filling"},
         {kStroke, "[cavity.removes]\ntissue = \"pulp\"\n", "the key 'below' is missing"},
+        {kStroke, kCaries + "open = \"front\"\n", "line 9: 'open' must be occlusal, buccal, lingual, mesial or distal"},
+        {kStroke, kCaries + "open = 3\n", "'open' must be a text"},
+        {kStroke, kCaries + "open = \"occlusal\"\n", "'open' must name another side than that from which the bur"},
+        {kStroke, "[cavity.removes]\ntissue = \"pulp\"\nbelow = 1\nopen = \"mesial\"\n", "is not for the pulp"},
         {kStroke, "[cavity.removes]\ntissue = \"caries\"\n" + kStroke, "'removes' takes the place of the strokes"},
         {"name = \"Pit\"", "name = ", "line 1: this is not TOML"}};
     for (const auto& [line, change, words] : mistakes) {

@@ -161,5 +161,50 @@ TEST(FissureOutline, LeavesTheMarginalRidgesThatAreAskedFor) {
     EXPECT_NEAR(box.max().x() - last.x() - plan.fissure->burRadius, 2.1, 0.05);
 }
 
+TEST(ApproximalCaries, IsClearedUpToTheOutsideInTheToothOfAnyPatient) {
+    for (const std::uint32_t seed : {0U, 1U, 2U, 3U}) {
+        const Exercise exercise = ofPatient("caries-45", seed);
+        const auto tooth = *exerciseTooth(exercise);
+        const Expected<TriangleMesh> ideal = idealShape(exercise, tooth);
+        ASSERT_TRUE(ideal) << ideal.error().message();
+        EXPECT_TRUE(reportOn(*ideal).watertight()) << "patient " << seed;
+        EXPECT_GT(*leastToPulp(cavityWalls(*ideal, *tooth->ownOuter()), *tooth), 0.5) << "patient " << seed;
+        const SurfacePart target(*ideal);
+        const auto& plan = std::get<PreparationPlan>(exercise.ideal);
+        double left = 0;  // mm: how deep in the ideal shape a place lies that should be free
+        for (const Vec3f& vertex : layerOf(*tooth, test::kCaries)->mesh().vertices) {
+            for (double along = 0; along < 3; along += 0.25) {
+                const Vec3 place = vertex.cast<double>() + along * *plan.body->openTo;
+                left = std::max(left, -signedDistance(target, place));
+                left = std::max(left, -signedDistance(target, place + 2 * plan.outward));
+            }
+        }
+        EXPECT_LT(left, 0.1) << "patient " << seed;
+    }
+}
+
+/// The wall between a cavity and the side to which it is not open stays.
+TEST(ApproximalCaries, KeepsAShellWhereTheCavityIsNotOpen) {
+    Exercise exercise = ofPatient("caries-45", 0);
+    auto& body = *std::get<PreparationPlan>(exercise.ideal).body;
+    const Vec3 toSide = *body.openTo;
+    const auto tooth = *exerciseTooth(exercise);
+    const SurfacePart open(*idealShape(exercise, tooth));
+    body.openTo.reset();
+    const SurfacePart closed(*idealShape(exercise, tooth));
+    const SurfacePart& outer = *tooth->ownOuter();
+    double inClosed = 0, inOpen = 0;  // mm: how far places in the skin of that side lie inside the shapes
+    for (const Vec3f& vertex : outer.mesh().vertices) {
+        const Vec3 place = vertex.cast<double>() - 0.1 * toSide;
+        if (signedDistance(outer, place) > -0.05 || place.z() < 4 || place.z() > 6 || std::abs(place.y()) > 0.5)
+            continue;
+        if (toSide.dot(place) < 2) continue;
+        inClosed = std::max(inClosed, -signedDistance(closed, place));
+        inOpen = std::max(inOpen, -signedDistance(open, place));
+    }
+    EXPECT_GT(inClosed, 0.05);
+    EXPECT_EQ(inOpen, 0);
+}
+
 }  // namespace
 }  // namespace tactooth
