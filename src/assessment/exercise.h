@@ -16,6 +16,8 @@
 #include "collision/bvh/surface.h"
 #include "geometry/util/message.h"
 #include "instruments/builtin_tooth.h"
+#include "instruments/hand_instruments.h"
+#include "instruments/handpiece_kind.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -144,6 +146,9 @@ enum class StartView {
 enum class ExerciseLevel { Easy, Usual, Hard };
 [[nodiscard]] const MessageText& titleOf(ExerciseLevel level);
 
+/// What a student takes from the tray: a handpiece, or an instrument without one.
+using TrayInstrument = std::variant<HandpieceKind, HandInstrument>;
+
 /// The words of an exercise in one language; empty: the file does not have them.
 struct ExerciseWords {
     std::string name;   ///< its title
@@ -166,8 +171,11 @@ struct Exercise {
     std::string id = {};                                         ///< of a built-in one: "class-1-46"
     ExerciseGroup group = ExerciseGroup::Own;
     ExerciseLevel level = ExerciseLevel::Usual;
-    bool inMouth = false;                       ///< a built-in tooth stands in the whole mouth, with its neighbours
-    std::vector<std::string> otherBurs = {};    ///< numbers of burs of the catalogue that serve as well
+    bool inMouth = false;                     ///< a built-in tooth stands in the whole mouth, with its neighbours
+    std::vector<std::string> otherBurs = {};  ///< numbers of burs of the catalogue that serve as well
+    bool onlyTheseBurs = false;               ///< a student may take no bur but these
+    /// What a student may take from the tray, in the order of the tray; at least one handpiece. Empty: all.
+    std::vector<TrayInstrument> instruments = {};
     std::optional<int> minutes = {};            ///< time for the task
     double tolerance = 0.3;                     ///< mm from the ideal surface that count as right in pictures
     std::string rubric = {};                    ///< a built-in one, or a file; empty: the usual one

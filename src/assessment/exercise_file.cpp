@@ -37,10 +37,11 @@ public:
 
 private:
     void readAll(const toml::table& root) {
-        toml_.allow(root, msg::kAnExercise,
-                    {"name",   "task",       "brief", "japanese", "group", "level",    "minutes",   "tolerance",
-                     "rubric", "tooth",      "mouth", "patient",  "decay", "filling",  "materials", "layers",
-                     "bur",    "other_burs", "ideal", "cavity",   "view",  "forbidden"});
+        toml_.allow(
+            root, msg::kAnExercise,
+            {"name",   "task",       "brief", "japanese", "group", "level",     "minutes",         "tolerance",
+             "rubric", "tooth",      "mouth", "patient",  "decay", "filling",   "materials",       "layers",
+             "bur",    "other_burs", "ideal", "cavity",   "view",  "forbidden", "only_these_burs", "instruments"});
         exercise_.name = toml_.text(root, "name", true);
         exercise_.task = toml_.text(root, "task", true);
         exercise_.brief = toml_.text(root, "brief", false);
@@ -54,6 +55,7 @@ private:
             exercise_.materials = &materialsIn(toml_, *materials);
         readTooth(root);
         readBur(root);
+        readInstruments(root);
         readIdeal(root);
         readForbidden(root);
     }
@@ -215,6 +217,26 @@ private:
         if (!bur.empty() && !findBur(bur)) {
             toml_.fail(*root.get("bur"), {msg::kBurUnknown, quotedWord(bur)});
         }
+    }
+
+    /// What the student may take.
+    void readInstruments(const toml::table& root) {
+        exercise_.onlyTheseBurs = toml_.flag(root, "only_these_burs", false);
+        const toml::node* const node = root.get("instruments");
+        if (node == nullptr) return;
+        const std::vector<std::string> names = toml_.texts(root, "instruments");
+        for (const std::string& name : names) {
+            const bool isKnown =
+                std::ranges::count(kInstrumentKeys, name, &std::pair<std::string_view, TrayInstrument>::first) > 0;
+            if (!isKnown) toml_.fail(*node, {msg::kInstrumentUnknown, quotedWord(name)});
+        }
+        bool hasHandpiece = false;
+        for (const auto& [key, instrument] : kInstrumentKeys) {
+            if (std::ranges::find(names, key) == names.end()) continue;
+            exercise_.instruments.push_back(instrument);
+            hasHandpiece = hasHandpiece || std::holds_alternative<HandpieceKind>(instrument);
+        }
+        if (!hasHandpiece) toml_.fail(*node, msg::kInstrumentsNeedHandpiece);
     }
 
     void readIdeal(const toml::table& root) {

@@ -21,6 +21,14 @@ inline constexpr std::array<std::string_view, 8> kViewKeys = {"cavity", "dentist
 /// What a cavity removes, and the role of its material; a filling has none.
 inline constexpr std::array<std::pair<std::string_view, MaterialRole>, 3> kBodyKeys = {
     {{"caries", MaterialRole::Decay}, {"pulp", MaterialRole::Pulp}, {"filling", MaterialRole::None}}};
+/// In the order of the tray.
+inline constexpr std::array<std::pair<std::string_view, TrayInstrument>, 6> kInstrumentKeys = {
+    {{"turbine", HandpieceKind::Turbine},
+     {"contra-angle", HandpieceKind::ContraAngle},
+     {"low-speed", HandpieceKind::LowSpeed},
+     {"explorer", HandInstrument::Explorer},
+     {"probe", HandInstrument::Probe},
+     {"excavator", HandInstrument::Excavator}}};
 inline constexpr std::array<std::string_view, 3> kLevelKeys = {"easy", "usual", "hard"};
 inline constexpr std::array<std::pair<std::string_view, LesionSite>, 5> kSiteKeys = {
     {{"occlusal", LesionSite::Occlusal},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 #include "assessment/exercise_keys.h"
 #include "assessment/messages.h"
@@ -134,10 +135,24 @@ private:
     void addBurs() {
         const auto* file = std::get_if<fs::path>(&exercise_.bur);
         add("bur = {}\n", tomlText(file != nullptr ? beside(*file) : std::get<std::string>(exercise_.bur)));
-        if (exercise_.otherBurs.empty()) return;
-        text_ += "other_burs = [";
-        for (const std::string& bur : exercise_.otherBurs)
-            add("{}{}", &bur == exercise_.otherBurs.data() ? "" : ", ", tomlText(bur));
+        if (!exercise_.otherBurs.empty()) {
+            text_ += "other_burs = [";
+            for (const std::string& bur : exercise_.otherBurs)
+                add("{}{}", &bur == exercise_.otherBurs.data() ? "" : ", ", tomlText(bur));
+            text_ += "]\n";
+        }
+        if (exercise_.onlyTheseBurs) text_ += "only_these_burs = true\n";
+        if (!exercise_.instruments.empty()) addInstruments();
+    }
+
+    void addInstruments() {
+        text_ += "instruments = [";
+        bool isFirst = true;
+        for (const TrayInstrument& each : exercise_.instruments) {
+            for (const auto& [key, instrument] : kInstrumentKeys) {
+                if (instrument == each) add("{}\"{}\"", std::exchange(isFirst, false) ? "" : ", ", key);
+            }
+        }
         text_ += "]\n";
     }
 

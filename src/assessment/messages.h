@@ -75,6 +75,14 @@ inline constexpr MessageText kGroupUnknown{
     "'group' must be hand-eye, caries, filling, class-1, class-2, class-3, class-5, crown, endodontic or own",
     "'group' は hand-eye、caries、filling、class-1、class-2、class-3、class-5、crown、endodontic、own "
     "のいずれかでなければなりません"};
+inline constexpr MessageText kInstrumentUnknown{
+    "instrument_unknown",
+    "'instruments' knows no %1; give some of these: turbine, contra-angle, low-speed, explorer, probe, excavator",
+    "'instruments' に %1 は指定できません。turbine、contra-angle、low-speed、explorer、probe、excavator "
+    "の中から指定してください"};
+inline constexpr MessageText kInstrumentsNeedHandpiece{
+    "instruments_need_handpiece", "'instruments' must name at least one handpiece: turbine, contra-angle or low-speed",
+    "'instruments' には、ハンドピース（turbine、contra-angle、low-speed）を少なくとも一つ指定してください"};
 inline constexpr MessageText kExerciseLevelUnknown{"exercise_level_unknown", "'level' must be easy, usual or hard",
                                                    "'level' は easy、usual、hard のいずれかでなければなりません"};
 inline constexpr MessageText kNoSuchRubric{

@@ -4,8 +4,11 @@
 
 #include <gmock/gmock.h>
 
+#include "assessment/allowed_instruments.h"
+#include "assessment/exercise_keys.h"
 #include "geometry/io/stl_writer.h"
 #include "geometry/mesh/mesh_report.h"
+#include "instruments/bur_catalogue.h"
 #include "session/io/material_file.h"
 #include "support/shapes.h"
 #include "support/test_data.h"
@@ -155,6 +158,42 @@ TEST(ExerciseFile, NamesPlacesOfDecayAndWhereNothingMayBeCut) {
     EXPECT_EQ(exercise->forbidden[0].corners[2], Vec3(3, 1, 2));
 }
 
+TEST(ExerciseFile, AllowsEachInstrumentUnlessItNamesSome) {
+    const auto exercise = parsed(exerciseWith());
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    for (const BurSpec& bur : burCatalogue()) EXPECT_TRUE(allowsBur(*exercise, bur.number));
+    EXPECT_TRUE(allowsBurFile(*exercise, "/somewhere/own.stl"));
+    for (const auto& [key, instrument] : kInstrumentKeys) EXPECT_TRUE(allows(*exercise, instrument)) << key;
+    EXPECT_EQ(instrumentNames(*exercise), "");
+}
+
+TEST(ExerciseFile, AllowsOnlyTheInstrumentsThatItNames) {
+    const auto exercise =
+        parsed(exerciseWith("bur = \"330\"",
+                            "bur = \"330\"\nother_burs = [\"4\"]\nonly_these_burs = true\n"
+                            "instruments = [\"excavator\", \"low-speed\", \"turbine\", \"turbine\"]"));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    for (const BurSpec& bur : burCatalogue())
+        EXPECT_EQ(allowsBur(*exercise, bur.number), bur.number == "330" || bur.number == "4") << bur.number;
+    EXPECT_FALSE(allowsBurFile(*exercise, "/somewhere/own.stl"));
+    EXPECT_EQ(instrumentNames(*exercise), "turbine, low-speed, excavator");
+    EXPECT_TRUE(allows(*exercise, HandpieceKind::LowSpeed));
+    EXPECT_TRUE(allows(*exercise, HandInstrument::Excavator));
+    EXPECT_FALSE(allows(*exercise, HandpieceKind::ContraAngle));
+    EXPECT_FALSE(allows(*exercise, HandInstrument::Explorer));
+    EXPECT_FALSE(allows(*exercise, HandInstrument::Probe));
+}
+
+TEST(ExerciseFile, AllowsItsOwnBurFromAFile) {
+    const auto exercise =
+        parsed(exerciseWith("bur = \"330\"", "bur = \"own.stl\"\nother_burs = [\"4\"]\nonly_these_burs = true"));
+    ASSERT_TRUE(exercise) << exercise.error().message();
+    EXPECT_TRUE(allowsBurFile(*exercise, "/somewhere/own.stl"));
+    EXPECT_FALSE(allowsBurFile(*exercise, "/somewhere/other.stl"));
+    EXPECT_TRUE(allowsBur(*exercise, "4"));
+    EXPECT_FALSE(allowsBur(*exercise, "330"));
+}
+
 TEST(ExerciseFile, ACavityIsOpenToASideOfTheTooth) {
     const auto openTo = [](const std::string& key) {
         const auto exercise = parsed(exerciseWith(kStroke, kCaries + key));
@@ -258,6 +297,13 @@ TEST(ExerciseFile, IsRefusedWithASentenceThatNamesTheLine) {
         {kStroke, kBox, "a box ends a cavity along a fissure"},
         {kStroke, "[cavity.removes]\ntissue = \"bone\"\n", "'tissue' must be caries, pulp or filling"},
         {kStroke, "[cavity.removes]\ntissue = \"pulp\"\n", "the key 'below' is missing"},
+        {"tooth = 36", "tooth = 36\nonly_these_burs = 1", "line 4: 'only_these_burs' must be true or false"},
+        {"tooth = 36", "tooth = 36\ninstruments = \"turbine\"", "line 4: 'instruments'"},
+        {"tooth = 36", "tooth = 36\ninstruments = [1]", "line 4: 'instruments'"},
+        {"tooth = 36", "tooth = 36\ninstruments = [\"turbine\", \"laser\"]", "line 4: 'instruments' knows no 'laser'"},
+        {"tooth = 36", "tooth = 36\ninstruments = []", "line 4: 'instruments' must name at least one handpiece"},
+        {"tooth = 36", "tooth = 36\ninstruments = [\"probe\"]",
+         "line 4: 'instruments' must name at least one handpiece"},
         {kStroke, kCaries + "open = \"front\"\n", "line 9: 'open' must be occlusal, buccal, lingual, mesial or distal"},
         {kStroke, kCaries + "open = 3\n", "'open' must be a text"},
         {kStroke, kCaries + "open = \"occlusal\"\n", "'open' must name another side than that from which the bur"},

@@ -36,6 +36,8 @@ Exercise drawn() {
     exercise.japanese = {};
     exercise.level = ExerciseLevel::Usual;
     exercise.tolerance = 0.1 + 0.2;
+    exercise.onlyTheseBurs = true;
+    exercise.instruments = {HandpieceKind::Turbine, HandpieceKind::LowSpeed, HandInstrument::Excavator};
     exercise.inMouth = false;
     std::get<ToothRequest>(exercise.tooth).seed = 5;
     std::get<ToothRequest>(exercise.tooth).lesion = Lesion{.site = LesionSite::Usual,

@@ -34,6 +34,17 @@ TEST_F(ExerciseCommand, ShowsWhatIsToBeCutAndWritesIt) {
     EXPECT_NEAR(*reportOn(*shape).volume(), 32, 1e-3);
 }
 
+TEST_F(ExerciseCommand, SaysWhatTheStudentMayTake) {
+    const std::string free = lowered(1);
+    EXPECT_THAT(runTactooth({"exercise", free}).out, ::testing::Not(HasSubstr("instruments")));
+    writeText(file("strict.toml"),
+              test::readText(free) + "only_these_burs = true\ninstruments = [\"probe\", \"turbine\"]\n");
+    const ProgramRun run = runTactooth({"exercise", file("strict.toml")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("these only"));
+    EXPECT_THAT(run.out, HasSubstr("instruments     turbine, probe\n"));
+}
+
 TEST_F(ExerciseCommand, ChecksTheExampleThatComesWithTheProgram) {
     const ProgramRun run = runTactooth({"exercise", TACTOOTH_EXAMPLES "/exercise.toml"});
     EXPECT_EQ(run.exitCode, 0) << run.err;

@@ -7,6 +7,7 @@
 #include "app/cli/terminal/messages.h"
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
+#include "assessment/allowed_instruments.h"
 #include "assessment/cavity_metrics.h"
 #include "assessment/exercise_file.h"
 #include "assessment/rubric/rubric_file.h"
@@ -64,6 +65,8 @@ Expected<void> describe(const ExerciseOptions& options) {
     print("  group           {}, {}\n", titleOf(exercise->group).english, titleOf(exercise->level).english);
     print("  tooth           {}\n  bur             {}\n", toothOf(*exercise), *bur);
     for (const std::string& other : exercise->otherBurs) print("  or              {}\n", findBur(other)->name);
+    if (exercise->onlyTheseBurs) print("  burs            these only\n");
+    if (!exercise->instruments.empty()) print("  instruments     {}\n", instrumentNames(*exercise));
     if (exercise->minutes) print("  time            {} min\n", *exercise->minutes);
     print("  rubric          {}\n", exercise->rubric.empty() ? kUsualRubric : exercise->rubric);
     print("  ideal cavity    {:.2f} mm3\n", metrics.of(whole, 0).planned);
