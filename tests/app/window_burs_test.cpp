@@ -36,6 +36,7 @@ private slots:
     void theSearchLeavesWhatIsLikeIt();
     void favouritesAreKept();
     void theBurOfTheExerciseIsMarked();
+    void anExerciseAllowsOnlyItsBurs();
     void enterTakesABur();
     void aClickTakesABur();
     void aBurOfAFileIsThereToo();
@@ -202,6 +203,56 @@ void WindowBursTest::theBurOfTheExerciseIsMarked() {
     QVERIFY(item(QString::fromStdString(wanted)).toolTip().contains("Used in this exercise"));
     QVERIFY(!item("58").toolTip().contains("exercise"));
     leave();
+    loadMolar();
+}
+
+/// By no way: the grid, the keys of the box, the menu of files, or the settings.
+void WindowBursTest::anExerciseAllowsOnlyItsBurs() {
+    Exercise strict = *builtinExercise("class-1-46");
+    strict.onlyTheseBurs = true;
+    strict.otherBurs = {"330"};
+    window_->exercise().start(std::make_shared<const Exercise>(strict));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().active() != nullptr, kLoadPatience);
+    waitForTooth();
+    QCOMPARE(box().currentData().toString(), QString("245"));
+    QVERIFY(!window_->findChild<QAction*>("openBur")->isEnabled());
+    open();
+    for (const BurSpec& spec : burCatalogue()) {
+        const QListWidgetItem& bur = item(QString::fromStdString(spec.number));
+        const bool isAllowed = spec.number == "245" || spec.number == "330";
+        QCOMPARE(bur.flags().testFlag(Qt::ItemIsEnabled), isAllowed);
+        QCOMPARE(bur.toolTip().contains("This exercise allows other burs only"), !isAllowed);
+    }
+    grid().scrollToItem(&item("57"), QAbstractItemView::PositionAtCenter);
+    QTest::mouseClick(grid().viewport(), Qt::LeftButton, {}, grid().visualItemRect(&item("57")).center());
+    QVERIFY(dialog() != nullptr && dialog()->isVisible());
+    QTest::keyClicks(&grid(), "57");
+    QTest::keyClick(&search(), Qt::Key_Return);
+    QVERIFY(dialog() != nullptr && dialog()->isVisible());
+    search().setText("556");  // alone
+    QVERIFY(grid().currentBur() == nullptr);
+    QCOMPARE(dialog()->findChild<QLabel*>("burFacts")->text(), QString("This exercise allows other burs only"));
+    leave();
+    WindowSettings settings = window_->settings();
+    settings.bur = "57";
+    window_->change(settings);
+    QCOMPARE(box().currentData().toString(), QString("245"));
+    box().setFocus();
+    QTest::keyClick(&box(), Qt::Key_Up);  // 330 stands before it, with others between
+    expectBur("330");
+    open();
+    grid().setCurrentItem(&item("245"));
+    QTest::keyClick(&grid(), Qt::Key_Return);
+    expectBur("245");
+
+    window_->exercise().start(nullptr);  // free practice allows all
+    QVERIFY(window_->findChild<QAction*>("openBur")->isEnabled());
+    open();
+    QVERIFY(item("57").flags().testFlag(Qt::ItemIsEnabled));
+    QVERIFY(!item("57").toolTip().contains("allows"));
+    grid().setCurrentItem(&item("57"));
+    QTest::keyClick(&grid(), Qt::Key_Return);
+    expectBur("57");
     loadMolar();
 }
 

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "app/gui/keys/key_binding.h"
 #include "app/gui/model/current_work.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/instrument_tray.h"
@@ -17,6 +18,7 @@
 #include "app/gui/settings/window_style.h"
 #include "app/gui/text/translation.h"
 #include "app/window_session.h"
+#include "assessment/exercise.h"
 
 namespace tactooth {
 
@@ -36,6 +38,7 @@ private slots:
     void takingAnInstrumentIsUndone();
     void theExplorerAndTheProbeTouchWithTheForceThatIsSet();
     void theWorkKeepsTheInstrument();
+    void anExerciseAllowsOnlyItsInstruments();
     void cleanupTestCase();
 
 private:
@@ -165,6 +168,54 @@ void WindowInstrumentsTest::theWorkKeepsTheInstrument() {
     QCOMPARE(again->instrument.hand, std::optional(HandInstrument::Probe));
     key(Qt::Key_F2);
     waitForTooth();
+}
+
+/// By no way: a key, a click, the list of drives, or what comes from elsewhere.
+void WindowInstrumentsTest::anExerciseAllowsOnlyItsInstruments() {
+    QCOMPARE(window_->model().haptics().spindle.name, spindlePresets()[0].name);
+    Exercise strict = *builtinExercise("pit-46");
+    strict.instruments = {HandpieceKind::LowSpeed, HandInstrument::Excavator};
+    window_->exercise().start(std::make_shared<const Exercise>(strict));
+    QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().active() != nullptr, kLoadPatience);
+    waitForTooth();
+    const auto drive = [this] { return window_->model().haptics().spindle.name; };
+    QCOMPARE(drive(), spindlePresets()[2].name);
+    QTRY_VERIFY_WITH_TIMEOUT(action(QString::fromStdString(spindlePresets()[2].name)).isChecked(), kPatience);
+    applyKeys(*window_, KeyMap());  // as after each change of a key
+    int allowed = 0;
+    for (QAction* one : tray().actions()) {
+        if (one->isSeparator()) continue;
+        const bool isAllowed =
+            one == &action("excavator") || one == &action(QString::fromStdString(spindlePresets()[2].name));
+        QCOMPARE(one->isEnabled(), isAllowed);
+        QCOMPARE(one->toolTip().contains("This exercise does not allow this instrument"), !isAllowed);
+        QVERIFY2(one->toolTip().contains(one->shortcut().toString()), qPrintable(one->toolTip()));
+        allowed += isAllowed ? 1 : 0;
+    }
+    QCOMPARE(allowed, 2);
+    key(Qt::Key_F2);
+    key(Qt::Key_F6);
+    window_->findChild<DrillBar*>()->choose({}, QString::fromStdString(spindlePresets()[1].name));
+    waitForTooth();
+    QVERIFY(!held());
+    QCOMPARE(drive(), spindlePresets()[2].name);
+    take("excavator", HandInstrument::Excavator);
+    key(Qt::Key_F4);
+    waitForTooth();
+    QVERIFY(!held());
+    window_->model().install(makeHandInstrument(HandInstrument::Probe));  // as an undone change brings it
+    QVERIFY(held().has_value());
+    QTRY_VERIFY_WITH_TIMEOUT(!held(), kPatience);
+    waitForTooth();
+
+    window_->exercise().start(nullptr);  // free practice allows all
+    for (QAction* one : tray().actions()) {
+        QVERIFY(one->isSeparator() || (one->isEnabled() && !one->toolTip().contains("allow")));
+    }
+    key(Qt::Key_F2);
+    waitForTooth();
+    QCOMPARE(drive(), spindlePresets()[0].name);
+    loadMolar();
 }
 
 void WindowInstrumentsTest::savePictures(const QString& folder) {

@@ -79,6 +79,7 @@ void ExerciseController::takeTooth() {
     panels_.force->wantDepthStop(plan != nullptr && plan->stopsDevice);
     showActive();
     showZones();
+    emit activeChanged();
 }
 
 /// Where nothing may be cut.
@@ -178,6 +179,7 @@ void ExerciseController::openTarget(const QString& file) {
     panels_.force->wantDepthStop(false);
     showActive();
     showZones();
+    emit activeChanged();
     targetFile_ = file;
     pendingTarget_.start(
         [file, outer = model_.tooth()->piece->tooth().ownOuter(), box = model_.tooth()->box()]() -> Expected<Target> {
@@ -194,6 +196,7 @@ void ExerciseController::clearTarget() {
     targetFile_.clear();
     setTarget({});
     showZones();
+    emit activeChanged();
 }
 
 void ExerciseController::setTarget(Target target) {

@@ -76,6 +76,8 @@ public:
     void showTarget();
 
 signals:
+    /// There is another exercise, or none any more.
+    void activeChanged();
     void fileOpened(const QString& file);
 
 private:

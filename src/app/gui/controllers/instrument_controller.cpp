@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/controllers/instrument_controller.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/instrument_tray.h"
+#include "assessment/allowed_instruments.h"
+#include "instruments/bur_catalogue.h"
 
 namespace tactooth {
 
@@ -34,11 +37,49 @@ void InstrumentController::takeHandInstrument(HandInstrument kind) {
     model_.install(makeHandInstrument(kind));
 }
 
+void InstrumentController::follow(std::shared_ptr<const Exercise> exercise) {
+    exercise_ = std::move(exercise);
+    if (exercise_ == nullptr) {
+        panels_.drill->setAllowed({}, {});
+        panels_.tray->setAllowed({});
+        return;
+    }
+    panels_.drill->setAllowed(
+        [exercise = exercise_](const QString& number, const QString& file) {
+            return file.isEmpty() ? allowsBur(*exercise, number.toStdString())
+                                  : allowsBurFile(*exercise, file.toStdString());
+        },
+        [exercise = exercise_](const SpindlePreset& drive) { return allows(*exercise, handpieceOf(drive)); });
+    panels_.tray->setAllowed(
+        [exercise = exercise_](const TrayInstrument& instrument) { return allows(*exercise, instrument); });
+    keepToExercise();
+}
+
+/// An instrument that is not allowed may come from a saved tooth, the history, or the work before the exercise.
+void InstrumentController::keepToExercise() {
+    if (exercise_ == nullptr || !model_.bur()) return;
+    const auto drive = std::ranges::find_if(
+        spindlePresets(), [this](const SpindlePreset& each) { return allows(*exercise_, handpieceOf(each)); });
+    if (!allows(*exercise_, handpieceOf(model_.haptics().spindle)))
+        panels_.drill->choose({}, QString::fromStdString(drive->name));
+    const SessionBur& now = *model_.bur();
+    if (now.isHandInstrument()) {
+        if (!allows(*exercise_, *now.instrument.hand)) takeHandpiece(model_.haptics().spindle);
+        return;
+    }
+    const auto known = std::ranges::find(burCatalogue(), now.name, &BurSpec::name);
+    const std::string number = now.file.empty() && known != burCatalogue().end() ? known->number : std::string();
+    const bool isAllowed = now.file.empty() ? allowsBur(*exercise_, number) : allowsBurFile(*exercise_, now.file);
+    const auto* own = std::get_if<std::string>(&exercise_->bur);
+    if (!isAllowed && own != nullptr) panels_.drill->choose(QString::fromStdString(findBur(*own)->number), {});
+}
+
 void InstrumentController::takeRunner() {
     const SessionBur& now = *model_.bur();
     if (!now.isHandInstrument()) bur_ = now;
     panels_.tray->show(now.instrument.hand, panels_.drill->spindleName());
     if (std::exchange(shown_, now.instrument.hand) != now.instrument.hand) emit changed();
+    keepToExercise();
 }
 
 void InstrumentController::poll() {

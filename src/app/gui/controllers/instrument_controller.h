@@ -3,9 +3,11 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 
 #include "app/gui/controllers/window_panels.h"
+#include "assessment/exercise.h"
 #include "session/model/session_model.h"
 
 namespace tactooth {
@@ -18,6 +20,8 @@ public:
     /// All of them outlive the controller.
     InstrumentController(SessionModel& model, const WindowPanels& panels);
 
+    /// Offers what this exercise allows; null: all. What is in the hand and not allowed is changed.
+    void follow(std::shared_ptr<const Exercise> exercise);
     /// Another runner has started: maybe with another instrument, or another drive.
     void takeRunner();
     /// Gives the tray the surfaces of the handpieces as soon as they are made. Call it in every step.
@@ -30,10 +34,12 @@ signals:
 private:
     void takeHandpiece(const SpindlePreset& drive);
     void takeHandInstrument(HandInstrument kind);
+    void keepToExercise();
 
     SessionModel& model_;
     WindowPanels panels_;
-    std::optional<SessionBur> bur_;  // the last one in a handpiece
+    std::shared_ptr<const Exercise> exercise_;  // null: there is none
+    std::optional<SessionBur> bur_;             // the last one in a handpiece
     std::optional<HandInstrument> shown_;
     bool hasHandpieces_ = false;  // the tray
 };

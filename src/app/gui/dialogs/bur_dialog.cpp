@@ -12,6 +12,9 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include "app/gui/text/messages.h"
+#include "app/gui/text/translation.h"
+
 namespace tactooth {
 
 BurDialog::BurDialog(BurGrid* grid, QWidget* parent) : QDialog(parent), grid_(grid) {
@@ -86,7 +89,8 @@ void BurDialog::showCurrent() {
     const BurItem* bur = grid_->currentBur();
     favourite_->setEnabled(bur != nullptr && bur->spec);
     favourite_->setChecked(bur != nullptr && grid_->isFavourite(*bur));
-    if (bur == nullptr) return facts_->setText(grid_->shownBurs() == 0 ? tr("No bur is like this") : QString());
+    if (bur == nullptr && grid_->shownBurs() == 0) return facts_->setText(tr("No bur is like this"));
+    if (bur == nullptr) return facts_->setText(grid_->allowedBurs() == 0 ? translated(msg::kBurNotAllowed) : QString());
     facts_->setText(grid_->currentItem()->toolTip().replace('\n', ", "));
 }
 

@@ -12,6 +12,8 @@
 
 #include "app/gui/dialogs/cell_painting.h"
 #include "app/gui/icons/line_icon.h"
+#include "app/gui/text/messages.h"
+#include "app/gui/text/translation.h"
 
 namespace tactooth {
 namespace {
@@ -56,6 +58,8 @@ private:
 
     void paintBur(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
         painter.setRenderHint(QPainter::Antialiasing);
+        constexpr double kPale = 0.3;
+        if ((option.state & QStyle::State_Enabled) == 0) painter.setOpacity(kPale);
         const bool isCurrent = (option.state & QStyle::State_Selected) != 0;
         const QColor highlight = option.palette.color(QPalette::Active, QPalette::Highlight);
         const QColor text = option.palette.color(QPalette::Active, QPalette::Text);
@@ -122,6 +126,7 @@ void BurGrid::add(const BurGroup& group) {
         item->setData(kPlaceRole, bur.place);
         item->setData(kExerciseRole, bur.spec && exercise_.contains(bur.spec->number));
         item->setSizeHint(cell);
+        if (!bur.isAllowed) item->setFlags(item->flags() & ~Qt::ItemIsEnabled);
         describe(*item);
     }
 }
@@ -132,6 +137,7 @@ void BurGrid::describe(QListWidgetItem& item) const {
     QStringList lines = QStringList(bur.title) + factsOf(bur);
     if (item.data(kExerciseRole).toBool()) lines << tr("Used in this exercise");
     if (isFavourite(bur)) lines << tr("Favourite");
+    if (!bur.isAllowed) lines << translated(msg::kBurNotAllowed);
     item.setToolTip(lines.join('\n'));
     item.setData(Qt::AccessibleTextRole, lines.join(", "));
 }
@@ -193,7 +199,8 @@ void BurGrid::filter(const QString& search, bool favouritesOnly) {
     }
     if (heading != nullptr) heading->setHidden(!hasAny);
     for (int i = 0; i < count() && currentBur() == nullptr; ++i) {
-        if (burOf(item(i)) != nullptr && !item(i)->isHidden()) setCurrentItem(item(i));
+        const BurItem* bur = burOf(item(i));
+        if (bur != nullptr && bur->isAllowed && !item(i)->isHidden()) setCurrentItem(item(i));
     }
     doItemsLayout();
     emit currentItemChanged(currentItem(), nullptr);  // it may have been hidden
@@ -211,8 +218,18 @@ int BurGrid::shownBurs() const {
     return shown;
 }
 
+int BurGrid::allowedBurs() const {
+    int allowed = 0;
+    for (int i = 0; i < count(); ++i) {
+        const BurItem* bur = burOf(item(i));
+        allowed += bur != nullptr && bur->isAllowed && !item(i)->isHidden() ? 1 : 0;
+    }
+    return allowed;
+}
+
 void BurGrid::takeCurrent() {
-    if (const BurItem* bur = currentBur()) emit taken(bur->place);
+    const BurItem* bur = currentBur();
+    if (bur != nullptr && bur->isAllowed) emit taken(bur->place);
 }
 
 void BurGrid::toggleFavourite() {

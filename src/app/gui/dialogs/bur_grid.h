@@ -26,13 +26,15 @@ public:
     /// Shows those that match a search (see matches), or only the favourites among them.
     void filter(const QString& search, bool favouritesOnly);
     void select(int place);
-    /// Takes the current bur; nothing if there is none.
+    /// Takes the current bur; nothing if there is none, or it is not allowed.
     void takeCurrent();
     /// Null if no bur is current.
     [[nodiscard]] const BurItem* currentBur() const;
     [[nodiscard]] bool isFavourite(const BurItem& bur) const;
     void toggleFavourite();
     [[nodiscard]] int shownBurs() const;
+    /// Those of them that the exercise allows.
+    [[nodiscard]] int allowedBurs() const;
     [[nodiscard]] bool isDrawing() const { return drawing_.isActive(); }
     /// The star of the cell of an item, in the frame of the viewport.
     [[nodiscard]] QRect starOf(const QListWidgetItem& item) const;

@@ -39,6 +39,11 @@ void bindKey(QAction& action, KeyId id, const QString& tip) {
     show(action, KeyMap::usual(id));
 }
 
+void setTip(QAction& action, const QString& tip) {
+    action.setProperty(kTip, tip);
+    action.setToolTip(tipOf(action, action.shortcuts()));
+}
+
 void bindKey(QShortcut& shortcut, KeyId id, QWidget& tipped, const QString& tip) {
     shortcut.setProperty(kRow, static_cast<int>(id));
     shortcut.setProperty(kTip, tip);

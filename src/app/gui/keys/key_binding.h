@@ -15,6 +15,9 @@ void bindKey(QAction& action, KeyId id, const QString& tip = {});
 /// The same for a shortcut of its own, with the widget whose tool tip names the key.
 void bindKey(QShortcut& shortcut, KeyId id, QWidget& tipped, const QString& tip);
 
+/// Another tool tip for an action that has a key, with %1 for it.
+void setTip(QAction& action, const QString& tip);
+
 /// Gives the keys of `map` to all actions and shortcuts below `window` that are bound to a row.
 void applyKeys(QWidget& window, const KeyMap& map);
 

@@ -9,6 +9,7 @@
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/drill_bar.h"
+#include "assessment/allowed_instruments.h"
 
 namespace tactooth {
 
@@ -22,22 +23,11 @@ BurEntry::BurEntry(QWidget& window, DrillBar& drill, const ExerciseController& e
     connect(&drill_, &DrillBar::gridWanted, this, &BurEntry::open);
 }
 
-/// Numbers in the catalogue; empty: there is no exercise, or it has only a bur of its own.
-std::set<std::string> BurEntry::bursOfExercise() const {
-    const auto& exercise = exercise_.active();
-    if (exercise == nullptr) return {};
-    std::vector<std::string> numbers = exercise->otherBurs;
-    if (const auto* number = std::get_if<std::string>(&exercise->bur)) numbers.push_back(*number);
-    std::set<std::string> burs;
-    for (const std::string& number : numbers) {
-        if (const auto bur = findBur(number)) burs.insert(bur->number);
-    }
-    return burs;
-}
-
 void BurEntry::open() {
     if (!drill_.isEnabled()) return;  // a recording is shown
-    auto* grid = new BurGrid(drill_.burs(), favourites_, bursOfExercise(), pictures_);
+    const auto& exercise = exercise_.active();
+    auto* grid = new BurGrid(drill_.burs(), favourites_,
+                             exercise != nullptr ? bursOf(*exercise) : std::set<std::string>(), pictures_);
     grid->select(drill_.currentBur());
     connect(grid, &BurGrid::favouritesChanged, this,
             [this](const std::set<std::string>& favourites) { favourites_ = favourites; });

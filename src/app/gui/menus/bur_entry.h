@@ -31,7 +31,6 @@ public:
 
 private:
     void open();
-    [[nodiscard]] std::set<std::string> bursOfExercise() const;
 
     QWidget& window_;
     DrillBar& drill_;

@@ -16,6 +16,7 @@
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/menus/menu_switch.h"
 #include "app/gui/model/recent_file.h"
+#include "app/gui/text/messages.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -55,7 +56,13 @@ void FileMenu::build(QMainWindow& window, QToolBar& bar, RecordingController& re
     connect(caseMenu_, &QMenu::aboutToShow, this, &FileMenu::fillCase);
     bindKey(*add(tr("&Import scan…"), "import", &teeth_, &ToothController::askForScan), KeyId::Import);
     add(tr("Import a &folder of scans…"), "import", &teeth_, &ToothController::askForScanFolder);
-    add(tr("Open &bur…"), "bur", &teeth_, &ToothController::askForBur);
+    QAction* bur = add(tr("Open &bur…"), "bur", &teeth_, &ToothController::askForBur);
+    bur->setObjectName("openBur");
+    connect(&exercise_, &ExerciseController::activeChanged, bur, [this, bur] {
+        const bool isAllowed = exercise_.active() == nullptr || !exercise_.active()->onlyTheseBurs;
+        bur->setEnabled(isAllowed);
+        bur->setToolTip(isAllowed ? QString() : translated(msg::kBurNotAllowed));
+    });
     add(tr("Open e&xercise…"), "exercise", &exercise_, &ExerciseController::askForExercise);
     add(tr("Open recor&ding…"), "recording", this, &FileMenu::recordingWanted);
     bindKey(*add(tr("&Save tooth…"), "save", &teeth_, [this] { teeth_.askForSave(); }), KeyId::Save);

@@ -18,6 +18,7 @@ struct BurItem {
     int place = 0;                ///< in the list of the drill bar
     QString title;                ///< in the language of the window
     std::optional<BurSpec> spec;  ///< of the catalogue; none: it is from a file
+    bool isAllowed = true;        ///< by the exercise
 };
 
 /// The burs of one shape, in the order of the catalogue.

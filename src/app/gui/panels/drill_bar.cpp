@@ -4,10 +4,12 @@
 
 #include <QActionGroup>
 #include <QLabel>
+#include <QStandardItemModel>
 
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/bur_box.h"
+#include "app/gui/text/messages.h"
 #include "app/gui/text/translation.h"
 
 namespace tactooth {
@@ -15,6 +17,17 @@ namespace {
 
 constexpr int kFileRole = Qt::UserRole + 1;  // besides the number in the catalogue
 constexpr int kNameRole = Qt::UserRole + 2;  // not translated
+
+/// Keys and the wheel skip what is not allowed.
+void allow(QComboBox& box, int place, bool isAllowed, const MessageText& why) {
+    QStandardItem& item = *qobject_cast<QStandardItemModel*>(box.model())->item(place);
+    item.setEnabled(isAllowed);
+    item.setToolTip(isAllowed ? QString() : translated(why));
+}
+
+bool isAllowed(const QComboBox& box, int place) {
+    return qobject_cast<const QStandardItemModel*>(box.model())->item(place)->isEnabled();
+}
 
 }  // namespace
 
@@ -89,7 +102,7 @@ std::vector<BurItem> DrillBar::burs() const {
     for (int i = 0; i < burs_->count(); ++i) {
         const bool isFile = !burs_->itemData(i, kFileRole).toString().isEmpty();
         const std::string number = isFile ? std::string() : burs_->itemData(i).toString().toStdString();
-        items.push_back({i, burs_->itemText(i), number.empty() ? std::nullopt : findBur(number)});
+        items.push_back({i, burs_->itemText(i), number.empty() ? std::nullopt : findBur(number), isAllowed(*burs_, i)});
     }
     return items;
 }
@@ -99,6 +112,7 @@ int DrillBar::currentBur() const { return burs_->currentIndex(); }
 QString DrillBar::burNumber() const { return burs_->currentData().toString(); }
 
 void DrillBar::takeBur(int place) {
+    if (!isAllowed(*burs_, place)) return;
     burs_->setCurrentIndex(place);
     emit burs_->activated(place);
 }
@@ -107,7 +121,8 @@ void DrillBar::choose(const QString& burNumber, const QString& spindleName) {
     const int bur = burNumber.isEmpty() ? -1 : burs_->findData(burNumber);
     if (bur >= 0) takeBur(bur);
     const int spindle = spindles_->findData(spindleName);
-    if (spindle >= 0) spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
+    if (spindle >= 0 && isAllowed(*spindles_, spindle))
+        spindles_->setCurrentIndex(spindle), emit spindles_->activated(spindle);
 }
 
 void DrillBar::show(const QString& name, const QString& file) {
@@ -117,8 +132,24 @@ void DrillBar::show(const QString& name, const QString& file) {
         burs_->addItem(name);
         burs_->setItemData(place, file, kFileRole);
         burs_->setItemData(place, name, kNameRole);
+        showAllowed(place);
     }
     burs_->setCurrentIndex(place);
+}
+
+void DrillBar::setAllowed(BurRule bur, const DriveRule& drive) {
+    allowsBur_ = std::move(bur);
+    for (int i = 0; i < burs_->count(); ++i) showAllowed(i);
+    for (int i = 0; i < spindles_->count(); ++i) {
+        const bool isOffered = !drive || drive(spindlePresets()[static_cast<std::size_t>(i)]);
+        allow(*spindles_, i, isOffered, msg::kInstrumentNotAllowed);
+    }
+}
+
+void DrillBar::showAllowed(int bur) {
+    const QString file = burs_->itemData(bur, kFileRole).toString();
+    const bool isOffered = !allowsBur_ || allowsBur_(burs_->itemData(bur).toString(), file);
+    allow(*burs_, bur, isOffered, msg::kBurNotAllowed);
 }
 
 }  // namespace tactooth

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QToolBar>
+#include <functional>
 #include <vector>
 
 #include "app/gui/model/bur_list.h"
@@ -33,13 +34,18 @@ public:
     /// All burs of its list; the place of each is its index.
     [[nodiscard]] std::vector<BurItem> burs() const;
     [[nodiscard]] int currentBur() const;
-    /// Chooses a bur by its place in the list, as the user does.
+    /// Chooses a bur by its place in the list, as the user does; nothing where it is not allowed.
     void takeBur(int place);
     /// Number in the catalogue; empty for a bur from a file.
     [[nodiscard]] QString burNumber() const;
     [[nodiscard]] QString spindleName() const { return spindles_->currentData().toString(); }
-    /// Chooses them as the user does; ignores what is not in the lists.
+    /// Chooses them as the user does; ignores what is not in the lists, or not allowed.
     void choose(const QString& burNumber, const QString& spindleName);
+    /// By its number in the catalogue; by its file where that is not empty.
+    using BurRule = std::function<bool(const QString& number, const QString& file)>;
+    using DriveRule = std::function<bool(const SpindlePreset& drive)>;
+    /// Offers only what these allow, and says at the rest why; without a rule all. What is chosen stays.
+    void setAllowed(BurRule bur, const DriveRule& drive);
     /// Shows the bur in the handpiece: one of the catalogue or, below them, the one of a file.
     void show(const QString& name, const QString& file);
 
@@ -53,6 +59,7 @@ signals:
 
 private:
     void addModes();
+    void showAllowed(int bur);
 
     BurBox* burs_;
     QComboBox* spindles_;
@@ -61,6 +68,7 @@ private:
     QAction* undo_;
     QAction* redo_;
     QAction* reset_;
+    BurRule allowsBur_;     // none: all
     bool showing_ = false;  // a choice that the user made elsewhere
 };
 

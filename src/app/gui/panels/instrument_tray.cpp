@@ -10,6 +10,7 @@
 #include "app/gui/icons/instrument_picture.h"
 #include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
+#include "app/gui/text/messages.h"
 #include "app/gui/text/translation.h"
 #include "geometry/util/assert.h"
 
@@ -31,8 +32,9 @@ InstrumentTray::InstrumentTray(QWidget* parent) : QToolBar(tr("Instruments"), pa
     for (std::size_t i = 0; i < drives.size(); ++i) {
         const SpindlePreset& drive = spindlePresets()[i];
         auto* action = new QAction(drives[i].second, this);
-        bindKey(*action, drives[i].first, translated(drive.name) + " (%1)");
-        add({action, &drive, nullptr}, "handpiece");
+        const QString tip = translated(drive.name) + " (%1)";
+        bindKey(*action, drives[i].first, tip);
+        add({action, &drive, nullptr, tip}, "handpiece");
     }
     addSeparator();
     const std::array held = {
@@ -44,7 +46,7 @@ InstrumentTray::InstrumentTray(QWidget* parent) : QToolBar(tr("Instruments"), pa
     for (std::size_t i = 0; i < held.size(); ++i) {
         auto* action = new QAction(names[i], this);
         bindKey(*action, keys[i], held[i].second);
-        add({action, nullptr, &specOf(held[i].first)}, "touch");
+        add({action, nullptr, &specOf(held[i].first), held[i].second}, "touch");
     }
     places_.front().action->setChecked(true);
     connect(group_, &QActionGroup::triggered, this, &InstrumentTray::choose);
@@ -76,6 +78,16 @@ void InstrumentTray::show(std::optional<HandInstrument> hand, const QString& dri
         const bool isIt = hand ? place.hand != nullptr && place.hand->kind == *hand
                                : place.drive != nullptr && QString::fromStdString(place.drive->name) == drive;
         if (isIt) place.action->setChecked(true);
+    }
+}
+
+void InstrumentTray::setAllowed(const Rule& rule) {
+    for (const Place& place : places_) {
+        const TrayInstrument instrument =
+            place.hand != nullptr ? TrayInstrument(place.hand->kind) : TrayInstrument(handpieceOf(*place.drive));
+        const bool isAllowed = !rule || rule(instrument);
+        place.action->setEnabled(isAllowed);  // its key, too
+        setTip(*place.action, isAllowed ? place.tip : place.tip + '\n' + translated(msg::kInstrumentNotAllowed));
     }
 }
 

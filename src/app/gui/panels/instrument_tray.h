@@ -5,9 +5,11 @@
 #include <QAction>
 #include <QTimer>
 #include <QToolBar>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "assessment/exercise.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/spindle.h"
 #include "session/model/instrument_set.h"
@@ -26,6 +28,9 @@ public:
 
     /// Shows what is in the hand; emits nothing. `drive`: name of the preset; it counts if there is no hand instrument.
     void show(std::optional<HandInstrument> hand, const QString& drive);
+    using Rule = std::function<bool(const TrayInstrument& instrument)>;
+    /// Offers only what the rule allows, and says at the rest why; without a rule all. What is in the hand stays.
+    void setAllowed(const Rule& rule);
     /// From now on the handpieces can be drawn.
     void setHandpieces(const HandpieceMeshes& handpieces);
     [[nodiscard]] bool isDrawing() const;
@@ -40,6 +45,7 @@ private:
         QAction* action;
         const SpindlePreset* drive;
         const HandInstrumentSpec* hand;
+        QString tip;  // with %1 for the key
         bool isDrawn = false;
     };
     void add(const Place& place, const char* icon);

@@ -7,6 +7,12 @@
 /// The catalogue of this layer: what it says to people, in both languages.
 namespace tactooth::msg {
 
+// What an exercise does not offer.
+inline constexpr MessageText kBurNotAllowed{"bur_not_allowed", "This exercise allows other burs only",
+                                            "この課題で使えるのは、ほかのバーだけです"};
+inline constexpr MessageText kInstrumentNotAllowed{
+    "instrument_not_allowed", "This exercise does not allow this instrument", "この課題では、この器具は使えません"};
+
 // Settings of the window.
 inline constexpr MessageText kSettingRefused{"setting_refused", "%1, line %2: '%3' must be %4.",
                                              "%1、%2 行目：'%3' の値が誤っています。必要な値：%4。"};

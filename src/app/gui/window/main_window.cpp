@@ -127,6 +127,8 @@ void MainWindow::connectLoop() {
     connect(&loop_, &StepLoop::runnerStarted, &output_.updater, &PanelUpdater::restart);
     connect(&loop_, &StepLoop::runnerStarted, &history_, &HistoryActions::takeRunner);
     connect(&loop_, &StepLoop::runnerStarted, &input_.instruments, &InstrumentController::takeRunner);
+    connect(&work_.exercise, &ExerciseController::activeChanged, this,
+            [this] { input_.instruments.follow(work_.exercise.active()); });
     connect(&input_.instruments, &InstrumentController::changed, &help_.hints, &WindowHints::showUsual);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
