@@ -1323,6 +1323,22 @@ It can be overcome, and is off in an examination.</source>
         <translation>代わりに使えるバー</translation>
     </message>
     <message>
+        <source>Only these burs</source>
+        <translation>これらのバーだけ</translation>
+    </message>
+    <message>
+        <source>The student may take no other bur</source>
+        <translation>学生は、ほかのバーを使えません</translation>
+    </message>
+    <message>
+        <source>Instruments</source>
+        <translation>器具</translation>
+    </message>
+    <message>
+        <source>What the student may take from the tray; one handpiece at least</source>
+        <translation>学生がトレーから取れる器具。ハンドピースは少なくとも一つ</translation>
+    </message>
+    <message>
         <source>The usual one</source>
         <translation>標準のもの</translation>
     </message>

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/gui/text/translation.h"
+#include "assessment/allowed_instruments.h"
 #include "assessment/exercise_keys.h"
 #include "assessment/rubric/rubric_file.h"
 
@@ -12,11 +13,18 @@ namespace tactooth {
 namespace {
 
 constexpr int kLongestText = 500;  // letters: a line of a file has 2000 bytes
-constexpr int kBurRows = 4;        // of the list of other burs without scrolling
+constexpr int kRows = 4;           // of a list without scrolling
 
 void setText(QLineEdit& line, const std::string& text) {
     const QString shown = QString::fromStdString(text);
     if (line.text() != shown) line.setText(shown);  // else the cursor would jump
+}
+
+QString titleOf(const TrayInstrument& instrument) {
+    if (const auto* hand = std::get_if<HandInstrument>(&instrument)) return translated(*specOf(*hand).title);
+    const auto drive = std::ranges::find(spindlePresets(), std::get<HandpieceKind>(instrument),
+                                         [](const SpindlePreset& each) { return handpieceOf(each); });
+    return translated(drive->name);
 }
 
 }  // namespace
@@ -26,6 +34,7 @@ TaskFields::TaskFields() : DraftFields(tr("Task")) {
     task_ = addText("editTask", tr("Task"), &Exercise::task);
     brief_ = addText("editBrief", tr("How to do it"), &Exercise::brief);
     addBurs();
+    addRules();
     addJudgement();
 }
 
@@ -56,7 +65,7 @@ void TaskFields::addBurs() {
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
         item->setCheckState(Qt::Unchecked);
     }
-    otherBurs_->setMaximumHeight(kBurRows * (otherBurs_->sizeHintForRow(0) + 2));
+    otherBurs_->setMaximumHeight(kRows * (otherBurs_->sizeHintForRow(0) + 2));
     form().addRow(tr("Other burs"), otherBurs_);
     connect(otherBurs_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         const std::string number = burCatalogue()[static_cast<std::size_t>(otherBurs_->row(item))].number;
@@ -65,6 +74,51 @@ void TaskFields::addBurs() {
             if (on) exercise.otherBurs.push_back(number);
         });
     });
+}
+
+/// What the student may take.
+void TaskFields::addRules() {
+    onlyTheseBurs_ = new QCheckBox(tr("Only these burs"));
+    onlyTheseBurs_->setObjectName("editOnlyTheseBurs");
+    onlyTheseBurs_->setToolTip(tr("The student may take no other bur"));
+    form().addRow(QString(), onlyTheseBurs_);
+    connect(onlyTheseBurs_, &QCheckBox::toggled, this,
+            [this](bool on) { ask({}, [on](Exercise& exercise) { exercise.onlyTheseBurs = on; }); });
+    instruments_ = new QListWidget;
+    instruments_->setObjectName("editInstruments");
+    instruments_->setAccessibleName(tr("Instruments"));
+    instruments_->setToolTip(tr("What the student may take from the tray; one handpiece at least"));
+    for (const auto& [key, instrument] : kInstrumentKeys) {
+        auto* item = new QListWidgetItem(titleOf(instrument), instruments_);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+        item->setCheckState(Qt::Checked);
+    }
+    instruments_->setMaximumHeight(kRows * (instruments_->sizeHintForRow(0) + 2));
+    form().addRow(tr("Instruments"), instruments_);
+    connect(instruments_, &QListWidget::itemChanged, this, [this] {
+        std::vector<TrayInstrument> chosen;
+        for (std::size_t i = 0; i < kInstrumentKeys.size(); ++i) {
+            const bool isOn = instruments_->item(static_cast<int>(i))->checkState() == Qt::Checked;
+            if (isOn) chosen.push_back(kInstrumentKeys.at(i).second);
+        }
+        if (chosen.size() == kInstrumentKeys.size()) chosen.clear();  // all
+        ask({}, [chosen](Exercise& exercise) { exercise.instruments = chosen; });
+    });
+}
+
+void TaskFields::showRules(const Exercise& exercise) {
+    onlyTheseBurs_->setChecked(exercise.onlyTheseBurs);
+    const auto isHandpiece = [](const TrayInstrument& each) { return std::holds_alternative<HandpieceKind>(each); };
+    const bool isLast = std::ranges::count_if(exercise.instruments, isHandpiece) == 1;
+    for (std::size_t i = 0; i < kInstrumentKeys.size(); ++i) {
+        const TrayInstrument& instrument = kInstrumentKeys.at(i).second;
+        QListWidgetItem& item = *instruments_->item(static_cast<int>(i));
+        const bool isOn = allows(exercise, instrument);
+        item.setCheckState(isOn ? Qt::Checked : Qt::Unchecked);
+        const bool mustStay = isOn && isLast && isHandpiece(instrument);  // without a handpiece nobody cuts
+        item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable |
+                      (mustStay ? Qt::ItemFlags() : Qt::ItemIsUserCheckable));
+    }
 }
 
 void TaskFields::addJudgement() {
@@ -113,6 +167,7 @@ void TaskFields::showDraft(const ExerciseDraft& draft) {
     setText(*task_, exercise.task);
     setText(*brief_, exercise.brief);
     showBurs(exercise);
+    showRules(exercise);
     group_->setCurrentIndex(static_cast<int>(exercise.group));
     level_->setCurrentIndex(static_cast<int>(exercise.level));
     minutes_->setValue(exercise.minutes.value_or(0));

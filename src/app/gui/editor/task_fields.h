@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QListWidget>
 
@@ -22,14 +23,18 @@ protected:
 private:
     QLineEdit* addText(const char* name, const QString& label, std::string Exercise::*text);
     void addBurs();
+    void addRules();
     void addJudgement();
     void showBurs(const Exercise& exercise);
+    void showRules(const Exercise& exercise);
 
     QLineEdit* name_;
     QLineEdit* task_;
     QLineEdit* brief_;
     QComboBox* bur_ = nullptr;
     QListWidget* otherBurs_ = nullptr;
+    QCheckBox* onlyTheseBurs_ = nullptr;
+    QListWidget* instruments_ = nullptr;
     QComboBox* group_ = nullptr;
     QComboBox* level_ = nullptr;
     QDoubleSpinBox* minutes_ = nullptr;

@@ -12,6 +12,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include "app/gui/editor/editor_panel.h"
 #include "app/gui/editor/editor_session.h"
 #include "app/gui/window/window_owner.h"
+#include "assessment/allowed_instruments.h"
 #include "assessment/exercise_file.h"
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
@@ -48,6 +50,7 @@ private slots:
     void theLineUnderTheButtonsSaysWhatIsWrong();
     void aForbiddenZoneIsDrawnOnAnotherSide();
     void fieldsChangeTheCavity();
+    void theTeacherSaysWhatTheStudentMayTake();
     void theTeacherTriesItAndComesBack();
     void whatIsNotSavedIsAskedAbout();
     void itIsSavedAndStandsAmongYourOwn();
@@ -191,6 +194,30 @@ void WindowEditorTest::fieldsChangeTheCavity() {
     click("editDistalBox");
     QVERIFY2(problem().contains("distal box"), qPrintable(problem()));
     click("editDistalBox");
+    QCOMPARE(problem(), "The exercise is complete.");
+}
+
+void WindowEditorTest::theTeacherSaysWhatTheStudentMayTake() {
+    QVERIFY(!draft().exercise().onlyTheseBurs);
+    click("editOnlyTheseBurs");
+    QVERIFY(draft().exercise().onlyTheseBurs);
+    auto& list = *window_->findChild<QListWidget*>("editInstruments");
+    const auto set = [&list](const QString& title, bool on) {
+        const QList<QListWidgetItem*> found = list.findItems(title, Qt::MatchStartsWith);
+        QCOMPARE(found.size(), 1);
+        found.front()->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    };
+    set("Periodontal", false);
+    QCOMPARE(instrumentNames(draft().exercise()), std::string("turbine, contra-angle, low-speed, explorer, excavator"));
+    set("Periodontal", true);
+    QVERIFY(draft().exercise().instruments.empty());  // all
+    click("editUndo");
+    QCOMPARE(list.findItems("Periodontal", Qt::MatchStartsWith).front()->checkState(), Qt::Unchecked);
+    for (const QString& drive : {list.item(1)->text(), list.item(2)->text()}) set(drive, false);
+    QCOMPARE(instrumentNames(draft().exercise()), std::string("turbine, explorer, excavator"));
+    QVERIFY(!list.item(0)->flags().testFlag(Qt::ItemIsUserCheckable));  // the last handpiece stays
+    set(list.item(1)->text(), true);
+    QVERIFY(list.item(0)->flags().testFlag(Qt::ItemIsUserCheckable));
     QCOMPARE(problem(), "The exercise is complete.");
 }
 
