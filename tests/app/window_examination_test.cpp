@@ -17,6 +17,7 @@
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
+#include "assessment/exercise.h"
 #include "session/recording/recording_seal.h"
 #include "session/recording/station_key.h"
 
@@ -36,6 +37,7 @@ private slots:
     void itHidesNumbersTargetAndHistory();
     void nothingIsMeasured();
     void anotherToothCanBeTakenUntilItIsTouched();
+    void anExerciseAllowsOnlyItsInstruments();
     void nothingIsTakenBack();
     void noOtherToothAndNoReplayOnceItIsTouched();
     void theSettingsKeepThePanelsOfBefore();
@@ -145,6 +147,32 @@ void WindowExaminationTest::anotherToothCanBeTakenUntilItIsTouched() {
     QVERIFY(!ghost->isChecked());
     QVERIFY(window_->model().isSealing());
     QTRY_VERIFY_WITH_TIMEOUT(view().aim().lines().empty(), kPatience);
+}
+
+void WindowExaminationTest::anExerciseAllowsOnlyItsInstruments() {
+    const auto load = [this](const std::shared_ptr<const Exercise>& exercise) {
+        window_->exercise().start(exercise);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().active() == exercise, kLoadPatience);
+        waitForTooth();
+        QTRY_VERIFY_WITH_TIMEOUT(window_->exercise().targetState().target.metrics != nullptr, kLoadPatience);
+    };
+    const auto pit = builtinExercise("pit-46");
+    auto strict = std::make_shared<Exercise>(*pit);
+    strict->onlyTheseBurs = true;
+    strict->instruments = {HandpieceKind::Turbine};
+    load(strict);
+    QVERIFY(window_->examination().isOn());
+    auto* drill = window_->findChild<DrillBar*>();
+    drill->choose("57", {});
+    key(Qt::Key_F6);
+    waitForTooth();
+    QCOMPARE(drill->burNumber(), QString("330"));
+    QVERIFY(!window_->model().bur()->isHandInstrument());
+    load(pit);
+    drill->choose("57", {});
+    QTRY_COMPARE_WITH_TIMEOUT(window_->model().bur()->name, findBur("57")->name, kPatience);
+    waitForTooth();
+    load(pit);
 }
 
 void WindowExaminationTest::nothingIsTakenBack() {
