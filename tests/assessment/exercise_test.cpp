@@ -161,7 +161,7 @@ TEST(FissureOutline, LeavesTheMarginalRidgesThatAreAskedFor) {
     EXPECT_NEAR(box.max().x() - last.x() - plan.fissure->burRadius, 2.1, 0.05);
 }
 
-TEST(ApproximalCaries, IsClearedUpToTheOutsideInTheToothOfAnyPatient) {
+TEST(ProximalCaries, IsClearedUpToTheOutsideInTheToothOfAnyPatient) {
     for (const std::uint32_t seed : {0U, 1U, 2U, 3U}) {
         const Exercise exercise = ofPatient("caries-45", seed);
         const auto tooth = *exerciseTooth(exercise);
@@ -184,7 +184,7 @@ TEST(ApproximalCaries, IsClearedUpToTheOutsideInTheToothOfAnyPatient) {
 }
 
 /// The wall between a cavity and the side to which it is not open stays.
-TEST(ApproximalCaries, KeepsAShellWhereTheCavityIsNotOpen) {
+TEST(ProximalCaries, KeepsAShellWhereTheCavityIsNotOpen) {
     Exercise exercise = ofPatient("caries-45", 0);
     auto& body = *std::get<PreparationPlan>(exercise.ideal).body;
     const Vec3 toSide = *body.openTo;
