@@ -7,7 +7,7 @@
 namespace tactooth {
 
 KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title)
-    : folder_(std::move(folder)), tooth_(std::move(tooth)), title_(std::move(title)) {}
+    : folder_(std::move(folder)), tooth_(std::move(tooth)), title_(std::move(title)), began_(folder_.now()) {}
 
 KeptRecording::~KeptRecording() {
     if (recorder_ == nullptr) return;

@@ -50,7 +50,7 @@ private:
     RecordingFolder folder_;
     std::shared_ptr<const CutModel> tooth_;
     std::string title_;
-    std::chrono::system_clock::time_point began_ = std::chrono::system_clock::now();
+    std::chrono::system_clock::time_point began_;
     std::filesystem::path file_;
     std::unique_ptr<SessionRecorder> recorder_;
     bool isTouched_ = false;

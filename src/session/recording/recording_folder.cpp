@@ -66,6 +66,19 @@ bool isOurName(const std::string& name) {
 
 bool isKept(const fs::path& file) { return file.extension() == kSessionFileEnding || file.extension() == ".tactooth"; }
 
+/// The last number of "live-4711-12.ttsession": it grows with each file that begins. 0 for another name.
+std::uint64_t orderOf(const fs::path& file) {
+    static const std::regex form(R"((live|autosave)-\d+-(\d{1,18})\.\w+)");
+    const std::string name = file.filename().string();
+    std::smatch parts;
+    return std::regex_match(name, parts, form) ? std::stoull(parts[2].str()) : 0;
+}
+
+bool isUnfinished(const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.starts_with("live-") || name.starts_with("autosave-");
+}
+
 /// The files of a folder that exists; none otherwise.
 std::vector<fs::path> filesIn(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -123,13 +136,18 @@ private:
 };
 
 Leftover::Leftover(Kind kind, fs::path file, std::shared_ptr<Lock> lock)
-    : kind_(kind), file_(std::move(file)), time_(writtenAt(file_)), lock_(std::move(lock)) {}
+    : kind_(kind), file_(std::move(file)), time_(writtenAt(file_)), order_(orderOf(file_)), lock_(std::move(lock)) {}
 
-Expected<fs::path> RecordingFolder::freeName(const std::string& kind, const std::string& ending) const {
+Expected<fs::path> RecordingFolder::freeName(const std::string& kind, const std::string& ending,
+                                             const fs::path& before) const {
     std::error_code failure;
     fs::create_directories(folder_, failure);
     if (failure) return unexpected(msg::kRecordingFolderUnusable, displayName(folder_), systemReason(failure));
-    for (int i = 0; i < kMostTries; ++i) {
+    std::uint64_t first = before.empty() ? 0 : orderOf(before) + 1;
+    for (const fs::path& file : filesIn(folder_)) {
+        if (isUnfinished(file)) first = std::max(first, orderOf(file) + 1);
+    }
+    for (std::uint64_t i = first; i < first + kMostTries; ++i) {
         fs::path name = folder_ / fmt::format("{}-{}-{}{}", kind, ::getpid(), i, ending);
         std::error_code ignored;
         if (!fs::exists(fs::symlink_status(name, ignored))) return name;
@@ -150,9 +168,24 @@ Expected<fs::path> RecordingFolder::keep(const fs::path& file, Clock::time_point
             failure = ::link(file.c_str(), kept.c_str()) == 0 ? 0 : errno;
             if (failure == 0) ::unlink(file.c_str());
         }
-        if (failure == 0) return kept;
+        if (failure == 0) {
+            makeNewest(kept);
+            return kept;
+        }
     }
     return unexpected(msg::kRecordingNotRenamed, displayName(file), systemReason(failure));
+}
+
+/// After the clock was set back, its time would make it the first to be removed.
+void RecordingFolder::makeNewest(const fs::path& file) const {
+    fs::file_time_type newest = fs::file_time_type::min();
+    std::error_code ignored;
+    for (const fs::path& other : filesIn(folder_)) {
+        if (other != file && isOurName(other.filename().string()))
+            newest = std::max(newest, fs::last_write_time(other, ignored));
+    }
+    if (fs::last_write_time(file, ignored) <= newest && !ignored)
+        fs::last_write_time(file, newest + std::chrono::milliseconds(1), ignored);
 }
 
 void RecordingFolder::discard(const fs::path& file) const {
@@ -202,7 +235,8 @@ std::vector<Leftover> RecordingFolder::leftovers() const {
         found.push_back(
             Leftover(isRecording ? Leftover::Kind::Recording : Leftover::Kind::Tooth, file, std::move(lock)));
     }
-    std::ranges::sort(found, std::greater(), &Leftover::time);
+    std::ranges::sort(found, std::greater(),
+                      [](const Leftover& leftover) { return std::pair(leftover.order_, leftover.time_); });
     return found;
 }
 

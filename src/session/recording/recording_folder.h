@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,28 +42,37 @@ private:
     Kind kind_;
     std::filesystem::path file_;
     std::chrono::system_clock::time_point time_;
+    std::uint64_t order_;  // of the beginnings
     std::shared_ptr<Lock> lock_;
 };
 
 /// The folder where sessions are kept. While a session runs, its recording has a live name with the number of its
-/// process; when it ends, a name that people can read. Any thread; several programs may use one folder.
+/// process and one that grows; when it ends, a name that people can read. Its orders do not trust the clock of the
+/// computer, which may be set back. Any thread; several programs may use one folder.
 class RecordingFolder {
 public:
     static constexpr std::uint64_t kUsualBytes = 2'000'000'000;
 
-    /// `mostBytes`: of all recordings together.
-    explicit RecordingFolder(std::filesystem::path folder, std::uint64_t mostBytes = kUsualBytes)
-        : folder_(std::move(folder)), mostBytes_(mostBytes) {}
+    using Now = std::function<std::chrono::system_clock::time_point()>;
+
+    /// `mostBytes`: of all recordings together. `now`: the clock, for tests.
+    explicit RecordingFolder(std::filesystem::path folder, std::uint64_t mostBytes = kUsualBytes,
+                             Now now = std::chrono::system_clock::now)
+        : folder_(std::move(folder)), mostBytes_(mostBytes), now_(std::move(now)) {}
 
     [[nodiscard]] const std::filesystem::path& path() const { return folder_; }
 
-    /// A free name for a recording that begins now; makes the folder. Fails with one sentence if the folder cannot be
-    /// made.
-    [[nodiscard]] Expected<std::filesystem::path> liveName() const { return freeName("live", ".ttsession"); }
+    [[nodiscard]] std::chrono::system_clock::time_point now() const { return now_(); }
+
+    /// A free name for a recording that begins now; makes the folder. It is never that of `before`, a recording that
+    /// may be gone. Fails with one sentence if the folder cannot be made.
+    [[nodiscard]] Expected<std::filesystem::path> liveName(const std::filesystem::path& before = {}) const {
+        return freeName("live", ".ttsession", before);
+    }
     /// The same for a tooth that is saved because a signal ends the program.
-    [[nodiscard]] Expected<std::filesystem::path> autosaveName() const { return freeName("autosave", ".tactooth"); }
+    [[nodiscard]] Expected<std::filesystem::path> autosaveName() const { return freeName("autosave", ".tactooth", {}); }
     /// Gives a recording or tooth its final name, of `began` and `title`, and never that of another file. Returns it.
-    /// Fails with one sentence; the file then keeps its name.
+    /// It is the newest file of the folder then. Fails with one sentence; the file then keeps its name.
     [[nodiscard]] Expected<std::filesystem::path> keep(const std::filesystem::path& file,
                                                        std::chrono::system_clock::time_point began,
                                                        const std::string& title) const;
@@ -77,15 +87,18 @@ public:
     /// What all recordings and teeth in the folder take.
     [[nodiscard]] std::uint64_t bytes() const;
 
-    /// What was left by sessions that nobody ended, newest first: no running program writes it, and no other window
-    /// offers it.
+    /// What was left by sessions that nobody ended; the one that began last comes first. No running program writes it,
+    /// and no other window offers it.
     [[nodiscard]] std::vector<Leftover> leftovers() const;
 
 private:
-    [[nodiscard]] Expected<std::filesystem::path> freeName(const std::string& kind, const std::string& ending) const;
+    void makeNewest(const std::filesystem::path& file) const;
+    [[nodiscard]] Expected<std::filesystem::path> freeName(const std::string& kind, const std::string& ending,
+                                                           const std::filesystem::path& before) const;
 
     std::filesystem::path folder_;
     std::uint64_t mostBytes_;
+    Now now_;
 };
 
 }  // namespace tactooth
