@@ -2768,6 +2768,10 @@ It can be overcome, and is off in an examination.</source>
         <source>● Examination, signed</source>
         <translation>● 試験（署名付き）</translation>
     </message>
+    <message>
+        <source>The session is recorded again, in another file</source>
+        <translation>別のファイルでセッションの記録を再開しました</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::RestoreController</name>

@@ -13,6 +13,7 @@ void SessionKeeper::setFolder(std::optional<RecordingFolder> folder, std::shared
     seal_ = std::move(seal);
     if (folder_) return;
     beginning_.cancel();
+    next_.reset();
     endRecording();
     closing_ = {};  // joins: it reads the tooth, which may be cut further
 }
@@ -28,13 +29,56 @@ void SessionKeeper::prepare(const std::shared_ptr<const CutModel>& tooth, const 
     if (tooth == tooth_) return;
     tooth_ = tooth;
     work_ = work;
+    title_ = title;
+    part_ = firstPart();
+    next_.reset();
+    isPart_ = wasFaultReported_ = isResumed_ = false;
     beginning_.cancel();
     endRecording();
     endedFile_ = std::make_shared<std::filesystem::path>();
-    if (!folder_) return;
-    beginning_.start([folder = *folder_, tooth, title, work = work_, seal = seal_] {
-        return KeptRecording::begin(folder, tooth, title, work, seal);
+    if (folder_) beginRecording(tooth);
+}
+
+void SessionKeeper::beginRecording(const std::shared_ptr<const CutModel>& tooth) {
+    const std::filesystem::path before = stopped_ != nullptr ? stopped_->file() : std::filesystem::path();
+    beginning_.start([folder = *folder_, tooth, title = title_, work = work_, seal = seal_, part = part_, before] {
+        return KeptRecording::begin(folder, tooth, title, work, seal, part, before);
     });
+}
+
+bool SessionKeeper::canBeginPart() {
+    if (!folder_ || tooth_ == nullptr || beginning_.isBusy()) return false;
+    constexpr std::uint64_t kAtLeast = std::uint64_t{16} << 20;  // bytes: a large tooth, and some minutes of cutting
+    return next_.isPossible(*folder_, kAtLeast);
+}
+
+void SessionKeeper::beginPart(const SessionWork& before, const CutHistory& history) {
+    SessionWork work = parseWork(work_).value_or(SessionWork());
+    work.seconds = before.seconds;
+    work.events = before.events;
+    work.isUnsaved = before.isUnsaved;
+    work_ = workText(work);
+    isPart_ = true;
+    if (recording_ != nullptr) {  // until the next part has begun, a crash leaves this one
+        ++part_.number;
+        stopped_ = std::exchange(recording_, nullptr);
+        hasStopped_ = false;
+    }
+    next_.begun(history);
+    beginRecording(tooth_);
+}
+
+void SessionKeeper::allow(Edit edit, const CutHistory& history) {
+    if (!isRecording() || next_.canReplay(edit, history)) return;
+    recording_->recorder().breakOff();
+    hasStopped_ = true;
+    next_.wantNow();
+}
+
+/// Gives the part that has stopped its final name. Its fault was said already.
+void SessionKeeper::finishStopped() {
+    if (stopped_ == nullptr) return;
+    closing_ = executor_([recording = std::exchange(stopped_, nullptr)] { (void)recording->finish().has_value(); });
 }
 
 /// Takes over a recording that has begun.
@@ -42,11 +86,14 @@ void SessionKeeper::collect() {
     std::optional<Expected<Recording>> begun = beginning_.poll();
     if (!begun) return;
     if (!*begun) {
-        fault_ = begun->error();
-        return;
+        if (!std::exchange(wasFaultReported_, true)) fault_ = begun->error();
+        return next_.wantWhenWritable();
     }
     recording_ = std::move(**begun);
     hasStopped_ = false;
+    if (isPart_) recording_->noteTouch();  // it holds cuts that no other file may hold
+    isResumed_ = std::exchange(wasFaultReported_, false);
+    finishStopped();
     if (!folder_ || recording_->tooth() != tooth_.get()) endRecording();
 }
 
@@ -70,6 +117,7 @@ void SessionKeeper::noteTouch() {
 }
 
 void SessionKeeper::endRecording() {
+    finishStopped();
     hasStopped_ = false;
     if (recording_ == nullptr) return;
     // The assignment waits for the one before, which has mostly ended long ago.
@@ -110,7 +158,12 @@ std::optional<Message> SessionKeeper::takeFault() {
     if (recording_ != nullptr && !hasStopped_) {
         if (std::optional<Message> fault = recording_->recorder().fault()) {
             hasStopped_ = true;
-            fault_ = std::move(fault);
+            if (!std::exchange(wasFaultReported_, true)) fault_ = std::move(fault);
+            if (recording_->recorder().hasFileFailed()) {
+                next_.wantWhenWritable();
+            } else {
+                next_.wantNow();
+            }
         }
     }
     if (fault_) return std::exchange(fault_, std::nullopt);

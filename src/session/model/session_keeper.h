@@ -8,7 +8,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "session/model/next_part.h"
 #include "session/model/task.h"
 #include "session/recording/kept_recording.h"
 
@@ -18,7 +20,8 @@ namespace tactooth {
 /// the disk) is done in the background. All functions are for one thread.
 class SessionKeeper {
 public:
-    explicit SessionKeeper(const TaskExecutor& executor = runInThread) : executor_(executor), beginning_(executor) {}
+    explicit SessionKeeper(const TaskExecutor& executor = runInThread)
+        : executor_(executor), beginning_(executor), next_(executor) {}
     /// As finish().
     ~SessionKeeper();
     SessionKeeper(const SessionKeeper&) = delete;
@@ -43,6 +46,19 @@ public:
     void forget() { tooth_.reset(); }
     /// Whether the threads may begin: the recording has, or there is none.
     [[nodiscard]] bool isReady();
+
+    /// Whether the recording has stopped, but its next part can begin.
+    [[nodiscard]] bool canBeginPart();
+    /// Whether it should not wait for a moment at which the hand rests.
+    [[nodiscard]] bool isPartOverdue() const { return next_.isOverdue(); }
+    /// Begins the next part with the tooth as it is. It was reopened (CutModel::reopen), and no thread works on it.
+    /// `before`: its time and events so far, and whether it has unsaved cuts. `history`: of the tooth.
+    void beginPart(const SessionWork& before, const CutHistory& history);
+    /// Before the user takes something back: where a replay of this recording could not, it ends here, and its next
+    /// part can begin when that is done.
+    void allow(Edit edit, const CutHistory& history);
+    /// Whether a part has begun after a fault, once.
+    [[nodiscard]] bool takeResumed() { return std::exchange(isResumed_, false); }
 
     /// A bur begins to work with the tooth; null: nothing is recorded. The threads that work end before the next call
     /// of `begin`, `end` or `prepare`.
@@ -72,18 +88,26 @@ private:
     };
 
     void endRecording();
+    void finishStopped();
     void collect();
+    void beginRecording(const std::shared_ptr<const CutModel>& tooth);
 
     TaskExecutor executor_;
     std::optional<RecordingFolder> folder_;
     std::shared_ptr<const SigningKey> seal_;
-    std::string work_;
+    std::string work_, title_;
     std::shared_ptr<const CutModel> tooth_;  // that was prepared
+    RecordingPart part_;                     // of the tooth, the newest
     Recording recording_;                    // null: none
+    Recording stopped_;                      // the part before, until the next one has begun
     bool hasStopped_ = false;                // it has a fault
     std::optional<Message> fault_;           // not taken yet
     std::shared_ptr<Faults> lateFaults_ = std::make_shared<Faults>();
     Task<Recording> beginning_;
+    NextPart next_;
+    bool isPart_ = false;            // the newest recording has begun in mid-session
+    bool wasFaultReported_ = false;  // since the last part
+    bool isResumed_ = false;         // not taken yet
     // The file of the tooth's recording that has ended; the thread that ends it shares it.
     std::shared_ptr<std::filesystem::path> endedFile_ = std::make_shared<std::filesystem::path>();
     std::function<Kept()> ending_;

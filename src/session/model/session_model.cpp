@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,8 @@
 
 namespace tactooth {
 namespace {
+
+constexpr double kHandRests = 0.3;  // s without contact: nobody feels that the force ends for a moment
 
 const Box3 kNoTooth(Vec3(-5, -5, -5), Vec3(5, 5, 5));  // mm; the hand starts above it while there is no tooth
 
@@ -198,7 +201,10 @@ ToothLoss SessionModel::followHistory() {
 }
 
 void SessionModel::advanceHistory() {
-    if (const std::optional<Edit> edit = history_.advance(); edit && runner_ != nullptr) runner_->request(*edit);
+    const std::optional<Edit> edit = history_.advance();
+    if (!edit || runner_ == nullptr) return;
+    keeper_->allow(*edit, *runner_->feed().history());
+    runner_->request(*edit);
 }
 
 std::optional<WorkspaceFit> SessionModel::fit() const {
@@ -227,8 +233,26 @@ bool SessionModel::prepareRecording() {
     return keeper_->isReady();
 }
 
+/// A recording that has stopped goes on in another file, which begins with the tooth as it is now. That needs another
+/// runner, as another bur does, so it waits until the hand rests.
+void SessionModel::continueRecording() {
+    if (runner_ == nullptr || needsRunner_ || !keeper_->canBeginPart()) return;
+    const bool isResting =
+        log_.newest().time > touchedAt_ + kHandRests && !manipulator_.isPressing() && !history_.isBusy();
+    if (!isResting && !keeper_->isPartOverdue()) return;
+    tooth_->wasUnsaved = isModified();
+    tooth_->work.seconds = log_.seconds();
+    tooth_->work.events = log_.events().all();
+    tooth_->work.isUnsaved = tooth_->wasUnsaved;
+    stop();
+    tooth_->piece->reopen();
+    keeper_->beginPart(tooth_->work, tooth_->piece->history());
+    needsRunner_ = true;
+}
+
 void SessionModel::startRunner() {
     needsRunner_ = false;
+    touchedAt_ = 0;
     manipulator_.release();
     devices_.moveMouse(manipulator_.pose());
     stop();  // its threads end before the new ones begin: they share the cut model and the device
@@ -252,7 +276,9 @@ void SessionModel::reportOverload(StepResult& stepResult) {
 
 void SessionModel::noteTouches() {
     const auto touches = [](const Tick& tick) { return tick.contact.triangles > 0; };
-    if (!std::ranges::any_of(log_.ticks(), touches)) return;
+    const auto last = std::ranges::find_if(std::views::reverse(log_.ticks()), touches);
+    if (last == std::views::reverse(log_.ticks()).end()) return;
+    touchedAt_ = last->time;
     isTouched_ = true;
     keeper_->noteTouch();
 }
@@ -275,9 +301,11 @@ SessionModel::StepResult SessionModel::step(double dt) {
     StepResult stepResult;
     instruments_.poll();
     stepResult.recordingFault = keeper_->takeFault();
+    continueRecording();
     if (needsRunner_ && !paused_ && tooth_ && bur_ && prepareRecording()) {
         startRunner();
         stepResult.newRunner = true;
+        stepResult.recordingResumed = keeper_->takeResumed();
         stepResult.newTooth = std::exchange(isToothNew_, false);
         if (stepResult.newTooth) {
             log_.clearEvents(haptics_.materials.registry(), tooth_->work);

@@ -114,6 +114,7 @@ public:
         std::optional<double> heavyTick;  ///< tickP99 in us, once for each runner that turns out to be overloaded
         std::optional<const Message*> faultMessage;  ///< of a device, if it has changed; null: no fault any more
         std::optional<Message> recordingFault;       ///< why recording has stopped or could not begin, once
+        bool recordingResumed = false;               ///< after such a fault it goes on in another file
     };
     /// Call it at least as often as the picture changes. `dt`: since the last step, s.
     [[nodiscard]] StepResult step(double dt);
@@ -153,6 +154,7 @@ public:
 
 private:
     [[nodiscard]] bool prepareRecording();
+    void continueRecording();
     void noteTouches();
     [[nodiscard]] ToothLoss followHistory();
     void advanceHistory();
@@ -185,6 +187,7 @@ private:
     WorkHistory history_;
     std::optional<WorkHistory> adoptedHistory_;
     bool isTouched_ = false;  // the tooth, by an instrument
+    double touchedAt_ = 0;    // Tick::time of the newest contact, or when the runner began, s
     std::unique_ptr<SessionKeeper> keeper_;
     std::function<SessionKeeper::Kept()> recordingEnding_;
     std::unique_ptr<LiveRunner> runner_;  // last: it uses the members above

@@ -43,6 +43,8 @@ public:
 
     /// The same without the changes that are no cuts: for another window that goes on with the tooth.
     [[nodiscard]] WorkHistory cutsAlone() const;
+    /// Whether something is being undone or redone.
+    [[nodiscard]] bool isBusy() const { return isWaiting_ || goal_.has_value(); }
     /// Another runner: it does not answer a request to the one before.
     void restart() { isWaiting_ = false; }
 

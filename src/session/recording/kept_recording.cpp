@@ -2,12 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/recording/kept_recording.h"
 
+#include <string>
 #include <utility>
 
 namespace tactooth {
 
-KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title)
-    : folder_(std::move(folder)), tooth_(std::move(tooth)), title_(std::move(title)), began_(folder_.now()) {}
+namespace {
+
+/// For the name of the file.
+std::string titleOfPart(std::string title, const RecordingPart& part) {
+    if (part.number > 1) title += (title.empty() ? "part " : " part ") + std::to_string(part.number);
+    return title;
+}
+
+}  // namespace
+
+KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title,
+                             const RecordingPart& part)
+    : folder_(std::move(folder)),
+      tooth_(std::move(tooth)),
+      title_(titleOfPart(std::move(title), part)),
+      began_(folder_.now()) {}
 
 KeptRecording::~KeptRecording() {
     if (recorder_ == nullptr) return;
@@ -18,14 +33,16 @@ KeptRecording::~KeptRecording() {
 Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFolder& folder,
                                                               std::shared_ptr<const CutModel> tooth,
                                                               const std::string& title, const std::string& work,
-                                                              std::shared_ptr<const SigningKey> seal) {
+                                                              std::shared_ptr<const SigningKey> seal,
+                                                              const RecordingPart& part,
+                                                              const std::filesystem::path& before) {
     folder.tidy();
-    Expected<std::filesystem::path> file = folder.liveName();
+    Expected<std::filesystem::path> file = folder.liveName(before);
     if (!file) return Unexpected{file.error()};
     const bool isSealed = seal != nullptr;
-    auto recorder = SessionRecorder::create(*file, *tooth, title, std::move(seal));
+    auto recorder = SessionRecorder::create(*file, *tooth, title, std::move(seal), part);
     if (!recorder) return Unexpected{recorder.error()};
-    std::shared_ptr<KeptRecording> made(new KeptRecording(folder, std::move(tooth), title));
+    std::shared_ptr<KeptRecording> made(new KeptRecording(folder, std::move(tooth), title, part));
     made->file_ = std::move(*file);
     made->isSealed_ = isSealed;
     made->recorder_ = std::move(*recorder);
@@ -34,7 +51,7 @@ Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFol
 }
 
 Expected<void> KeptRecording::finish() {
-    const Expected<void> closed = recorder_->close(tooth_->hash());
+    const Expected<void> closed = recorder_->close(recorder_->isWhole() ? tooth_->hash() : 0);
     recorder_.reset();
     if (!isTouched_) {
         folder_.discard(file_);

@@ -16,13 +16,13 @@ namespace tactooth {
 class KeptRecording {
 public:
     /// Makes room in the folder and begins with the tooth as it is now; nothing was cut since it was opened. It writes
-    /// the tooth, which takes a moment. `work`: see workText. `seal`: signs it; null: nobody does. Fails with one
-    /// sentence if the folder cannot be used.
-    [[nodiscard]] static Expected<std::shared_ptr<KeptRecording>> begin(const RecordingFolder& folder,
-                                                                        std::shared_ptr<const CutModel> tooth,
-                                                                        const std::string& title,
-                                                                        const std::string& work,
-                                                                        std::shared_ptr<const SigningKey> seal = {});
+    /// the tooth, which takes a moment. `work`: see workText. `seal`: signs it; null: nobody does. `before`: the
+    /// recording of the part before, whose name is not taken again even if the file is gone. Fails with one sentence if
+    /// the folder cannot be used.
+    [[nodiscard]] static Expected<std::shared_ptr<KeptRecording>> begin(
+        const RecordingFolder& folder, std::shared_ptr<const CutModel> tooth, const std::string& title,
+        const std::string& work, std::shared_ptr<const SigningKey> seal = {}, const RecordingPart& part = firstPart(),
+        const std::filesystem::path& before = {});
 
     /// Without `finish` the file stays as after a crash, unless nothing was touched.
     ~KeptRecording();
@@ -40,12 +40,13 @@ public:
     void noteTouch() { isTouched_ = true; }
 
     /// Ends it and gives the file its final name; removes it if nothing was touched. No thread works on the tooth any
-    /// more. Waits for the disk. Fails with one sentence if the recording has stopped before; what was recorded is
-    /// kept. Call it once, last.
+    /// more, unless the recording has stopped before. Waits for the disk. Fails with one sentence if the recording has
+    /// stopped before; what was recorded is kept. Call it once, last.
     [[nodiscard]] Expected<void> finish();
 
 private:
-    KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title);
+    KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title,
+                  const RecordingPart& part);
 
     RecordingFolder folder_;
     std::shared_ptr<const CutModel> tooth_;

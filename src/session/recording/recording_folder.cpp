@@ -16,6 +16,8 @@
 #include <regex>
 
 #include "geometry/files/file_bytes.h"
+#include "geometry/files/temporary_file.h"
+#include "geometry/files/unfinished_files.h"
 #include "geometry/util/system_reason.h"
 #include "journal/file/journal_file.h"
 #include "session/recording/messages.h"
@@ -153,6 +155,23 @@ Expected<fs::path> RecordingFolder::freeName(const std::string& kind, const std:
         if (!fs::exists(fs::symlink_status(name, ignored))) return name;
     }
     return unexpected(msg::kRecordingFolderUnusable, displayName(folder_), systemReason(EEXIST));
+}
+
+bool RecordingFolder::hasRoomFor(std::uint64_t bytes) const {
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    const fs::space_info space = fs::space(folder_, failure);
+    if (failure || space.available < bytes) return false;
+    TemporaryFile trial;  // a full quota or a folder that is read-only shows only when something is written
+    if (openTemporary(folder_, trial) != 0) return false;
+    const std::vector<std::byte> some(std::size_t{64} << 10);
+    const bool isWritten = writeAll(trial.descriptor, some) == 0 && ::fdatasync(trial.descriptor) == 0;
+    if (!trial.name.empty()) {
+        ::unlink(trial.name.c_str());
+        unregisterUnfinished(trial.name);
+    }
+    ::close(trial.descriptor);
+    return isWritten;
 }
 
 Expected<fs::path> RecordingFolder::keep(const fs::path& file, Clock::time_point began,

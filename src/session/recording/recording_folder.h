@@ -71,6 +71,8 @@ public:
     }
     /// The same for a tooth that is saved because a signal ends the program.
     [[nodiscard]] Expected<std::filesystem::path> autosaveName() const { return freeName("autosave", ".tactooth", {}); }
+    /// Whether so many bytes can be written here now, by a trial; makes the folder. Waits for the disk.
+    [[nodiscard]] bool hasRoomFor(std::uint64_t bytes) const;
     /// Gives a recording or tooth its final name, of `began` and `title`, and never that of another file. Returns it.
     /// It is the newest file of the folder then. Fails with one sentence; the file then keeps its name.
     [[nodiscard]] Expected<std::filesystem::path> keep(const std::filesystem::path& file,

@@ -39,17 +39,19 @@ SessionRecorder::SessionRecorder(std::unique_ptr<JournalWriter> writer)
 
 Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::create(const std::filesystem::path& path,
                                                                    const CutModel& model, const std::string& title,
-                                                                   std::shared_ptr<const SigningKey> seal) {
+                                                                   std::shared_ptr<const SigningKey> seal,
+                                                                   const RecordingPart& part) {
     Expected<std::unique_ptr<JournalFile>> file = createJournalFile(path);
     if (!file) return Unexpected{file.error()};
-    return start(std::move(*file), displayName(path), model, title, std::move(seal));
+    return start(std::move(*file), displayName(path), model, title, std::move(seal), part);
 }
 
 Expected<std::unique_ptr<SessionRecorder>> SessionRecorder::start(std::unique_ptr<JournalFile> file,
                                                                   const std::string& name, const CutModel& model,
                                                                   const std::string& title,
-                                                                  std::shared_ptr<const SigningKey> seal) {
-    const std::string header = recordingHeader(model, title, seal != nullptr ? &seal->publicKey() : nullptr);
+                                                                  std::shared_ptr<const SigningKey> seal,
+                                                                  const RecordingPart& part) {
+    const std::string header = recordingHeader(model, title, seal != nullptr ? &seal->publicKey() : nullptr, part);
     JournalWriter::Options options;
     options.seal = std::move(seal);
     Expected<std::unique_ptr<JournalWriter>> writer = JournalWriter::start(std::move(file), name, header, options);
@@ -92,7 +94,7 @@ void SessionRecorder::open(const BeginEvent& event) {
     end();
     {
         const std::lock_guard lock(mutex_);
-        isBeyondGap_ = overflowed_;
+        isBeyondGap_ = isBeyondGap_ || overflowed_;
     }
     if (isBeyondGap_) return;
     const MeshAttachment bur = attachmentOf(event.instrument.shape->mesh());
@@ -130,7 +132,7 @@ void SessionRecorder::end() {
 void SessionRecorder::drain() {
     lanes_->drain(merger_);
     merger_.take(events_);
-    if (isBeyondGap_) events_.clear();
+    if (isBeyondGap_) return events_.clear();
     overflowed_ = overflowed_ || lanes_->hasOverflowed();
 }
 
@@ -145,10 +147,25 @@ void SessionRecorder::writeEvents(bool waits) {
         const auto ticks = static_cast<std::uint32_t>(
             std::ranges::count_if(block, [](const SessionEvent& event) { return secondsOf(event).has_value(); }));
         JournalBlock events{BlockType::Events, firstTick_, ticks, encodeEvents(block)};
-        (void)(waits ? writer_->appendWhenRoom(std::move(events)) : writer_->append(std::move(events)));
+        if (!(waits ? writer_->appendWhenRoom(std::move(events)) : writer_->append(std::move(events)))) {
+            overflowed_ = isBeyondGap_ = true;  // without it nothing that follows can be replayed
+            break;
+        }
         firstTick_ += ticks;
     }
     events_.clear();
+}
+
+void SessionRecorder::breakOff() {
+    const std::lock_guard lock(mutex_);
+    if (lanes_ != nullptr) drain();
+    writeEvents(/*waits=*/false);
+    isBrokenOff_ = isBeyondGap_ = true;
+}
+
+bool SessionRecorder::isWhole() const {
+    const std::lock_guard lock(mutex_);
+    return !overflowed_ && !isBrokenOff_ && !writer_->fault();
 }
 
 void SessionRecorder::run(const std::stop_token& stop) {
@@ -177,7 +194,8 @@ Expected<void> SessionRecorder::flush() {
 
 Expected<void> SessionRecorder::close(std::uint64_t toothHash) {
     end();
-    note(endText(overflowed_ ? RecordedEnd{.hasGap = true} : RecordedEnd{.toothHash = toothHash}));
+    const bool hasGap = overflowed_ || isBrokenOff_;
+    note(endText(hasGap ? RecordedEnd{.hasGap = true} : RecordedEnd{.toothHash = toothHash}));
     const Expected<void> closed = writer_->close(firstTick_);
     if (!closed) return closed;
     if (overflowed_) return unexpected(msg::kRecordingOverflowed);
@@ -186,8 +204,9 @@ Expected<void> SessionRecorder::close(std::uint64_t toothHash) {
 
 std::optional<Message> SessionRecorder::fault() const {
     const std::lock_guard lock(mutex_);
+    if (std::optional<Message> stopped = writer_->fault()) return stopped;
     if (overflowed_) return Message(msg::kRecordingOverflowed);
-    return writer_->fault();
+    return std::nullopt;
 }
 
 }  // namespace tactooth

@@ -17,6 +17,7 @@
 #include "session/kernel/event_lanes.h"
 #include "session/kernel/event_merger.h"
 #include "session/kernel/session_event.h"
+#include "session/recording/session_text.h"
 
 namespace tactooth {
 
@@ -25,7 +26,7 @@ inline constexpr std::string_view kSessionFileEnding = ".ttsession";
 
 /// Records a session into a file (docs/session-file.md): first the tooth, then all events, in blocks of half a second.
 /// A thread of its own does the work; the threads of the simulation only leave their events in queues. All functions
-/// are for one thread, but for `fault` and `bytes`.
+/// are for one thread, where nothing else is said.
 class SessionRecorder {
 public:
     /// `model`: the tooth as it is now. For an exact replay nothing was cut since it was opened. `title`: of the tooth,
@@ -34,13 +35,12 @@ public:
     [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> create(const std::filesystem::path& path,
                                                                            const CutModel& model,
                                                                            const std::string& title,
-                                                                           std::shared_ptr<const SigningKey> seal = {});
+                                                                           std::shared_ptr<const SigningKey> seal = {},
+                                                                           const RecordingPart& part = {});
     /// The same in a file that the caller has opened (createJournalFile); `name` stands for it in messages.
-    [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> start(std::unique_ptr<JournalFile> file,
-                                                                          const std::string& name,
-                                                                          const CutModel& model,
-                                                                          const std::string& title,
-                                                                          std::shared_ptr<const SigningKey> seal = {});
+    [[nodiscard]] static Expected<std::unique_ptr<SessionRecorder>> start(
+        std::unique_ptr<JournalFile> file, const std::string& name, const CutModel& model, const std::string& title,
+        std::shared_ptr<const SigningKey> seal = {}, const RecordingPart& part = {});
     /// As after a crash, if `close` was not called: what has come is written, without a clean end.
     ~SessionRecorder();
     SessionRecorder(const SessionRecorder&) = delete;
@@ -54,14 +54,21 @@ public:
     void append(const SessionEvent& event);
     /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
     void end();
+    /// Another part follows (RecordingPart): the recording ends here, though threads may still report to it. It can
+    /// neither go on nor be replayed beyond this moment.
+    void breakOff();
     /// Waits until all that has happened up to the last `end` is on the disk. Fails with the sentence of `fault`.
     [[nodiscard]] Expected<void> flush();
-    /// Ends the recording and waits until it is on the disk. `toothHash`: of the tooth now (CutModel::hash). Fails with
-    /// the sentence of `fault`.
+    /// Ends the recording and waits until it is on the disk. `toothHash`: of the tooth now (CutModel::hash); it does
+    /// not count unless `isWhole`. Fails with the sentence of `fault`.
     [[nodiscard]] Expected<void> close(std::uint64_t toothHash);
+    /// Whether the recording leads to the tooth as it is: it did not stop before. Any thread.
+    [[nodiscard]] bool isWhole() const;
 
     /// One sentence why the recording has stopped; nothing as long as it goes on. Any thread.
     [[nodiscard]] std::optional<Message> fault() const;
+    /// Whether the file takes no more: the disk or the folder has failed. Any thread.
+    [[nodiscard]] bool hasFileFailed() const { return writer_->fault().has_value(); }
     /// Size of the file. Any thread.
     [[nodiscard]] std::uint64_t bytes() const { return writer_->bytes(); }
 
@@ -85,8 +92,9 @@ private:
     std::uint64_t firstTick_ = 0;       // of these; the ticks of all burs are counted together
     double unwritten_ = 0;              // s of a session that is not live
     std::chrono::steady_clock::time_point flushed_;
-    bool overflowed_ = false;
-    bool isBeyondGap_ = false;  // a queue was full before this bur began to work: its events lead nowhere
+    bool overflowed_ = false;  // events are missing
+    bool isBrokenOff_ = false;
+    bool isBeyondGap_ = false;  // what comes now leads nowhere
     std::jthread thread_;       // last: it uses the members above
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "geometry/util/byte_stream.h"
 #include "session/io/run_metadata.h"
@@ -20,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxSurroundings = 1000;
+constexpr std::uint64_t kMaxParts = 1'000'000;
 constexpr const char* kSealed = "sealed";
 Json jsonOf(const MaterialDefinition& material) {
     Json json = {{"name", material.name},        {"title_en", material.titleEn},
@@ -101,6 +103,14 @@ const MaterialRegistry* registryOf(const Json& json) {
     return &MaterialRegistry::make(std::move(all));
 }
 
+RecordingPart partOfJson(const Json& json) {
+    const auto part = json.is_object() ? json.find("part") : json.end();
+    if (part == json.end()) return {};
+    const auto number = numberOf(*part, "number", kMaxParts);
+    if (!number || *number == 0) return {};
+    return {textOf(*part, "session"), static_cast<std::uint32_t>(*number)};
+}
+
 }  // namespace
 
 std::string workAttachment(std::size_t index) { return fmt::format("work-{}", index); }
@@ -144,7 +154,13 @@ std::optional<LayeredTooth> touchedOf(std::span<const std::byte> content, const 
     return LayeredTooth::touchOnly(std::move(surface), closed == 1, materials);
 }
 
-std::string recordingHeader(const CutModel& model, const std::string& title, const PublicKey* seal) {
+RecordingPart firstPart() {
+    std::random_device random;
+    return {fmt::format("{:08x}{:08x}", random(), random())};
+}
+
+std::string recordingHeader(const CutModel& model, const std::string& title, const PublicKey* seal,
+                            const RecordingPart& part) {
     const RunMetadata run = currentRunMetadata();
     Json materials = Json::array();
     for (const MaterialDefinition& material : model.tooth().materials().definitions()) {
@@ -166,6 +182,7 @@ std::string recordingHeader(const CutModel& model, const std::string& title, con
     if (seal != nullptr) {
         json[kSealed] = {{"public_key", keyText(*seal)}, {"signature", "Ed25519"}, {"digest", "BLAKE2b-256"}};
     }
+    if (!part.session.empty()) json["part"] = {{"session", part.session}, {"number", part.number}};
     return json.dump();
 }
 
@@ -177,6 +194,10 @@ std::optional<std::string> unsealedHeader(const std::string& text) {
     json.erase(kSealed);
     json["copy_of_sealed_by"] = key;
     return json.dump();
+}
+
+RecordingPart partOf(const std::string& headerJson) {
+    return partOfJson(Json::parse(headerJson, nullptr, /*allow_exceptions=*/false));
 }
 
 Expected<RecordingFacts> parseHeader(const std::string& text, const std::string& file) {
@@ -192,6 +213,7 @@ Expected<RecordingFacts> parseHeader(const std::string& text, const std::string&
     facts.touchesOnly = touchesOnly != json.end() && touchesOnly->is_boolean() && touchesOnly->get<bool>();
     facts.isSealed = json.contains(kSealed);
     if (facts.isSealed) facts.sealKey = parseKey(textOf(json[kSealed], "public_key"));
+    facts.part = partOfJson(json);
     const auto surroundings = numberOf(json, "surroundings", kMaxSurroundings);
     if (!surroundings) return unexpected(msg::kRecordingSetupKey, file, "surroundings");
     facts.surroundings = *surroundings;

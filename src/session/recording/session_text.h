@@ -37,6 +37,14 @@ inline constexpr std::string_view kTouchedAttachment = "touched-surface";
 /// Bit for bit the body that it was made of; null for bytes of another form.
 [[nodiscard]] std::shared_ptr<const SurfacePart> surroundingOf(std::span<const std::byte> content);
 
+/// Which part of a session a recording holds. A session whose recording stops goes on in another one, the next part.
+struct RecordingPart {
+    std::string session = {};  ///< the same in all parts, and in no other session; empty: the recording is alone
+    std::uint32_t number = 1;  ///< from 1
+};
+/// The first part of a new session.
+[[nodiscard]] RecordingPart firstPart();
+
 /// Facts of the header.
 struct RecordingFacts {
     std::string title;  ///< of the tooth
@@ -46,20 +54,23 @@ struct RecordingFacts {
     const MaterialRegistry* materials = nullptr;  ///< of the tooth
     bool isSealed = false;                        ///< the header says that the recording is signed
     std::optional<PublicKey> sealKey;             ///< by the owner of this key; none if that is damaged
+    RecordingPart part;
 };
 /// The header's JSON text. `seal`: of the key that signs the recording; null: it is not sealed.
 [[nodiscard]] std::string recordingHeader(const CutModel& model, const std::string& title,
-                                          const PublicKey* seal = nullptr);
+                                          const PublicKey* seal = nullptr, const RecordingPart& part = {});
 /// The header of a changed copy of a sealed recording: nobody has signed that, and it names the key in another place.
 /// Nothing if the recording is not sealed.
 [[nodiscard]] std::optional<std::string> unsealedHeader(const std::string& json);
+/// The part that a header names; of a recording that is alone if it names none, or is damaged.
+[[nodiscard]] RecordingPart partOf(const std::string& headerJson);
 /// Fails with one sentence; `file` stands for the recording in it.
 [[nodiscard]] Expected<RecordingFacts> parseHeader(const std::string& json, const std::string& file);
 
 /// The last note of a recording.
 struct RecordedEnd {
     std::optional<std::uint64_t> toothHash = {};  ///< of the cut tooth; nothing if the events do not lead to it
-    bool hasGap = false;                          ///< a queue was full: events are missing from there on
+    bool hasGap = false;                          ///< it ends in mid-session: what came later is missing
 };
 [[nodiscard]] std::string endText(const RecordedEnd& end);
 /// Nothing for another text.

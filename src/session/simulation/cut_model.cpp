@@ -217,6 +217,21 @@ void CutModel::adopt(const std::map<BrickKey, CutField>& fields, const MaterialV
     refreshSurface();
 }
 
+void CutModel::reopen() {
+    refreshSurface();
+    volume_.mark();  // the step under way ends: what comes is no part of it
+    followSteps();
+    incremental_ = IncrementalSurface(volume_, surface()->revision + 1);  // as it sums the volumes, its order matters
+    for (const BrickKey& key : volume_.cutBricks()) changed_.push_back(ChangedBrick::all(key));
+    loss_ = {.removed = loss_.removed, .detached = loss_.detached, .nearPulp = loss_.nearPulp};
+    refreshSurface();
+    reached_.reset();
+    deferred_.reset();
+    lastWork_.reset();
+    mayBeDetached_ = false;
+    touchedAt_ = workSpent_ = workSeen_ = 0;
+}
+
 void CutModel::replace(const std::map<BrickKey, CutField>& fields, const ToothLoss& loss) {
     steps_ = {};
     reached_.reset();

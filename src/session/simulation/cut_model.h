@@ -87,6 +87,12 @@ public:
     /// Takes over a saved cut of the same tooth (CutVolume::adopt).
     void adopt(const std::map<BrickKey, CutField>& fields, const MaterialVolumes& removed);
 
+    /// Leaves only what the file of the tooth holds, so that an exact recording can begin now: from here on this tooth
+    /// and one that is opened from its file (toothFileBytes) answer equal calls with equal bits. The tooth stays as it
+    /// is, and what could be undone or redone still can; only a tooth from the file cannot undo that. The number of
+    /// fallen pieces begins anew.
+    void reopen();
+
     /// Goes to another moment of the same tooth: replaces the fields of some bricks (CutVolume::replace). `loss`: at
     /// that moment. Nothing can be undone or redone then. It is for looking: a cut does not go on from here as it did
     /// then.

@@ -79,13 +79,13 @@ Box3 wallBox(const Lattice& lattice, const BrickKey& key) {
 
 }  // namespace
 
-IncrementalSurface::IncrementalSurface(const CutVolume& volume)
+IncrementalSurface::IncrementalSurface(const CutVolume& volume, std::uint64_t revision)
     : base_(volume.tooth()->outer()),
       closed_(volume.tooth()->isClosed()),
       lattice_(volume.lattice()),
       marginSegments_(base_->mesh().triangles.size()),
       maskedBvh_(base_->tree()) {
-    snapshot_ = std::make_shared<const Surface>(uncut(0));
+    snapshot_ = std::make_shared<const Surface>(uncut(revision));
 }
 
 Surface IncrementalSurface::uncut(std::uint64_t revision) const { return {base_, nullptr, {}, revision, closed_}; }

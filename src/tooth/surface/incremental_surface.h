@@ -22,7 +22,8 @@ namespace tactooth {
 /// snapshots.
 class IncrementalSurface {
 public:
-    explicit IncrementalSurface(const CutVolume& volume);
+    /// Of the uncut tooth; `revision`: of the first snapshot.
+    explicit IncrementalSurface(const CutVolume& volume, std::uint64_t revision = 0);
 
     /// Brings the surface up to date after a carve. `changed` is the result of the carve in `volume`. `volume` is the
     /// one of the constructor.

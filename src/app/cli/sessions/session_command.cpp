@@ -9,6 +9,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/display_text.h"
 #include "journal/file/journal_repair.h"
+#include "session/recording/session_parts.h"
 #include "session/recording/session_recording.h"
 
 namespace tactooth {
@@ -33,7 +34,8 @@ struct EventCounts {
     }
 };
 
-Json infoOf(const SessionRecording& recording, const EventCounts& counts, const RecordedEnd& end) {
+Json infoOf(const SessionRecording& recording, const EventCounts& counts, const RecordedEnd& end,
+            const NeighbourParts& others) {
     const JournalReader& journal = recording.journal();
     Json json = {{"case", recording.facts().title},
                  {"date", recording.facts().date},
@@ -43,6 +45,9 @@ Json infoOf(const SessionRecording& recording, const EventCounts& counts, const 
                  {"complete", journal.isComplete() && !end.hasGap},
                  {"gap", end.hasGap},
                  {"cut_off_at", nullptr},
+                 {"part", nullptr},
+                 {"part_before", nullptr},
+                 {"part_behind", nullptr},
                  {"sealed", recording.facts().isSealed},
                  {"public_key", nullptr},
                  {"build", recording.facts().commit},
@@ -55,8 +60,23 @@ Json infoOf(const SessionRecording& recording, const EventCounts& counts, const 
                    {"redos", counts.redos},
                    {"resets", counts.resets}}}};
     if (journal.cutOffAt()) json["cut_off_at"] = *journal.cutOffAt();
+    if (!recording.facts().part.session.empty()) json["part"] = recording.facts().part.number;
+    if (others.before) json["part_before"] = displayName(*others.before);
+    if (others.behind) json["part_behind"] = displayName(*others.behind);
     if (recording.facts().sealKey) json["public_key"] = keyText(*recording.facts().sealKey);
     return json;
+}
+
+/// Only of a session that is in several files.
+void printParts(const Json& json) {
+    if (json["part"].is_null()) return;
+    const auto part = json["part"].get<unsigned>();
+    const auto nameOf = [&](const char* key) {
+        return json[key].is_string() ? displayText(json[key].get<std::string>()) : std::string("not in this folder");
+    };
+    if (part > 1) print("part:      {} of its session; the part before is {}\n", part, nameOf("part_before"));
+    if (json["part_behind"].is_string() || json["gap"].get<bool>())
+        print("goes on:   the next part is {}\n", nameOf("part_behind"));
 }
 
 void printInfo(const Json& json) {
@@ -80,13 +100,14 @@ void printInfo(const Json& json) {
     if (json["complete"].get<bool>()) {
         print("complete:  yes\n");
     } else if (json["gap"].get<bool>()) {
-        print("complete:  no: the computer was too slow for a while, and the recording ends there\n");
+        print("complete:  no: it ends in mid-session\n");
     } else if (json["cut_off_at"].is_null()) {
         print("complete:  no: it ends after a whole block, without an end mark\n");
     } else {
         print("complete:  no: cut off at byte {}; 'tactooth session repair' keeps what is before\n",
               json["cut_off_at"].get<std::uint64_t>());
     }
+    printParts(json);
 }
 
 }  // namespace
@@ -99,7 +120,7 @@ int runSessionInfo(const SessionInfoOptions& options) {
     if (!read) return reportError(read.error());
     const auto end = recording->end();
     if (!end) return reportError(end.error());
-    const Json json = infoOf(*recording, counts, *end);
+    const Json json = infoOf(*recording, counts, *end, neighbourParts(options.session, recording->facts().part));
     if (options.json) {
         print("{}\n", json.dump(2));
     } else {

@@ -145,6 +145,11 @@ void RecordingController::showFault(const Message& fault) {
     update();
 }
 
+void RecordingController::showResumed() {
+    messages_.setHint(tr("The session is recorded again, in another file"));
+    update();
+}
+
 void RecordingController::saveBeforeEnd() {
     if (std::exchange(isEnded_, true)) return;
     const bool isModified = model_.isModified();

@@ -44,6 +44,8 @@ public:
     void update();
     /// Recording has stopped or could not begin: one sentence.
     void showFault(const Message& fault);
+    /// After a fault it goes on in another file.
+    void showResumed();
 
     /// The program ends without a question: saves a tooth with unsaved cuts into the folder, where the next start finds
     /// it, and ends the recording. It waits for the disk. The runner stops.

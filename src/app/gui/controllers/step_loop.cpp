@@ -46,6 +46,7 @@ void StepLoop::report(const SessionModel::StepResult& result) {
     if (result.faultMessage) emit faultChanged(*result.faultMessage);
     if (result.heavyTick) emit overloaded(*result.heavyTick);
     if (result.recordingFault) emit recordingFailed(*result.recordingFault);
+    if (result.recordingResumed) emit recordingResumed();
     if (result.newRunner) emit runnerStarted();
     if (result.newTooth) emit toothChanged();
 }

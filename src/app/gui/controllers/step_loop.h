@@ -33,6 +33,7 @@ signals:
     void faultChanged(const Message* fault);  ///< of a device; null: none any more
     void overloaded(double microseconds);     ///< SessionModel::StepResult::heavyTick
     void recordingFailed(const Message& why);
+    void recordingResumed();
     void runnerStarted();
     void toothChanged();
     void stepped();

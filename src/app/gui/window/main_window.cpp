@@ -122,6 +122,7 @@ void MainWindow::connectLoop() {
         work_.teeth.poll();
     });
     connect(&loop_, &StepLoop::recordingFailed, &work_.recordings, &RecordingController::showFault);
+    connect(&loop_, &StepLoop::recordingResumed, &work_.recordings, &RecordingController::showResumed);
     connect(&loop_, &StepLoop::faultChanged, &help_.hints, &WindowHints::showFault);
     connect(&loop_, &StepLoop::overloaded, &help_.hints, &WindowHints::showOverload);
     connect(&loop_, &StepLoop::runnerStarted, &output_.updater, &PanelUpdater::restart);
