@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "cli/motion_files.h"
+#include "journal/file/journal_reader.h"
+#include "journal/file/journal_repair.h"
 #include "support/text_file.h"
 
 namespace tactooth {
@@ -18,6 +20,7 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 class Record : public test::MotionFiles {
 protected:
@@ -229,6 +232,27 @@ TEST_F(SessionTools, ListWhatHappened) {
     }
     const ProgramRun lines = succeed({"session", "events", session});
     EXPECT_EQ(split(lines.out).size(), names.size());
+}
+
+/// Copies of one recording whose headers say that they are parts of a session.
+TEST_F(SessionTools, NameTheOtherPartsOfASession) {
+    const std::string session = recorded();
+    EXPECT_TRUE(jsonOf({"session", "info", session, "--json"})["part"].is_null());
+    EXPECT_THAT(succeed({"session", "info", session}).out, ::testing::Not(HasSubstr("part")));
+    auto header = nlohmann::json::parse(JournalReader::open(session).value().headerJson());
+    for (const int number : {1, 2, 4}) {
+        header["part"] = {{"session", "0123456789abcdef"}, {"number", number}};
+        ASSERT_TRUE(repairJournal(session, file("part" + std::to_string(number) + ".ttsession"), header.dump()));
+    }
+    const std::string first = file("part1.ttsession"), second = file("part2.ttsession");
+    EXPECT_EQ(jsonOf({"session", "info", first, "--json"})["part_behind"], second);
+    EXPECT_TRUE(jsonOf({"session", "info", first, "--json"})["part_before"].is_null());
+    EXPECT_THAT(succeed({"session", "info", first}).out, HasSubstr("goes on:   the next part is " + second + "\n"));
+    const std::string text = succeed({"session", "info", second}).out;
+    EXPECT_THAT(text, HasSubstr("part:      2 of its session; the part before is " + first + "\n"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("goes on")));
+    EXPECT_THAT(succeed({"session", "info", file("part4.ttsession")}).out,
+                HasSubstr("part:      4 of its session; the part before is not in this folder\n"));
 }
 
 TEST_F(SessionTools, ExportTheTableOfTheRun) {
