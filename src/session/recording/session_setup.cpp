@@ -194,10 +194,13 @@ private:
     std::optional<Error> fault_;
 };
 
-/// Whether every corner names a vertex, and every vertex is finite.
+/// Whether every corner names a vertex, and every vertex is where readers of surfaces accept one.
 bool isWhole(const TriangleMesh& mesh) {
     const auto isVertex = [&](std::uint32_t corner) { return corner < mesh.vertices.size(); };
-    return std::ranges::all_of(mesh.vertices, [](const Vec3f& vertex) { return vertex.allFinite(); }) &&
+    const auto isNear = [](const Vec3f& vertex) {
+        return vertex.allFinite() && static_cast<double>(vertex.cwiseAbs().maxCoeff()) <= kMaxCoordinate;
+    };
+    return std::ranges::all_of(mesh.vertices, isNear) &&
            std::ranges::all_of(mesh.triangles,
                                [&](const Triangle& triangle) { return std::ranges::all_of(triangle, isVertex); });
 }

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "bench_scene.h"
 
 namespace tactooth {
@@ -115,6 +117,14 @@ TEST(SessionSetup, RefusesASurfaceThatIsDamaged) {
     std::vector<std::byte> farAway = good;
     farAway.back() = std::byte{0x7F};  // the last corner names a vertex that is not there
     EXPECT_FALSE(meshOf(farAway));
+}
+
+TEST(SessionSetup, RefusesASurfaceBeyondTheLimitOfFiles) {
+    for (const float place : {1e6F, 1.1e6F, 1e30F, std::numeric_limits<float>::infinity()}) {
+        TriangleMesh mesh = test::flatBurMesh();
+        mesh.vertices.front().y() = -place;
+        EXPECT_EQ(meshOf(attachmentOf(mesh).content).has_value(), place <= 1e6F) << place;
+    }
 }
 
 }  // namespace
