@@ -77,14 +77,12 @@ GingivaCandidate gingivaMesh(const GingivaBody& body, bool upper, double cell) {
     return {largestPiece(surface.mesh), !repaired};
 }
 
-ShownGingiva shownGingiva(const GingivaBody& body, bool upper, const MouthRequest& request) {
-    ShownGingiva shown;
+ZonedMesh shownGingiva(const GingivaBody& body, bool upper, const MouthRequest& request) {
+    ZonedMesh shown;
     shown.mesh = largestPiece(gingivaSurface(body, body.shown, upper, gingivaCell(request.triangles)).mesh);
     shown.zones.resize(shown.mesh.vertices.size());
     parallelFor(shown.zones.size(), [&](std::size_t i) {
-        const double zone = body.zone(shown.mesh.vertices[i].cast<double>());
-        shown.zones[i] =
-            static_cast<std::uint8_t>(std::lround(ShownGingiva::kKeratinised * std::clamp(zone, 0.0, 2.0)));
+        shown.zones[i] = ZonedMesh::zoneOf(body.zone(shown.mesh.vertices[i].cast<double>()));
     });
     return shown;
 }
@@ -108,6 +106,11 @@ int chartPlace(int fdi) {
 const MouthTooth* BuiltinMouth::find(int fdi) const {
     const auto found = std::ranges::find(teeth, fdi, [](const MouthTooth& one) { return one.tooth.fdi; });
     return found != teeth.end() ? &*found : nullptr;
+}
+
+std::vector<SoftTissue> softTissuesOf(const BuiltinMouth& mouth, int worked) {
+    if (mouth.jaw == JawPose::Closed) return {};
+    return makeSoftTissues(mouth.sideInMouth, mouth.lowerJaw, worked);
 }
 
 Pose lowerJawPose(JawPose jaw) {
@@ -181,6 +184,8 @@ Expected<BuiltinMouth> makeMouth(const MouthRequest& request, const ToothGenerat
     mouth.upperShown = std::move(set->upperShown);
     mouth.lowerShown = std::move(set->lowerShown);
     mouth.lowerJaw = lowerJawPose(request.jaw);
+    mouth.jaw = request.jaw;
+    mouth.sideInMouth.assign(set->toothInMouth.begin(), set->toothInMouth.end());
     const auto put = [&](BuiltinTooth tooth, const Pose& pose) {
         const bool isMissing = std::ranges::find(request.missing, tooth.fdi) != request.missing.end();
         if (!isMissing) mouth.teeth.push_back({std::move(tooth), pose});

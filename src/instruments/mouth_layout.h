@@ -17,7 +17,7 @@ struct MouthLayout {
     /// Poses of the teeth 11 to 18 and 31 to 38; those of the other side are their mirror images.
     std::array<Pose, kPlaces> toothInMouth;
     TriangleMesh upperGingiva, lowerGingiva;
-    ShownGingiva upperShown, lowerShown;
+    ZonedMesh upperShown, lowerShown;
 };
 
 /// FDI number of an index of the layout.

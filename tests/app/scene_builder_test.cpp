@@ -216,6 +216,76 @@ TEST(SceneBuilder, WhatStandsAroundIsDrawnButTheOtherJawOnlyWhereItHidesNothing)
     EXPECT_EQ(scene.objects[1].objectInWorld.position, Vec3(0, 0, 20));
 }
 
+/// A wall across y that faces +y.
+TriangleMesh wallAt(double y) {
+    TriangleMesh wall;
+    for (const auto& [x, z] : {std::pair(-40, -40), {40, -40}, {40, 40}, {-40, 40}})
+        wall.vertices.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    wall.triangles = {{0, 2, 1}, {0, 3, 2}};
+    return wall;
+}
+
+/// The eye at `place`, which looks at the origin.
+Camera eyeAt(const Vec3& place) {
+    Camera camera;
+    camera.cameraInWorld = {place, shortestRotation(Vec3::UnitZ(), place.normalized())};
+    return camera;
+}
+
+TEST(SceneBuilder, ASoftTissueIsDrawnWhereItHidesNothing) {
+    SceneContents contents = contentsWithEverything();
+    const std::size_t before = makeScene(contents).objects.size();
+    contents.softTissues = {{std::make_shared<const Surface>(Surface{std::make_shared<const SurfacePart>(wallAt(30))}),
+                             {appearances::mucosa()},
+                             nullptr}};
+    const auto drawnFrom = [&](const Vec3& eye) {
+        contents.camera = eyeAt(eye);
+        return makeScene(contents).objects.size() - before;
+    };
+    EXPECT_EQ(drawnFrom(Vec3(0, -90, 5)), 1U) << "behind the tooth";
+    EXPECT_EQ(drawnFrom(Vec3(0, 90, 5)), 0U) << "before the tooth";
+    EXPECT_EQ(drawnFrom(Vec3(0, 20, 30)), 1U) << "the eye is before it";
+    contents.softTissues[0].surface =
+        std::make_shared<const Surface>(Surface{std::make_shared<const SurfacePart>(wallAt(-30))});
+    EXPECT_EQ(drawnFrom(Vec3(0, -90, 5)), 1U) << "the eye sees through it from behind";
+    contents.mirror->mirrorInTooth.position = Vec3(0, -40, 0);
+    EXPECT_EQ(drawnFrom(Vec3(0, 90, 5)), 0U) << "it would hide the mirror";
+    contents.mirror->mirrorInTooth.position = Vec3(0, -20, 0);
+    contents.camera = eyeAt(Vec3(0, 90, 5));
+    const SceneObject& drawn = makeScene(contents).objects.back();
+    EXPECT_TRUE(drawn.backdrop);
+    EXPECT_EQ(std::get<std::shared_ptr<const TriangleMesh>>(drawn.shape)->triangles.size(), 2U);
+}
+
+TEST(SceneBuilder, TheOtherSideOfTheJawIsLeftOutWhereItHidesTheTooth) {
+    const auto mesh = [](double y) {
+        return std::make_shared<const TriangleMesh>(test::sphere(Vec3(0, y, 4), 6, 8, 8));
+    };
+    const auto part = [&](double y) { return std::make_shared<const SurfacePart>(*mesh(y)); };
+    SceneContents contents = contentsWithEverything();
+    const std::size_t before = makeScene(contents).objects.size();
+    const auto half = mesh(-10);
+    // A tooth on the other side, the gum that reaches from there to the own side, and a tooth on the own side.
+    const Plane midline{Vec3::UnitY(), -22};
+    contents.around = {
+        {.mesh = mesh(-40), .bodyInTooth = {}, .appearances = {{}}, .beyond = ShownBody::Beyond{part(-40)}},
+        {.mesh = mesh(-45),
+         .bodyInTooth = {},
+         .appearances = {{}},
+         .beyond = ShownBody::Beyond{part(-45), midline, half, nullptr}},
+        {.mesh = mesh(10), .bodyInTooth = {}, .appearances = {{}}}};
+    contents.camera = eyeAt(Vec3(0, 90, 5));
+    EXPECT_EQ(makeScene(contents).objects.size() - before, 3U);
+    contents.camera = eyeAt(Vec3(0, -90, 5));
+    const Scene scene = makeScene(contents);
+    ASSERT_EQ(scene.objects.size() - before, 2U);
+    EXPECT_EQ(std::get<std::shared_ptr<const TriangleMesh>>(scene.objects[before].shape), half);
+    // What is on the own side stays, whatever it hides.
+    contents.around.resize(1);
+    contents.around[0].beyond->midline = Plane{Vec3::UnitY(), -60};
+    EXPECT_EQ(makeScene(contents).objects.size() - before, 1U);
+}
+
 /// Law of reflection: the ray from the eye to the middle of the glass is reflected to the lingual side.
 TEST(SceneBuilder, TheParkedMirrorShowsTheLingualSideToTheEye) {
     const Box3 tooth(Vec3(-5, -5, -10), Vec3(5, 5, 7));

@@ -194,13 +194,15 @@ void WindowAidsTest::theMirrorIsPlacedBehindTheBurAndPutBack() {
 
 void WindowAidsTest::eachAidIsRemembered() {
     WindowSettings settings = window_->settings();
-    settings.aids = {.glass = false, .scaleBar = false, .letters = true, .cube = false, .magnifier = true};
+    settings.aids = {
+        .glass = false, .scaleBar = false, .letters = true, .cube = false, .magnifier = true, .softTissues = false};
     MainWindow other(*sound_);
     other.apply(settings);
     QVERIFY(other.settings().aids == settings.aids);
     QVERIFY(!other.findChild<QAction*>("glass")->isChecked());
     QVERIFY(other.findChild<QAction*>("magnifier")->isChecked());
-    for (const char* name : {"glass", "magnifier", "scaleBar", "axisLetters", "viewCubeSwitch"}) {
+    QVERIFY(!other.findChild<QAction*>("softTissues")->isChecked());
+    for (const char* name : {"glass", "magnifier", "scaleBar", "axisLetters", "viewCubeSwitch", "softTissues"}) {
         QVERIFY(!other.findChild<QAction*>(name)->toolTip().isEmpty());
     }
 }

@@ -63,6 +63,22 @@ TEST_F(MouthCommand, DrawsTheMouthFromItsSides) {
     }
 }
 
+TEST_F(MouthCommand, DrawsCheeksLipsAndTongueOfAnOpenMouth) {
+    const auto draw = [&](const char* file, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render", "--mouth", "--triangles", "1000",  "--view",
+                                              "front",  "--size",  "320x200",     "--out", (folder_ / file).string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runTactooth(arguments);
+    };
+    EXPECT_EQ(draw("jaws.png", {"--jaw", "open"}).exitCode, 0);
+    EXPECT_EQ(draw("face.png", {"--jaw", "open", "--soft-tissues"}).exitCode, 0);
+    EXPECT_NE(fs::file_size(folder_ / "jaws.png"), fs::file_size(folder_ / "face.png"));
+    const ProgramRun closed = draw("closed.png", {"--soft-tissues"});
+    EXPECT_EQ(closed.exitCode, 2);
+    EXPECT_THAT(closed.err, HasSubstr("--jaw open"));
+    EXPECT_FALSE(fs::exists(folder_ / "closed.png"));
+}
+
 TEST_F(MouthCommand, RefusesWhatIsNoToothAndNoView) {
     const ProgramRun tooth = runTactooth({"mouth", "--out", folder_ / "m", "--missing", "18,19"});
     EXPECT_EQ(tooth.exitCode, 2);

@@ -150,14 +150,14 @@ TEST(BuiltinMouth, GumsKeepClearOfTheTeethAndCoverTheirNecks) {
 
 TEST(BuiltinMouth, DrawnGumsReachALittleIntoEachToothAndHaveAllZones) {
     for (const bool upper : {true, false}) {
-        const ShownGingiva& gum = upper ? mouth().upperShown : mouth().lowerShown;
+        const ZonedMesh& gum = upper ? mouth().upperShown : mouth().lowerShown;
         ASSERT_EQ(gum.zones.size(), gum.mesh.vertices.size());
         const auto has = [&](int from, int to) {
             return std::ranges::any_of(gum.zones, [&](std::uint8_t zone) { return zone >= from && zone <= to; });
         };
-        EXPECT_TRUE(has(0, 10) && has(ShownGingiva::kKeratinised - 5, ShownGingiva::kKeratinised + 5));
-        EXPECT_TRUE(has(ShownGingiva::kMucosa - 2, ShownGingiva::kMucosa));
-        EXPECT_FALSE(has(ShownGingiva::kMucosa + 1, 255));
+        EXPECT_TRUE(has(0, 10) && has(ZonedMesh::kSecond - 5, ZonedMesh::kSecond + 5));
+        EXPECT_TRUE(has(ZonedMesh::kThird - 2, ZonedMesh::kThird));
+        EXPECT_FALSE(has(ZonedMesh::kThird + 1, 255));
         for (const int fdi : upper ? std::array{11, 13, 14, 16} : std::array{41, 43, 44, 46}) {
             const SurfacePart tooth(placed(mouth(), fdi));
             int inside = 0;

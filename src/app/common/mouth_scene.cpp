@@ -17,30 +17,50 @@ Appearance toothAppearance() {
     return appearance;
 }
 
-/// The zones of a gingiva, vertex by vertex.
-class GingivaZones : public AppearanceZones {
+/// The zones of a soft tissue, vertex by vertex.
+class TissueZones : public AppearanceZones {
 public:
     using Zones = std::shared_ptr<const std::vector<std::uint8_t>>;
-    explicit GingivaZones(Zones zones) : zones_(std::move(zones)) {}
+    explicit TissueZones(Zones zones) : zones_(std::move(zones)) {}
     [[nodiscard]] AppearanceMix at(const Place& place) const override {
-        constexpr std::uint8_t kHalf = ShownGingiva::kKeratinised;
+        constexpr std::uint8_t kHalf = ZonedMesh::kSecond;
         const std::uint8_t zone = (*zones_)[place.vertex];
-        const bool isMucosa = zone > kHalf;
-        const int share = std::min(255, 255 * (isMucosa ? zone - kHalf : zone) / kHalf);
-        return isMucosa ? AppearanceMix{kAttached, kMucosa, static_cast<std::uint8_t>(share)}
-                        : AppearanceMix{kFree, kAttached, static_cast<std::uint8_t>(share)};
-    }
-    static std::vector<Appearance> appearances() {
-        return {appearances::freeGingiva(), appearances::gingiva(), appearances::mucosa()};
+        const bool isBeyond = zone > kHalf;
+        const int share = std::min(255, 255 * (isBeyond ? zone - kHalf : zone) / kHalf);
+        return isBeyond ? AppearanceMix{kMiddle, kLast, static_cast<std::uint8_t>(share)}
+                        : AppearanceMix{kFirst, kMiddle, static_cast<std::uint8_t>(share)};
     }
 
 private:
-    static constexpr SurfaceTag kFree = 0, kAttached = 1, kMucosa = 2;
+    static constexpr SurfaceTag kFirst = 0, kMiddle = 1, kLast = 2;
     Zones zones_;
 };
 
-ShownBody shownGingiva(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose, GingivaZones::Zones zones) {
-    return {std::move(mesh), pose, GingivaZones::appearances(), std::make_shared<const GingivaZones>(std::move(zones))};
+ShownBody shownTissue(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose, TissueZones::Zones zones,
+                      std::vector<Appearance> appearances) {
+    return {std::move(mesh), pose, std::move(appearances), std::make_shared<const TissueZones>(std::move(zones))};
+}
+
+/// Of the three zones of a soft tissue.
+std::vector<Appearance> appearancesOf(SoftTissueKind kind) {
+    switch (kind) {
+        case SoftTissueKind::Tongue:
+            return {appearances::mucosa(), appearances::tongueSide(), appearances::tongue()};
+        case SoftTissueKind::Cheek:
+            return {appearances::mucosa()};
+        case SoftTissueKind::Lips:
+            return {appearances::mucosa(), appearances::lip(), appearances::skin()};
+        case SoftTissueKind::Throat:
+            return {appearances::mucosa(), appearances::mucosa(), appearances::throat()};
+        case SoftTissueKind::Ring:
+            return {appearances::retractor()};
+    }
+    return {};
+}
+
+ShownBody shownGingiva(std::shared_ptr<const TriangleMesh> mesh, const Pose& pose, TissueZones::Zones zones) {
+    return shownTissue(std::move(mesh), pose, std::move(zones),
+                       {appearances::freeGingiva(), appearances::gingiva(), appearances::mucosa()});
 }
 
 /// A tooth without its layers: the enamel is thin at the neck, where dentin shines through, and without dentin at the
@@ -85,14 +105,39 @@ std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around) {
         bodies.push_back(body.isGingiva ? shownGingiva(body.shown, {}, body.zones)
                                         : shownTooth(body.shown, {}, {body.fdi, body.bodyInTooth, body.ownBox}));
         bodies.back().opposite = body.isOpposite;
+        if (body.isBeyond) bodies.back().beyond = ShownBody::Beyond{body.part};
+        if (body.ownHalf) {
+            const auto& [toOwnSide, half, zones] = *body.ownHalf;
+            bodies.back().beyond =
+                ShownBody::Beyond{body.part, Plane{toOwnSide, toOwnSide.dot(body.bodyInTooth.position)}, half,
+                                  std::make_shared<const TissueZones>(zones)};
+        }
     }
     return bodies;
+}
+
+std::vector<ShownTissue> shownSoftTissues(std::span<const ToothInMouth::SoftTissueBody> tissues) {
+    std::vector<ShownTissue> shown;
+    for (const auto& [kind, surface, zones] : tissues)
+        shown.push_back({surface, appearancesOf(kind), std::make_shared<const TissueZones>(zones)});
+    return shown;
+}
+
+std::vector<ShownTissue> shownSoftTissues(const BuiltinMouth& mouth) {
+    std::vector<ShownTissue> shown;
+    for (const auto& [kind, tissue] : softTissuesOf(mouth)) {
+        shown.push_back(
+            {std::make_shared<const Surface>(Surface{std::make_shared<const SurfacePart>(tissue.mesh)}),
+             appearancesOf(kind),
+             std::make_shared<const TissueZones>(std::make_shared<const std::vector<std::uint8_t>>(tissue.zones))});
+    }
+    return shown;
 }
 
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {
     std::vector<ShownBody> bodies;
     const bool upper = jaws != ShownJaws::Lower, lower = jaws != ShownJaws::Upper;
-    const auto addGingiva = [&](const ShownGingiva& gingiva, const Pose& pose) {
+    const auto addGingiva = [&](const ZonedMesh& gingiva, const Pose& pose) {
         bodies.push_back(shownGingiva(std::make_shared<const TriangleMesh>(gingiva.mesh), pose,
                                       std::make_shared<const std::vector<std::uint8_t>>(gingiva.zones)));
     };

@@ -50,6 +50,23 @@ struct ShownBody {
     std::vector<Appearance> appearances;
     std::shared_ptr<const AppearanceZones> zones = {};  ///< as in SceneObject
     bool opposite = false;  ///< part of the opposite jaw: left out where it would stand between the eye and the tooth
+    /// On the other side of the same jaw: all these bodies are left out together where one of them would stand between
+    /// the eye and the tooth. Of a body that reaches over the midline, the half on the own side is shown then.
+    struct Beyond {
+        std::shared_ptr<const SurfacePart> surface;         ///< to see whether it stands there; tooth frame
+        std::optional<Plane> midline = {};                  ///< positive on the own side; none: all of it is beyond
+        std::shared_ptr<const TriangleMesh> ownHalf = {};   ///< body frame
+        std::shared_ptr<const AppearanceZones> zones = {};  ///< of `ownHalf`
+    };
+    std::optional<Beyond> beyond = {};
+};
+
+/// A soft tissue around the jaws: a backdrop, left out where a front face of it would stand between the eye and the
+/// crown.
+struct ShownTissue {
+    std::shared_ptr<const Surface> surface;  ///< tooth frame
+    std::vector<Appearance> appearances;
+    std::shared_ptr<const AppearanceZones> zones;  ///< as in SceneObject, of the base of `surface`
 };
 
 /// Another session to compare with: it is drawn blue, and everything shows through it.
@@ -69,6 +86,7 @@ struct SceneContents {
     std::vector<Particle> flying;  ///< water and chips (particlesOf)
     SurfaceLiquids liquids = {};   ///< on the tooth; the water also on what stands around it
     std::vector<ShownBody> around;
+    std::vector<ShownTissue> softTissues = {};
     std::optional<ShownOther> other = {};
     Camera camera;
     bool glass = false;  ///< handles and the shank turn to glass where they hide the bur's head and its landing point

@@ -1575,6 +1575,14 @@ It can be overcome, and is off in an examination.</source>
         <source>Shows the side of the view; a click on a face changes to that side</source>
         <translation>どの側から見ているかを示します。面をクリックすると、そちらから見ます</translation>
     </message>
+    <message>
+        <source>Cheeks, lips and &amp;tongue</source>
+        <translation>頬・口唇・舌(&amp;T)</translation>
+    </message>
+    <message>
+        <source>What surrounds the jaws of the whole mouth. It is left out where it would hide the tooth</source>
+        <translation>全顎の周りのものです。歯を隠す所では表示しません</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::ViewCube</name>

@@ -52,6 +52,7 @@ Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::fun
         {{"tooth", "built in: " + made->tooth.name + ", in the whole mouth"}}};
     tooth.workBox = tooth.piece->tooth().ownBox();
     tooth.around = made->around;
+    tooth.softTissues = made->softTissues;
     tooth.mouthTooth = made->tooth.fdi;
     tooth.piece->surroundBy(surroundingsOf(*made));
     return tooth;
@@ -77,6 +78,7 @@ Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {
     tooth.mesialX = mouth->mesialX;
     tooth.workBox = mouth->workBox;
     tooth.around = std::move(mouth->around);
+    tooth.softTissues = std::move(mouth->softTissues);
     tooth.mouthTooth = fdi;
     if (tooth.piece->surroundings().empty()) tooth.piece->surroundBy(mouth->piece->surroundings());
     return {};

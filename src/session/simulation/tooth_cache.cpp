@@ -93,7 +93,7 @@ std::vector<std::byte> bytesOf(const MouthLayout& setting) {
     }
     put(setting.upperGingiva, content);
     put(setting.lowerGingiva, content);
-    for (const ShownGingiva* shown : {&setting.upperShown, &setting.lowerShown}) {
+    for (const ZonedMesh* shown : {&setting.upperShown, &setting.lowerShown}) {
         put(shown->mesh, content);
         content.putAll(std::span<const std::uint8_t>(shown->zones));
     }
@@ -110,7 +110,7 @@ std::optional<MouthLayout> layoutFrom(std::span<const std::byte> bytes) {
     }
     auto upper = meshFrom(file), lower = meshFrom(file);
     if (!upper || !lower) return std::nullopt;
-    for (ShownGingiva* shown : {&setting.upperShown, &setting.lowerShown}) {
+    for (ZonedMesh* shown : {&setting.upperShown, &setting.lowerShown}) {
         auto mesh = meshFrom(file);
         if (!mesh) return std::nullopt;
         shown->mesh = std::move(*mesh);

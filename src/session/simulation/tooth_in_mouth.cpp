@@ -14,11 +14,10 @@ namespace {
 
 bool isUpper(int fdi) { return fdi < 30; }
 
+bool isRightSide(int fdi) { return fdi / 10 % 4 < 2; }  // quadrants 1 and 4
+
 /// Position along the jaw: 0 to 15 from the patient's right to the left.
-int placeInArch(int fdi) {
-    const bool isRight = fdi / 10 % 4 < 2;  // quadrants 1 and 4
-    return isRight ? 8 - fdi % 10 : 7 + fdi % 10;
-}
+int placeInArch(int fdi) { return isRightSide(fdi) ? 8 - fdi % 10 : 7 + fdi % 10; }
 
 bool areBeside(int a, int b) { return isUpper(a) == isUpper(b) && std::abs(placeInArch(a) - placeInArch(b)) == 1; }
 
@@ -32,8 +31,8 @@ struct Placed {
     Pose bodyInTooth;
     MaterialId material;
     bool isUpper;
-    const ShownGingiva* gingiva = nullptr;  ///< how it is drawn; null for a tooth
-    int fdi = 0;                            ///< of a tooth
+    const ZonedMesh* gingiva = nullptr;  ///< how it is drawn; null for a tooth
+    int fdi = 0;                         ///< of a tooth
 };
 
 std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& worked) {
@@ -48,6 +47,42 @@ std::vector<Placed> placedAround(const BuiltinMouth& mouth, const MouthTooth& wo
         bodies.push_back({&tooth.tooth.outer, mouthInTooth * mouth.poseOf(tooth), enamel, isUpper(tooth.tooth.fdi),
                           nullptr, tooth.tooth.fdi});
     }
+    return bodies;
+}
+
+/// The part of a gingiva on the side of a tooth.
+ToothInMouth::Body::Half halfOf(const ZonedMesh& gingiva, const Pose& gingivaInTooth, bool isRight) {
+    const double side = isRight ? 1 : -1;
+    TriangleMesh half;
+    std::vector<std::uint8_t> zones;
+    std::vector<bool> taken(gingiva.mesh.vertices.size(), false);
+    // In the order in which appendSubset takes them.
+    appendSubset(half, gingiva.mesh, [&](std::uint32_t i) {
+        const Triangle& triangle = gingiva.mesh.triangles[i];
+        const bool isOwn = std::ranges::any_of(
+            triangle, [&](std::uint32_t vertex) { return side * gingiva.mesh.vertices[vertex].x() >= 0; });
+        for (const std::uint32_t vertex : triangle) {
+            if (!isOwn || taken[vertex]) continue;
+            taken[vertex] = true;
+            zones.push_back(gingiva.zones[vertex]);
+        }
+        return isOwn;
+    });
+    return {gingivaInTooth.rotation * (side * Vec3::UnitX()),
+            std::make_shared<const TriangleMesh>(transformed(half, gingivaInTooth)),
+            std::make_shared<const std::vector<std::uint8_t>>(std::move(zones))};
+}
+
+std::vector<ToothInMouth::SoftTissueBody> softTissuesAround(const BuiltinMouth& mouth, int fdi,
+                                                            const Pose& mouthInTooth) {
+    const std::vector<SoftTissue> tissues = softTissuesOf(mouth, fdi);
+    std::vector<ToothInMouth::SoftTissueBody> bodies(tissues.size());
+    parallelFor(bodies.size(), [&](std::size_t i) {
+        const auto& [kind, shown] = tissues[i];
+        Surface surface{std::make_shared<const SurfacePart>(transformed(shown.mesh, mouthInTooth))};
+        bodies[i] = {kind, std::make_shared<const Surface>(std::move(surface)),
+                     std::make_shared<const std::vector<std::uint8_t>>(shown.zones)};
+    });
     return bodies;
 }
 
@@ -68,10 +103,15 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
         result.around[i].fdi = number;
         result.around[i].bodyInTooth = pose;
         result.around[i].ownBox = boundingBox(*mesh);
-        if (isGingiva) result.around[i].zones = std::make_shared<const std::vector<std::uint8_t>>(gingiva->zones);
+        const bool isOwnJaw = upper == isUpper(fdi);
+        result.around[i].isBeyond = !isGingiva && isOwnJaw && isRightSide(number) != isRightSide(fdi);
+        if (!isGingiva) return;
+        result.around[i].zones = std::make_shared<const std::vector<std::uint8_t>>(gingiva->zones);
+        if (isOwnJaw) result.around[i].ownHalf = halfOf(*gingiva, pose, isRightSide(fdi));
     });
     result.tooth = worked->tooth;
     const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
+    result.softTissues = softTissuesAround(mouth, fdi, mouthInTooth);
     for (const MouthTooth& tooth : mouth.teeth) {
         if (areBeside(tooth.tooth.fdi, fdi))
             result.beside.push_back(transformed(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));

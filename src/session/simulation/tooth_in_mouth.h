@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "instruments/builtin_mouth.h"
@@ -20,12 +21,26 @@ struct ToothInMouth {
         std::shared_ptr<const TriangleMesh> shown;  ///< the visible part
         bool isGingiva = false;
         bool isOpposite = false;                                      ///< in the other jaw
-        std::shared_ptr<const std::vector<std::uint8_t>> zones = {};  ///< of a gingiva: ShownGingiva::zones; else null
-        int fdi = 0;                                                  ///< of a tooth
-        Pose bodyInTooth = {};                                        ///< from its own frame to that of `tooth`
-        Box3 ownBox = {};                                             ///< in its own frame
+        std::shared_ptr<const std::vector<std::uint8_t>> zones = {};  ///< of a gingiva: ZonedMesh::zones; else null
+        bool isBeyond = false;  ///< a tooth of the same jaw, on the other side of the midline
+        /// Of the gingiva of the same jaw.
+        struct Half {
+            Vec3 toOwnSide = Vec3::UnitX();  ///< unit, across the midline to the side of `tooth`, in its frame
+            std::shared_ptr<const TriangleMesh> shown;
+            std::shared_ptr<const std::vector<std::uint8_t>> zones;
+        };
+        std::optional<Half> ownHalf = {};  ///< on the side of `tooth`
+        int fdi = 0;                       ///< of a tooth
+        Pose bodyInTooth = {};             ///< from its own frame to that of `tooth`
+        Box3 ownBox = {};                  ///< in its own frame
     };
     std::vector<Body> around = {};  ///< all other bodies
+    struct SoftTissueBody {
+        SoftTissueKind kind;
+        std::shared_ptr<const Surface> surface;                  ///< in the frame of `tooth`
+        std::shared_ptr<const std::vector<std::uint8_t>> zones;  ///< ZonedMesh::zones
+    };
+    std::vector<SoftTissueBody> softTissues = {};  ///< of an open mouth; drawn, and not touched
 };
 
 /// `fdi` is a tooth of the mouth that is not missing; its resolution and seed are those of the mouth. Takes as long as

@@ -290,7 +290,8 @@ Expected<void> Renderer::Parts::drawEye(const Job& job, const Camera& camera, co
 Expected<void> Renderer::Parts::drawSecond(const Job& large, GLuint target, ImageSize size) {
     const CornerRectangle place = secondViewRectangle(size);
     ShapeCache::Result shown = large.shapes;
-    std::erase_if(shown.drawables, [](const Drawable& drawable) { return drawable.object->handle; });
+    std::erase_if(shown.drawables,
+                  [](const Drawable& drawable) { return drawable.object->handle || drawable.object->backdrop; });
     const Job job{large.scene, shown, large.settings, second, scaled(place.size, large.settings.resolution)};
     const auto picture = second.pictures[0].fit(job.size, job.settings.samples);
     if (!picture) return Unexpected{picture.error()};

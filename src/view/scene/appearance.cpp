@@ -60,6 +60,24 @@ Appearance freeGingiva() {
 Appearance mucosa() {
     return {.colour = {0.77F, 0.41F, 0.40F}, .roughness = 0.32F, .translucency = 0.8F, .wetness = 0.95F, .grain = 0.2F};
 }
+Appearance lip() {
+    return {.colour = {0.74F, 0.38F, 0.37F}, .roughness = 0.42F, .translucency = 0.7F, .wetness = 0.5F, .grain = 0.35F};
+}
+Appearance skin() {
+    return {.colour = {0.86F, 0.66F, 0.56F}, .roughness = 0.6F, .translucency = 0.6F, .wetness = 0.08F, .grain = 0.35F};
+}
+Appearance tongue() {
+    return {.colour = {0.80F, 0.50F, 0.48F}, .roughness = 0.6F, .translucency = 0.7F, .wetness = 0.5F, .grain = 1.0F};
+}
+Appearance tongueSide() {
+    return {.colour = {0.78F, 0.42F, 0.41F}, .roughness = 0.4F, .translucency = 0.8F, .wetness = 0.8F, .grain = 0.4F};
+}
+Appearance throat() {
+    return {.colour = {0.22F, 0.07F, 0.07F}, .roughness = 0.6F, .translucency = 0.3F, .wetness = 0.5F, .grain = 0.2F};
+}
+Appearance retractor() {
+    return {.colour = {0.72F, 0.82F, 0.90F}, .roughness = 0.35F, .translucency = 0.8F, .wetness = 0.3F};
+}
 Appearance bone() {
     return {.colour = {0.88F, 0.83F, 0.72F}, .roughness = 0.7F, .translucency = 0.3F, .wetness = 0.1F, .grain = 0.6F};
 }

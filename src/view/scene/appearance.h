@@ -45,6 +45,12 @@ namespace appearances {
 [[nodiscard]] Appearance gingiva();      ///< keratinised and attached: pale, stippled
 [[nodiscard]] Appearance freeGingiva();  ///< its margin around the teeth: smooth
 [[nodiscard]] Appearance mucosa();       ///< beyond the mucogingival line: red and shiny
+[[nodiscard]] Appearance lip();          ///< its red border
+[[nodiscard]] Appearance skin();
+[[nodiscard]] Appearance tongue();      ///< its back: rough with papillae
+[[nodiscard]] Appearance tongueSide();  ///< smooth
+[[nodiscard]] Appearance throat();      ///< where little light comes
+[[nodiscard]] Appearance retractor();   ///< silicone that holds the lips
 [[nodiscard]] Appearance bone();
 [[nodiscard]] Appearance steel();       ///< mirror frame, hand instruments
 [[nodiscard]] Appearance handpiece();   ///< machined steel

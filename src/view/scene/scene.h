@@ -42,6 +42,8 @@ struct SceneObject {
     /// Part of an instrument: left out of the second view, where it would hide the tooth. Throws no shadow: an
     /// operating light is several times as wide, so that at its distance from the tooth little is left of a shadow.
     bool handle = false;
+    /// What surrounds the scene: left out of the second view. Throws no shadow, and the shadow map does not cover it.
+    bool backdrop = false;
     bool sectioned = false;  ///< the scene's section removes a part of it
     std::optional<Appearance>
         capAppearance;  ///< of its section cap; without it the section shows a hollow body. Needs `closed`

@@ -34,11 +34,12 @@ protected:
     }
     /// `height`: of the picture, mm.
     static Scene seenFrom(const CutModel& piece, OrbitCamera::Direction direction, const Vec3& at, double height,
-                          double water = 0) {
+                          double water = 0, bool withSoftTissues = false) {
         SceneContents contents;
         contents.tooth = piece.surface();
         contents.zones = toothZones(*tooth_, contents.materials);
         contents.around = shownAround(mouth_->around);
+        if (withSoftTissues) contents.softTissues = shownSoftTissues(mouth_->softTissues);
         contents.liquids = {.spot = at, .water = water};
         OrbitCamera camera;
         camera.setView(direction);
@@ -58,6 +59,15 @@ protected:
 
 TEST_F(MouthPictures, TeethAmongTheirNeighbours) {
     expectBaseline("mouth", seenFrom(uncut(), {1.9, 0.8}, crown(), 22));
+}
+
+TEST_F(MouthPictures, CheeksLipsAndTongueAroundTheTeeth) {
+    expectBaseline("soft-tissues", seenFrom(uncut(), {1.25, 0.62}, crown(), 60, 0, true));
+}
+
+/// The other half of the jaw and the tongue would stand before the tooth.
+TEST_F(MouthPictures, FromLingualTheWayToTheToothIsFree) {
+    expectBaseline("mouth-lingual", seenFrom(uncut(), {-1.57, 0.1}, crown(), 24, 0, true));
 }
 
 TEST_F(MouthPictures, GumAroundTheNeck) {

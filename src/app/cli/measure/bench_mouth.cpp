@@ -9,12 +9,13 @@
 
 namespace tactooth {
 
-Expected<Scene> benchMouth() {
+Expected<Scene> benchMouth(bool withSoftTissues) {
     const ToothCache cache(defaultCacheFolder());
     const Expected<BuiltinMouth> mouth = cache.makeMouth({.jaw = JawPose::Open, .missing = {}});
     if (!mouth) return Unexpected{mouth.error()};
     SceneContents contents;
     contents.around = shownMouth(*mouth);
+    if (withSoftTissues) contents.softTissues = shownSoftTissues(*mouth);
     DentalMirror mirror = makeMirror();
     const Vec3 glass(8, -34, -18);  // next to the tongue, above the lingual side of the lower right molars
     const MouthTooth& molar = *mouth->find(46);

@@ -9,6 +9,6 @@ namespace tactooth {
 
 /// Makes the scene of the whole built-in mouth, open: 32 teeth of about 20,000 triangles each, the gingiva of both
 /// jaws, and a mouth mirror behind the lower right molars.
-[[nodiscard]] Expected<Scene> benchMouth();
+[[nodiscard]] Expected<Scene> benchMouth(bool withSoftTissues);
 
 }  // namespace tactooth

@@ -83,15 +83,18 @@ Subject toothSubject(const TriangleMesh& mesh, ImageSize size) {
 }
 
 Expected<Subject> mouthSubject(ImageSize size, const RenderSettings& moved) {
-    const Expected<Scene> scene = benchMouth();
+    const Expected<Scene> scene = benchMouth(false), whole = benchMouth(true);
     if (!scene) return Unexpected{scene.error()};
+    if (!whole) return Unexpected{whole.error()};
     OrbitCamera eye;
     eye.fit(Box3(Vec3(-32, -52, -45), Vec3(32, 6, 12)), size.aspect());
     eye.setView({1.57, 0.4});
     const FrameTimer::SceneSequence sequence = turning(*scene, eye);
     return Subject{"mouth",
                    trianglesOf(*scene),
-                   {{"bare, in one colour", {sequence, std::nullopt}}, {"light, shadow, mirror", {sequence, moved}}}};
+                   {{"bare, in one colour", {sequence, std::nullopt}},
+                    {"light, shadow, mirror", {sequence, moved}},
+                    {"with soft tissues", {turning(*whole, eye), moved}}}};
 }
 
 /// `moved`: the settings of the window while things move.

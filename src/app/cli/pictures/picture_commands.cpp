@@ -42,6 +42,9 @@ void addMouth(CLI::App& command, RenderOptions& options) {
                                           "Shows the whole built-in mouth; then --view is front, right, left, upper, "
                                           "lower, dentist, or AZIMUTH,ELEVATION (90,0: from the front)");
     addMouthSpecOptions(command, options.mouthSpec, mouth);
+    command
+        .add_flag("--soft-tissues", options.softTissues, "Adds cheeks, lips and tongue of an open mouth (--jaw open)")
+        ->needs(mouth);
     for (const char* other : {"--tooth", "--layer", "--materials", "--mirror", "--clip", "--transparent", "--target",
                               "--stereo", "--second", "--marks"}) {
         mouth->excludes(other);

@@ -37,6 +37,7 @@ struct RenderOptions {
     bool marks = false;  ///< scale bar and letters of the directions
     bool mouth = false;  ///< the whole built-in mouth instead of one tooth
     MouthSpec mouthSpec;
+    bool softTissues = false;  ///< of an open mouth
 };
 
 /// Writes a picture of a tooth, or the pictures of a full rotation around it.

@@ -76,6 +76,7 @@ Expected<OrbitCamera> eyeOf(const RenderOptions& options, const MouthView& view,
 struct RenderSetup {
     const RenderOptions& options;
     std::vector<ShownBody> bodies;
+    std::vector<ShownTissue> softTissues;
     ImageSize size;
     OffscreenRenderer renderer;
 };
@@ -83,6 +84,7 @@ struct RenderSetup {
 Expected<void> takePicture(RenderSetup& studio, const OrbitCamera& eye, const std::filesystem::path& file) {
     SceneContents contents;
     contents.around = studio.bodies;
+    contents.softTissues = studio.softTissues;
     contents.camera = eye.camera();
     Scene scene = makeScene(contents);
     if (studio.options.noBackground) scene.background.kind = Background::Kind::Transparent;
@@ -100,13 +102,15 @@ Expected<void> renderMouth(const RenderOptions& options) {
     if (!size) return Unexpected{size.error()};
     const auto view = viewOf(options.view);
     if (!view) return Unexpected{view.error()};
+    if (options.softTissues && options.mouthSpec.jaw != "open") return unexpected(msg::kSoftTissuesOfOpenMouth);
     const auto mouth = mouthFromSpec(options.mouthSpec);
     if (!mouth) return Unexpected{mouth.error()};
     const auto eye = eyeOf(options, *view, boxOf(*mouth, view->jaws), *size);
     if (!eye) return Unexpected{eye.error()};
     auto renderer = OffscreenRenderer::create();
     if (!renderer) return Unexpected{renderer.error()};
-    RenderSetup studio{options, shownMouth(*mouth, view->jaws), *size, std::move(*renderer)};
+    RenderSetup studio{options, shownMouth(*mouth, view->jaws), {}, *size, std::move(*renderer)};
+    if (options.softTissues) studio.softTissues = shownSoftTissues(*mouth);
     if (options.turntable == 0) return takePicture(studio, *eye, options.out);
     for (int i = 0; i < options.turntable; ++i) {
         OrbitCamera turned = *eye;

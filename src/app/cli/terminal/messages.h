@@ -117,6 +117,9 @@ inline constexpr MessageText kMouthViewUnknown{
     "in degrees.",
     "口の視点 '%1' はありません。front、right、left、upper、lower、dentist、または度で表した AZIMUTH,ELEVATION "
     "を選んでください。"};
+inline constexpr MessageText kSoftTissuesOfOpenMouth{
+    "soft_tissues_of_open_mouth", "--soft-tissues shows what surrounds an open mouth; add --jaw open.",
+    "--soft-tissues は開いた口のまわりを表示します。--jaw open も書いてください。"};
 
 // The command line.
 inline constexpr MessageText kRecordingBringsAll{

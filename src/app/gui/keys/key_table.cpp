@@ -73,6 +73,7 @@ constexpr std::array kRows = {
     KeyRow{KeyId::Glass, "glass", "L", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyGlass},
     KeyRow{KeyId::Magnifier, "magnifier", "Z", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyMagnifier},
     KeyRow{KeyId::ScaleBar, "scale_bar", "R", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyScaleBar},
+    KeyRow{KeyId::SoftTissues, "soft_tissues", "O", KeyKind::Shortcut, KeyGroup::View, &msg::kKeySoftTissues},
     KeyRow{KeyId::Letters, "letters", "A", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyLetters},
     KeyRow{KeyId::Cube, "cube", "K", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyCube},
     KeyRow{KeyId::Fogged, "fogged", "B", KeyKind::Shortcut, KeyGroup::View, &msg::kKeyFogged},

@@ -68,6 +68,7 @@ enum class KeyId {
     Glass,
     Magnifier,
     ScaleBar,
+    SoftTissues,
     Letters,
     Cube,
     Fogged,

@@ -102,6 +102,8 @@ inline constexpr MessageText kKeyGlass{"key_glass", "Glass handpiece on and off"
 inline constexpr MessageText kKeyMagnifier{"key_magnifier", "Magnifier of the bur's head on and off",
                                            "バーの頭部の拡大鏡のオン・オフ"};
 inline constexpr MessageText kKeyScaleBar{"key_scale_bar", "Scale bar on and off", "目盛りのオン・オフ"};
+inline constexpr MessageText kKeySoftTissues{"key_soft_tissues", "Cheeks, lips and tongue on and off",
+                                             "頬・口唇・舌の表示のオン・オフ"};
 inline constexpr MessageText kKeyLetters{"key_letters", "Letters of the directions on and off",
                                          "方向の文字のオン・オフ"};
 inline constexpr MessageText kKeyCube{"key_cube", "View cube on and off", "視点キューブのオン・オフ"};

@@ -23,6 +23,8 @@ ViewAidsMenu::ViewAidsMenu(QMenu& menu, ToothView& view) : view_(view) {
                    tr("B buccal, L lingual, M mesial, D distal, O occlusal, A apical"));
     cube_ = add(*aids, tr("View &cube"), KeyId::Cube, "viewCubeSwitch", "cube",
                 tr("Shows the side of the view; a click on a face changes to that side"));
+    softTissues_ = add(*aids, tr("Cheeks, lips and &tongue"), KeyId::SoftTissues, "softTissues", "soft-tissues",
+                       tr("What surrounds the jaws of the whole mouth. It is left out where it would hide the tooth"));
     restore({});
 }
 
@@ -41,7 +43,8 @@ ViewAids ViewAidsMenu::aids() const {
             .scaleBar = scaleBar_->isChecked(),
             .letters = letters_->isChecked(),
             .cube = cube_->isChecked(),
-            .magnifier = magnifier_->isChecked()};
+            .magnifier = magnifier_->isChecked(),
+            .softTissues = softTissues_->isChecked()};
 }
 
 void ViewAidsMenu::show() { view_.setAids(aids()); }
@@ -53,6 +56,7 @@ void ViewAidsMenu::restore(const WindowSettings& settings) {
     letters_->setChecked(wanted.letters);
     cube_->setChecked(wanted.cube);
     magnifier_->setChecked(wanted.magnifier);
+    softTissues_->setChecked(wanted.softTissues);
     show();
 }
 

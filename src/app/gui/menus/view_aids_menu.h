@@ -36,6 +36,7 @@ private:
     QAction* scaleBar_;
     QAction* letters_;
     QAction* cube_;
+    QAction* softTissues_;
 };
 
 }  // namespace tactooth

@@ -51,6 +51,7 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
     contents.tooth = model.runner()->feed().surface();
     contents.zones = toothZones(tooth.piece->tooth(), contents.materials);
     contents.around = shownAround(tooth.around);
+    contents.softTissues = shownSoftTissues(tooth.softTissues);
     contents.tool = ShownTool{.bur = bur.shown,
                               .turbine = withTurbine && meshes && !bur.isHandInstrument()
                                              ? meshes->handpieces.of(model.haptics().spindle)

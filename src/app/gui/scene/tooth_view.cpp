@@ -75,9 +75,10 @@ void ToothView::forgetRenderer() {
 }
 
 SceneContents ToothView::contents() const {
-    if (contents_) return contents_(showsTurbine_, showsMirror_);
-    SceneContents contents = sceneContents(model_, showsTurbine_, showsMirror_ && tool_ == nullptr);
-    if (tool_ != nullptr) contents.tool.reset();  // nothing in front of the tooth
+    SceneContents contents = contents_ ? contents_(showsTurbine_, showsMirror_)
+                                       : sceneContents(model_, showsTurbine_, showsMirror_ && tool_ == nullptr);
+    if (!contents_ && tool_ != nullptr) contents.tool.reset();  // nothing in front of the tooth
+    if (!aids_.softTissues) contents.softTissues.clear();
     return contents;
 }
 

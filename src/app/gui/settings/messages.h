@@ -37,6 +37,9 @@ inline constexpr MessageText kOptionViewCube{
     "option_view_cube", "Cube that shows and chooses the side from which one looks", "見る向きを示し、選べるキューブ"};
 inline constexpr MessageText kOptionViewMagnifier{"option_view_magnifier", "Magnifier of the bur's head",
                                                   "バーの頭部の拡大鏡"};
+inline constexpr MessageText kOptionViewSoftTissues{"option_view_soft_tissues",
+                                                    "Cheeks, lips and tongue around the whole mouth",
+                                                    "全顎のまわりに頬・口唇・舌を表示する"};
 inline constexpr MessageText kOptionViewSideBySide{
     "option_view_side_by_side", "Shows the second of two recordings beside the first, not as a ghost in it",
     "2つ目の記録を、半透明で重ねずに隣に表示する"};

@@ -90,11 +90,12 @@ inline constexpr std::array<MirrorSize, 3> kMirrorSizes = {{{"2", 18}, {"4", 22}
 
 /// What helps to find one's way in the picture.
 struct ViewAids {
-    bool glass = true;       ///< handles and the shank turn to glass where they hide the bur's head
-    bool scaleBar = true;    ///< in mm
-    bool letters = true;     ///< of the directions, at the picture's edge
-    bool cube = true;        ///< that shows and chooses the side from which one looks
-    bool magnifier = false;  ///< of the bur's head
+    bool glass = true;        ///< handles and the shank turn to glass where they hide the bur's head
+    bool scaleBar = true;     ///< in mm
+    bool letters = true;      ///< of the directions, at the picture's edge
+    bool cube = true;         ///< that shows and chooses the side from which one looks
+    bool magnifier = false;   ///< of the bur's head
+    bool softTissues = true;  ///< cheeks, lips and tongue around the whole mouth
 
     bool operator==(const ViewAids&) const = default;
 };
