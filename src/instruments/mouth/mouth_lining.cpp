@@ -206,7 +206,9 @@ Vec3 MouthLining::isthmusAt(double turn) const {
                      corner.z() + kVault * std::pow(std::cos(aside * std::numbers::pi / 2), 1.5));
     } else if (right > kLowerEnd) {
         const double aside = (0.5 - right) / (0.5 - kLowerEnd);
-        place = lowerJaw_ * Vec3((below.neck.x() - 3) * aside, below.neck.y() - 8, below.neck.z() + 1);
+        constexpr double kDeep = 7;  // mm: below the sides of the tongue
+        const double low = below.neck.z() + 1 - kDeep * smoothStep(1, 0.8, aside);
+        place = lowerJaw_ * Vec3((below.neck.x() - 3) * aside, below.neck.y() - 8, low);
     } else {
         place = corner + (right - kUpperEnd) / (kLowerEnd - kUpperEnd) * (foot - corner);
     }

@@ -57,10 +57,12 @@ private:
     /// Height of the tongue's back: low behind the incisors, higher toward the throat, with a groove in the middle.
     [[nodiscard]] double back(const Vec3& p) const {
         constexpr double kTip = 3.6, kRise = 6.5;  // mm over the necks at the tip; from there to the highest place
+        constexpr double kArch = 0.013;            // 1/mm: across
         const double depth = front_.y() - p.y();
         const double groove = 1.3 * bump(p.x(), 1.7) * smoothStep(9, 18, depth) * smoothStep(60, 48, depth);
         const double hollow = 0.9 * bump(p.x(), 7) * smoothStep(10, 22, depth) * smoothStep(56, 40, depth);
-        return front_.z() + kTip + kRise * smoothStep(14, 46, depth) - groove - hollow;
+        const double arched = kArch * p.x() * p.x();
+        return front_.z() + kTip + kRise * smoothStep(14, 46, depth) - groove - hollow - arched;
     }
     /// Height of the floor of the mouth. In the middle the lingual frenulum runs from the tongue to the jaw.
     [[nodiscard]] double ground(const Vec3& p) const {

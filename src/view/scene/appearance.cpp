@@ -73,7 +73,7 @@ Appearance tongueSide() {
     return {.colour = {0.78F, 0.42F, 0.41F}, .roughness = 0.4F, .translucency = 0.8F, .wetness = 0.8F, .grain = 0.4F};
 }
 Appearance throat() {
-    return {.colour = {0.22F, 0.07F, 0.07F}, .roughness = 0.6F, .translucency = 0.3F, .wetness = 0.5F, .grain = 0.2F};
+    return {.colour = {0.40F, 0.15F, 0.14F}, .roughness = 0.6F, .translucency = 0.3F, .wetness = 0.5F, .grain = 0.2F};
 }
 Appearance retractor() {
     return {.colour = {0.72F, 0.82F, 0.90F}, .roughness = 0.35F, .translucency = 0.8F, .wetness = 0.3F};
