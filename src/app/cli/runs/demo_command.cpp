@@ -61,6 +61,7 @@ Expected<ToothInMouth> makeDemoMouth(DemoInputs& cast) {
     Expected<ToothInMouth> made = toothInMouth(46, Lesion{}, {.jaw = JawPose::Open, .missing = {}}, cache);
     if (!made) return made;
     cast.props.around = shownAround(made->around);
+    cast.props.softTissues = shownSoftTissues(made->softTissues);
     cast.surroundings = surroundingsOf(*made);
     return made;
 }

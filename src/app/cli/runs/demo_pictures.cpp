@@ -65,6 +65,7 @@ Expected<void> writeDemoPicture(const std::filesystem::path& path, DemoView view
     contents.tooth = tooth;
     contents.zones = props.zones;
     contents.around = props.around;
+    contents.softTissues = props.softTissues;
     contents.materials = props.materials;
     contents.camera = cameraOf(shot, subject, props.mesialX);
     if (shot.tool) {

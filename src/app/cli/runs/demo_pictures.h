@@ -17,6 +17,7 @@ struct DemoProps {
     std::optional<ShownMirror> mirror;  ///< each picture sets its pose
     Box3 box;                           ///< of the tooth that is cut, mm
     std::vector<ShownBody> around;      ///< around the tooth
+    std::vector<ShownTissue> softTissues;
     MaterialTable materials;
     std::shared_ptr<const AppearanceZones> zones = {};  ///< of the tooth that is cut
     double mesialX = 1;                                 ///< sign of the mesial direction along x
