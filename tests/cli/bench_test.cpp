@@ -130,7 +130,7 @@ TEST_F(BenchCommand, ViewHoldsACuttingBurAgainstOneThatOnlyMoves) {
     const std::vector<std::string> settings = {"bare, in one colour", "light and shadow", "antialiased edges",
                                                "smooth edges, soft", "all of it"};
     EXPECT_EQ(drawn["tooth"], settings);
-    EXPECT_EQ(drawn["mouth"].size(), 2U);
+    EXPECT_EQ(drawn["mouth"].size(), 3U);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutMo
                              const RecordingPart& part)
     : folder_(std::move(folder)),
       tooth_(std::move(tooth)),
+      removedBefore_(tooth_->removed()),
       title_(titleOfPart(std::move(title), part)),
       began_(folder_.now()) {}
 
@@ -51,7 +52,10 @@ Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFol
 }
 
 Expected<void> KeptRecording::finish() {
-    const Expected<void> closed = recorder_->close(recorder_->isWhole() ? tooth_->hash() : 0);
+    const bool isWhole = recorder_->isWhole();
+    // A window that stood still for seconds may have missed the touch.
+    if (isWhole && tooth_->removed() != removedBefore_) noteTouch();
+    const Expected<void> closed = recorder_->close(isWhole ? tooth_->hash() : 0);
     recorder_.reset();
     if (!isTouched_) {
         folder_.discard(file_);

@@ -200,6 +200,17 @@ TEST(KeptRecording, IsRemovedIfNothingWasTouched) {
     EXPECT_TRUE(namesIn(home.path()).empty());
 }
 
+/// A window that stands still while somebody cuts sees no touch.
+TEST(KeptRecording, IsKeptIfSomethingWasCutUnseen) {
+    const test::TemporaryFolder home;
+    const auto tooth = test::blockOnTheBench();
+    auto recording = KeptRecording::begin(RecordingFolder(home.path()), tooth, "Block", "{}");
+    ASSERT_TRUE(recording) << recording.error().message();
+    tooth->sweep(test::flatBur().cutting, test::at(0, 0, 0.2), test::at(0, 0, -0.6));
+    EXPECT_TRUE((*recording)->finish());
+    EXPECT_THAT(namesIn(home.path()), ::testing::ElementsAre(EndsWith(" Block.ttsession")));
+}
+
 TEST(KeptRecording, AFullDiskIsSaidAndWhatWasWrittenIsKept) {
     const test::TemporaryFolder home;
     const auto tooth = test::blockOnTheBench();
