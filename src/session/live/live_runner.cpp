@@ -172,6 +172,7 @@ bool LiveRunner::processModel() {
     const Tick& now = tickForCarving_.value();
     carvingPose_.write(now.input.cutting && now.spindle.speedRpm > 0 ? std::optional(now.contact.proxy) : std::nullopt);
     const bool changed = carving_.carve(now);
+    if (!changed) feed_.publish(model_->loss());
     if (lanes_) {
         lanes_->carving(CarveEvent{now.number, changed});
         if (isDue(nextCarvingHash_, now.time)) lanes_->carving(CarvingHashEvent{carving_.hash()});

@@ -45,6 +45,11 @@ void SessionFeed::publish(CutModel& model) {
     surfaceUpdates_.fetch_add(1, std::memory_order_relaxed);
 }
 
+void SessionFeed::publish(const ToothLoss& loss) {
+    const std::lock_guard lock(mutex_);
+    loss_ = loss;
+}
+
 void SessionFeed::publish(const Tick& tick, double toForce) {
     deviceToForce_.add(toForce);
     ticks_.push(tick);

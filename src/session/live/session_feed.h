@@ -61,8 +61,10 @@ public:
 
     /// Before any observer: the servo loop, which outlives the feed's last reader.
     void setLoop(const ServoLoop& loop) { loop_ = &loop; }
-    /// Carving thread: the model has changed.
+    /// Carving thread: the surface has changed.
     void publish(CutModel& model);
+    /// Carving thread: a cut so small that it moves no part of the surface still removes volume.
+    void publish(const ToothLoss& loss);
     /// Servo thread, wait-free: the tick is complete. `toForce`: from reading the device to sending the force, us.
     void publish(const Tick& tick, double toForce);
     /// Servo thread, wait-free.

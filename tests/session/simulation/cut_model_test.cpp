@@ -319,6 +319,21 @@ TEST(CutModel, AStepIsCutAsSoonAsThereIsTheWorkThatItRequires) {
     EXPECT_NEAR(parts, 200, 2);
 }
 
+/// So its readers must not take "the surface is the same" for "nothing was removed".
+TEST(CutModel, ACutThatMovesNoPartOfTheSurfaceStillRemovesVolume) {
+    const CuttingTool bur = test::flatBur().cutting;
+    const auto piece = blockOnTheBench();
+    piece->feed(bur, pressing(1000, 0.1), {});
+    int unseen = 0;
+    for (int i = 0; i < 400; ++i) {
+        const MaterialVolumes before = piece->removed();
+        Tick tick = pressing(1000 + 1e-6 * i, 0.1 + 1e-6 * i);
+        tick.contact.proxy = at(0, 0, -0.1);
+        if (!piece->feed(bur, tick, {}) && piece->removed() != before) ++unseen;
+    }
+    EXPECT_GT(unseen, 0);
+}
+
 TEST(CutModel, TheSurfaceKeepsUpWithEachCut) {
     const auto piece = blockOnTheBench();
     const auto before = piece->surface();
