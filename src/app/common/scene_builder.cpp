@@ -3,9 +3,9 @@
 #include "app/common/scene_builder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "app/common/obstacles.h"
 #include "app/common/spin_blur.h"
 #include "app/common/tooth_zones.h"
 #include "geometry/util/pose.h"
@@ -102,77 +102,9 @@ void lightByMirror(Scene& scene, const Vec3& crown) {
     scene.lighting.fillColour = thrown;
 }
 
-/// The centre of the tooth's box in x and y, just below its top: close enough to the crown of any tooth.
-Vec3 crownOf(const Surface& tooth) {
-    constexpr double kBelowTop = 3.5;  // mm: half the height of a crown
-    const Box3 box = tooth.base->tree().box();
-    return {box.center().x(), box.center().y(), box.max().z() - kBelowTop};
-}
-
-/// What a dentist works on: the crown with its surroundings, the bur's tip, the mirror.
-std::vector<Vec3> placesOfWork(const SceneContents& contents) {
-    if (contents.tooth == nullptr) return {};
-    constexpr double kAlong = 9, kAside = 4;  // mm: to the middle of a neighbour; half of a crown, nearly
-    const Vec3 crown = crownOf(*contents.tooth);
-    constexpr double kBelow = 6;  // mm: the gum around it
-    std::vector<Vec3> places = {crown, crown - kBelow * Vec3::UnitZ()};
-    for (const double side : {-1.0, 1.0}) {
-        places.push_back(crown + side * kAlong * Vec3::UnitX());
-        places.push_back(crown + side * kAside * Vec3::UnitY());
-    }
-    if (contents.tool) places.push_back(contents.tool->toolInTooth.position);
-    if (contents.mirror) places.push_back(contents.mirror->mirrorInTooth * contents.mirror->disc.centre);
-    return places;
-}
-
-/// The nearest front face of `body` between the eye and a place.
-struct Obstacle {
-    Vec3 point;
-    double before = 0;  ///< mm from there to the place
-};
-std::optional<Obstacle> obstacle(const Surface& body, const Vec3& eye, const Vec3& place) {
-    const double away = (place - eye).norm();
-    if (!(away > 0)) return std::nullopt;
-    const Ray sight{eye, (place - eye) / away};
-    const auto seen = firstSeen(body, sight);
-    if (!seen || seen->distance >= away) return std::nullopt;
-    return Obstacle{sight.origin + seen->distance * sight.direction, away - seen->distance};
-}
-
-/// Whether the other side of the same jaw stands between the eye and the work.
-bool hidesWorkFromBeyond(const SceneContents& contents) {
-    constexpr double kNear = 20;  // mm: what is nearer to the work is no other side, but the next front tooth
-    const std::vector<Vec3> places = placesOfWork(contents);
-    const auto hides = [&](const ShownBody::Beyond& beyond, const Vec3& place) {
-        const auto found = obstacle(Surface{beyond.surface}, contents.camera.cameraInWorld.position, place);
-        if (!found || found->before < kNear) return false;
-        return !beyond.midline || beyond.midline->signedDistance(found->point) < 0;
-    };
-    return std::ranges::any_of(contents.around, [&](const ShownBody& body) {
-        return body.beyond &&
-               std::ranges::any_of(places, [&](const Vec3& place) { return hides(*body.beyond, place); });
-    });
-}
-
-/// The plane between the sides of the jaw, positive on the own side.
-std::optional<Plane> midlineOf(const std::vector<ShownBody>& around) {
-    for (const ShownBody& body : around) {
-        if (body.beyond && body.beyond->midline) return body.beyond->midline;
-    }
-    return std::nullopt;
-}
-
-/// `isBeyondHidden`: the other side of the jaw is left out, and the cheek there with it.
-void addSoftTissues(Scene& scene, const SceneContents& contents, bool isBeyondHidden) {
-    const std::vector<Vec3> places = placesOfWork(contents);
-    const std::optional<Plane> midline = isBeyondHidden ? midlineOf(contents.around) : std::nullopt;
-    constexpr double kOneSided = 5;  // mm: the middle of a cheek is farther from the midline
+void addSoftTissues(Scene& scene, const SceneContents& contents, const Obstacles& obstacles) {
     for (const ShownTissue& tissue : contents.softTissues) {
-        if (midline && midline->signedDistance(tissue.surface->base->tree().box().center()) < -kOneSided) continue;
-        const bool hidesWork = std::ranges::any_of(places, [&](const Vec3& place) {
-            return obstacle(*tissue.surface, contents.camera.cameraInWorld.position, place).has_value();
-        });
-        if (hidesWork) continue;
+        if (obstacles.hides(tissue)) continue;
         SceneObject object;
         object.shape = std::shared_ptr<const TriangleMesh>(tissue.surface, &tissue.surface->base->mesh());
         object.appearances = tissue.appearances;
@@ -268,10 +200,10 @@ Scene makeScene(const SceneContents& contents) {
     scene.particles = contents.flying;
     constexpr double kSteep = 0.65;  // sine of the angle from which on the opposite jaw is left out of the view
     const bool isSteep = (contents.camera.cameraInWorld.rotation * Vec3::UnitZ()).z() > kSteep;
-    const bool isBeyondHidden = hidesWorkFromBeyond(contents);
+    const Obstacles obstacles(contents);
     for (const ShownBody& body : contents.around) {
         if (body.opposite && isSteep) continue;
-        const bool isHalf = isBeyondHidden && body.beyond;
+        const bool isHalf = obstacles.isBeyondHidden() && body.beyond;
         if (isHalf && body.beyond->ownHalf == nullptr) continue;
         SceneObject object;
         object.shape = isHalf ? body.beyond->ownHalf : body.mesh;
@@ -282,7 +214,7 @@ Scene makeScene(const SceneContents& contents) {
         object.liquids.blood = object.liquids.slurry = 0;
         scene.objects.push_back(std::move(object));
     }
-    addSoftTissues(scene, contents, isBeyondHidden);
+    addSoftTissues(scene, contents, obstacles);
     if (contents.mirror && contents.tooth != nullptr) lightByMirror(scene, crownOf(*contents.tooth));
     return scene;
 }

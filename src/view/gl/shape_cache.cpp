@@ -22,7 +22,7 @@ ShapeCache::Result ShapeCache::update(const Scene& scene) {
         if (!hasTriangles(object.shape)) continue;
         Entry& entry = entryFor(object);
         entry.used = true;
-        entry.castsStaticShadow = !object.moves && !object.ghost && !object.handle && !object.backdrop;
+        entry.castsStaticShadow = !object.moves && throwsShadow(object);
         const bool onlyInSection = !object.visible && object.capAppearance && scene.section;
         if (!object.visible && !onlyInSection) continue;
         const bool changed = entry.buffers.update(object.shape);

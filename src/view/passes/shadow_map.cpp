@@ -230,7 +230,7 @@ void ShadowMap::draw(const std::vector<Drawable>& drawables, bool tools, const P
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4.0F);
     for (const Drawable& drawable : drawables) {
-        if (drawable.object->moves != tools || drawable.object->handle || drawable.object->backdrop) continue;
+        if (drawable.object->moves != tools || !throwsShadow(*drawable.object)) continue;
         const Mat4 objectToClip = worldToClip_ * drawable.objectToWorld;
         const Vec3 toLightInObject = drawable.objectToWorld.topLeftCorner<3, 3>().transpose() * toLight_;
         const bool closed = drawable.object->closed && !(inSection && drawable.object->sectioned);

@@ -63,6 +63,9 @@ struct SceneObject {
     SurfaceLiquids liquids = {};  ///< on its surface
 };
 inline constexpr float kAllGlass = -1e9F;
+[[nodiscard]] inline bool throwsShadow(const SceneObject& object) {
+    return !object.ghost && !object.handle && !object.backdrop;
+}
 /// One for each material of a tooth, and some for the zones between them.
 inline constexpr std::size_t kMaxAppearances = kMaxMaterials + 8;
 
