@@ -116,7 +116,7 @@ std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around) {
     return bodies;
 }
 
-std::vector<ShownTissue> shownSoftTissues(std::span<const ToothInMouth::SoftTissueBody> tissues) {
+std::vector<ShownTissue> shownSoftTissues(std::span<const SoftTissueBody> tissues) {
     std::vector<ShownTissue> shown;
     for (const auto& [kind, surface, zones] : tissues)
         shown.push_back({surface, appearancesOf(kind), std::make_shared<const TissueZones>(zones)});
@@ -124,14 +124,7 @@ std::vector<ShownTissue> shownSoftTissues(std::span<const ToothInMouth::SoftTiss
 }
 
 std::vector<ShownTissue> shownSoftTissues(const BuiltinMouth& mouth) {
-    std::vector<ShownTissue> shown;
-    for (const auto& [kind, tissue] : softTissuesOf(mouth)) {
-        shown.push_back(
-            {std::make_shared<const Surface>(Surface{std::make_shared<const SurfacePart>(tissue.mesh)}),
-             appearancesOf(kind),
-             std::make_shared<const TissueZones>(std::make_shared<const std::vector<std::uint8_t>>(tissue.zones))});
-    }
-    return shown;
+    return shownSoftTissues(softTissueBodies(mouth, 0, {}));
 }
 
 std::vector<ShownBody> shownMouth(const BuiltinMouth& mouth, ShownJaws jaws) {

@@ -14,7 +14,7 @@ namespace tactooth {
 [[nodiscard]] std::vector<ShownBody> shownAround(std::span<const ToothInMouth::Body> around);
 
 /// The soft tissues around a tooth in a mouth, ready to draw, in the tooth's frame.
-[[nodiscard]] std::vector<ShownTissue> shownSoftTissues(std::span<const ToothInMouth::SoftTissueBody> tissues);
+[[nodiscard]] std::vector<ShownTissue> shownSoftTissues(std::span<const SoftTissueBody> tissues);
 
 enum class ShownJaws { Both, Upper, Lower };
 

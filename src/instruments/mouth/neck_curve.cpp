@@ -11,15 +11,8 @@
 #include "instruments/modelling/blend.h"
 
 namespace tactooth {
-namespace {
 
-struct Knot {
-    double s;
-    Vec3 neck;
-};
-
-/// The necks of the right side, with their lengths along the curve.
-std::vector<Knot> rightSide(std::span<const Pose> toothInMouth) {
+std::vector<NeckCurve::Knot> NeckCurve::rightSide(std::span<const Pose> toothInMouth) {
     TACTOOTH_ASSERT(toothInMouth.size() >= 2);
     std::vector<Knot> knots;
     for (const Pose& pose : toothInMouth) {
@@ -30,7 +23,7 @@ std::vector<Knot> rightSide(std::span<const Pose> toothInMouth) {
     return knots;
 }
 
-SmoothCurve coordinate(const std::vector<Knot>& right, int axis) {
+SmoothCurve NeckCurve::coordinate(const std::vector<Knot>& right, int axis) {
     std::vector<SmoothCurve::Point> points;
     for (auto knot = right.rbegin(); knot != right.rend(); ++knot)
         points.push_back({-knot->s, axis == 0 ? -knot->neck.x() : knot->neck[axis]});
@@ -38,13 +31,10 @@ SmoothCurve coordinate(const std::vector<Knot>& right, int axis) {
     return SmoothCurve(points);
 }
 
-}  // namespace
+NeckCurve::NeckCurve(std::span<const Pose> toothInMouth) : NeckCurve(rightSide(toothInMouth)) {}
 
-NeckCurve::NeckCurve(std::span<const Pose> toothInMouth)
-    : half_(rightSide(toothInMouth).back().s),
-      x_(coordinate(rightSide(toothInMouth), 0)),
-      y_(coordinate(rightSide(toothInMouth), 1)),
-      z_(coordinate(rightSide(toothInMouth), 2)) {
+NeckCurve::NeckCurve(const std::vector<Knot>& right)
+    : half_(right.back().s), x_(coordinate(right, 0)), y_(coordinate(right, 1)), z_(coordinate(right, 2)) {
     constexpr double kBeyond = 25;  // mm: the curve goes straight on behind the last tooth
     constexpr int kSamples = 160;
     for (int i = 0; i <= kSamples; ++i) {

@@ -37,6 +37,15 @@ public:
     [[nodiscard]] double insideDistance(const Vec3& p) const;
 
 private:
+    /// The neck of a tooth of the right side, and its length along the curve.
+    struct Knot {
+        double s;
+        Vec3 neck;
+    };
+    [[nodiscard]] static std::vector<Knot> rightSide(std::span<const Pose> toothInMouth);
+    [[nodiscard]] static SmoothCurve coordinate(const std::vector<Knot>& right, int axis);
+    explicit NeckCurve(const std::vector<Knot>& right);
+
     double half_;
     SmoothCurve x_, y_, z_;
     struct Sample {

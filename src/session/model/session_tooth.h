@@ -34,7 +34,7 @@ struct SessionTooth {
     std::vector<std::string> teethOfCase = {};    ///< names; empty: the tooth is not from a case
     std::optional<SessionBur> bur = {};           ///< that goes with the tooth: of its case or its exercise
     std::vector<ToothInMouth::Body> around = {};  ///< the rest of the mouth, which is touched and drawn
-    std::vector<ToothInMouth::SoftTissueBody> softTissues = {};  ///< drawn, and not touched
+    std::vector<SoftTissueBody> softTissues = {};  ///< drawn, and not touched
     std::any purpose = {};                     ///< what a layer above made the tooth for; the session keeps it
     std::vector<ImportNote> importNotes = {};  ///< what was repaired in the surfaces that were read
     int mouthTooth = 0;                        ///< FDI number, if it stands in the whole built-in mouth; 0: it does not

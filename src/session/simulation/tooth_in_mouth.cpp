@@ -55,35 +55,13 @@ ToothInMouth::Body::Half halfOf(const ZonedMesh& gingiva, const Pose& gingivaInT
     const double side = isRight ? 1 : -1;
     TriangleMesh half;
     std::vector<std::uint8_t> zones;
-    std::vector<bool> taken(gingiva.mesh.vertices.size(), false);
-    // In the order in which appendSubset takes them.
-    appendSubset(half, gingiva.mesh, [&](std::uint32_t i) {
-        const Triangle& triangle = gingiva.mesh.triangles[i];
-        const bool isOwn = std::ranges::any_of(
-            triangle, [&](std::uint32_t vertex) { return side * gingiva.mesh.vertices[vertex].x() >= 0; });
-        for (const std::uint32_t vertex : triangle) {
-            if (!isOwn || taken[vertex]) continue;
-            taken[vertex] = true;
-            zones.push_back(gingiva.zones[vertex]);
-        }
-        return isOwn;
-    });
+    const auto isOwn = [&](std::uint32_t vertex) { return side * gingiva.mesh.vertices[vertex].x() >= 0; };
+    appendSubset(
+        half, gingiva.mesh, [&](std::uint32_t i) { return std::ranges::any_of(gingiva.mesh.triangles[i], isOwn); },
+        [&](std::uint32_t vertex) { zones.push_back(gingiva.zones[vertex]); });
     return {gingivaInTooth.rotation * (side * Vec3::UnitX()),
             std::make_shared<const TriangleMesh>(transformed(half, gingivaInTooth)),
             std::make_shared<const std::vector<std::uint8_t>>(std::move(zones))};
-}
-
-std::vector<ToothInMouth::SoftTissueBody> softTissuesAround(const BuiltinMouth& mouth, int fdi,
-                                                            const Pose& mouthInTooth) {
-    const std::vector<SoftTissue> tissues = softTissuesOf(mouth, fdi);
-    std::vector<ToothInMouth::SoftTissueBody> bodies(tissues.size());
-    parallelFor(bodies.size(), [&](std::size_t i) {
-        const auto& [kind, shown] = tissues[i];
-        Surface surface{std::make_shared<const SurfacePart>(transformed(shown.mesh, mouthInTooth))};
-        bodies[i] = {kind, std::make_shared<const Surface>(std::move(surface)),
-                     std::make_shared<const std::vector<std::uint8_t>>(shown.zones)};
-    });
-    return bodies;
 }
 
 ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
@@ -111,7 +89,7 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
     });
     result.tooth = worked->tooth;
     const Pose mouthInTooth = mouth.poseOf(*worked).inverse();
-    result.softTissues = softTissuesAround(mouth, fdi, mouthInTooth);
+    result.softTissues = softTissueBodies(mouth, fdi, mouthInTooth);
     for (const MouthTooth& tooth : mouth.teeth) {
         if (areBeside(tooth.tooth.fdi, fdi))
             result.beside.push_back(transformed(tooth.tooth, mouthInTooth * mouth.poseOf(tooth)));
@@ -120,6 +98,20 @@ ToothInMouth inMouth(const BuiltinMouth& mouth, int fdi) {
 }
 
 }  // namespace
+
+std::vector<SoftTissueBody> softTissueBodies(const BuiltinMouth& mouth, int worked, const Pose& mouthInFrame) {
+    std::vector<SoftTissue> tissues = softTissuesOf(mouth, worked);
+    std::vector<SoftTissueBody> bodies(tissues.size());
+    parallelFor(bodies.size(), [&](std::size_t i) {
+        auto& [kind, shown] = tissues[i];
+        Surface surface{std::make_shared<const SurfacePart>(transformed(shown.mesh, mouthInFrame),
+                                                            std::vector<SurfaceTag>(), SurfacePart::kNoneAdjacent,
+                                                            TreeBuild::Quick)};  // only some rays a picture search it
+        bodies[i] = {kind, std::make_shared<const Surface>(std::move(surface)),
+                     std::make_shared<const std::vector<std::uint8_t>>(std::move(shown.zones))};
+    });
+    return bodies;
+}
 
 Expected<ToothInMouth> toothInMouth(int fdi, const std::optional<Lesion>& lesion, const MouthRequest& mouth,
                                     const ToothGenerator& generator) {

@@ -12,6 +12,16 @@
 
 namespace tactooth {
 
+/// A soft tissue that is drawn, and not touched.
+struct SoftTissueBody {
+    SoftTissueKind kind;
+    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const std::vector<std::uint8_t>> zones;  ///< ZonedMesh::zones
+};
+/// Those of an open mouth; `mouthInFrame`: into the frame of the result. `worked`: as for softTissuesOf.
+[[nodiscard]] std::vector<SoftTissueBody> softTissueBodies(const BuiltinMouth& mouth, int worked,
+                                                           const Pose& mouthInFrame);
+
 /// A tooth to work on, and the mouth around it.
 struct ToothInMouth {
     BuiltinTooth tooth;
@@ -34,13 +44,8 @@ struct ToothInMouth {
         Pose bodyInTooth = {};             ///< from its own frame to that of `tooth`
         Box3 ownBox = {};                  ///< in its own frame
     };
-    std::vector<Body> around = {};  ///< all other bodies
-    struct SoftTissueBody {
-        SoftTissueKind kind;
-        std::shared_ptr<const Surface> surface;                  ///< in the frame of `tooth`
-        std::shared_ptr<const std::vector<std::uint8_t>> zones;  ///< ZonedMesh::zones
-    };
-    std::vector<SoftTissueBody> softTissues = {};  ///< of an open mouth; drawn, and not touched
+    std::vector<Body> around = {};                 ///< all other bodies
+    std::vector<SoftTissueBody> softTissues = {};  ///< of an open mouth, in the frame of `tooth`
 };
 
 /// `fdi` is a tooth of the mouth that is not missing; its resolution and seed are those of the mouth. Takes as long as
