@@ -96,6 +96,13 @@ struct FinishEvent {
 using SessionEvent = std::variant<BeginEvent, ForceEvent, TickEvent, CarveEvent, EditEvent, ListEvent, TickHashEvent,
                                   CarvingHashEvent, ExactTickEvent, FinishEvent>;
 
+/// Whether something was cut from the tooth, or put back.
+[[nodiscard]] inline bool changesTooth(const SessionEvent& event) {
+    const auto* const carve = std::get_if<CarveEvent>(&event);
+    const auto* const edit = std::get_if<EditEvent>(&event);
+    return (carve != nullptr && carve->published) || (edit != nullptr && edit->published);
+}
+
 /// The time that a tick has taken, s; nothing for an event that is no tick.
 [[nodiscard]] inline std::optional<double> secondsOf(const SessionEvent& event) {
     if (const auto* const tick = std::get_if<TickEvent>(&event)) return tick->input.seconds();

@@ -21,15 +21,18 @@ KeptRecording::KeptRecording(RecordingFolder folder, std::shared_ptr<const CutMo
                              const RecordingPart& part)
     : folder_(std::move(folder)),
       tooth_(std::move(tooth)),
-      removedBefore_(tooth_->removed()),
       title_(titleOfPart(std::move(title), part)),
       began_(folder_.now()) {}
 
 KeptRecording::~KeptRecording() {
     if (recorder_ == nullptr) return;
+    const bool isKept = isWorthKeeping();
     recorder_.reset();
-    if (!isTouched_) folder_.discard(file_);
+    if (!isKept) folder_.discard(file_);
 }
+
+/// A window that stood still for seconds may have missed the touch.
+bool KeptRecording::isWorthKeeping() const { return isTouched_ || recorder_->hasChanges(); }
 
 Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFolder& folder,
                                                               std::shared_ptr<const CutModel> tooth,
@@ -52,12 +55,10 @@ Expected<std::shared_ptr<KeptRecording>> KeptRecording::begin(const RecordingFol
 }
 
 Expected<void> KeptRecording::finish() {
-    const bool isWhole = recorder_->isWhole();
-    // A window that stood still for seconds may have missed the touch.
-    if (isWhole && tooth_->removed() != removedBefore_) noteTouch();
-    const Expected<void> closed = recorder_->close(isWhole ? tooth_->hash() : 0);
+    const Expected<void> closed = recorder_->close(recorder_->isWhole() ? tooth_->hash() : 0);
+    const bool isKept = isWorthKeeping();
     recorder_.reset();
-    if (!isTouched_) {
+    if (!isKept) {
         folder_.discard(file_);
         file_.clear();
         return {};

@@ -36,8 +36,7 @@ public:
     /// Where it is now: `finish` gives it its final name.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
     [[nodiscard]] bool isSealed() const { return isSealed_; }
-    /// The instrument has touched something: the recording is worth keeping. One in which something was cut is kept
-    /// without it.
+    /// The instrument has touched something: the recording is worth keeping. One that holds a cut is, without it.
     void noteTouch() { isTouched_ = true; }
 
     /// Ends it and gives the file its final name; removes it if nothing was touched. No thread works on the tooth any
@@ -48,10 +47,10 @@ public:
 private:
     KeptRecording(RecordingFolder folder, std::shared_ptr<const CutModel> tooth, std::string title,
                   const RecordingPart& part);
+    [[nodiscard]] bool isWorthKeeping() const;
 
     RecordingFolder folder_;
     std::shared_ptr<const CutModel> tooth_;
-    MaterialVolumes removedBefore_;
     std::string title_;
     std::chrono::system_clock::time_point began_;
     std::filesystem::path file_;

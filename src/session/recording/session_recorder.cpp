@@ -152,6 +152,7 @@ void SessionRecorder::writeEvents(bool waits) {
             break;
         }
         firstTick_ += ticks;
+        hasChanges_ = hasChanges_ || std::ranges::any_of(block, changesTooth);
     }
     events_.clear();
 }
@@ -166,6 +167,11 @@ void SessionRecorder::breakOff() {
 bool SessionRecorder::isWhole() const {
     const std::lock_guard lock(mutex_);
     return !overflowed_ && !isBrokenOff_ && !writer_->fault();
+}
+
+bool SessionRecorder::hasChanges() const {
+    const std::lock_guard lock(mutex_);
+    return hasChanges_;
 }
 
 void SessionRecorder::run(const std::stop_token& stop) {

@@ -69,6 +69,8 @@ public:
     [[nodiscard]] std::optional<Message> fault() const;
     /// Whether the file takes no more: the disk or the folder has failed. Any thread.
     [[nodiscard]] bool hasFileFailed() const { return writer_->fault().has_value(); }
+    /// Whether the tooth was changed in what was recorded so far. Any thread.
+    [[nodiscard]] bool hasChanges() const;
     /// Size of the file. Any thread.
     [[nodiscard]] std::uint64_t bytes() const { return writer_->bytes(); }
 
@@ -92,6 +94,7 @@ private:
     std::uint64_t firstTick_ = 0;       // of these; the ticks of all burs are counted together
     double unwritten_ = 0;              // s of a session that is not live
     std::chrono::steady_clock::time_point flushed_;
+    bool hasChanges_ = false;
     bool overflowed_ = false;  // events are missing
     bool isBrokenOff_ = false;
     bool isBeyondGap_ = false;  // what comes now leads nowhere

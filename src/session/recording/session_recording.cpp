@@ -93,9 +93,7 @@ std::optional<SessionWork> SessionRecording::work() const {
 Expected<bool> SessionRecording::hasChanges() const {
     bool isChanged = false;
     const Expected<void> read = forEach([&](const SessionEvent& event) {
-        const auto* const carve = std::get_if<CarveEvent>(&event);
-        const auto* const edit = std::get_if<EditEvent>(&event);
-        isChanged = (carve != nullptr && carve->published) || (edit != nullptr && edit->published);
+        isChanged = changesTooth(event);
         return !isChanged;
     });
     if (!read) return Unexpected{read.error()};
