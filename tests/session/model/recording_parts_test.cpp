@@ -13,6 +13,7 @@
 
 #include "../journal/fake_journal_file.h"
 #include "geometry/files/atomic_file.h"
+#include "model/expect_replays.h"
 #include "model/model_scene.h"
 #include "session/model/session_restore.h"
 #include "session/recording/messages.h"
@@ -52,18 +53,6 @@ void cutAbout(test::SteppedSession& session, double seconds, unsigned seed, bool
         session.step({{from + share * (to - from), Quat::Identity()}, 1, true});
         if (undoes && i % 900 == 899) session.edit(Edit::Undo);
     }
-}
-
-/// Expects that the recording leads to this tooth, bit for bit.
-void expectReplays(const fs::path& file, std::uint64_t hash) {
-    const auto recording = SessionRecording::open(file);
-    ASSERT_TRUE(recording) << recording.error().message();
-    auto replay = SessionReplay::start(*recording);
-    ASSERT_TRUE(replay) << replay.error().message();
-    const auto played = replay->playUntil({}, {});
-    ASSERT_TRUE(played) << played.error().message();
-    EXPECT_FALSE(replay->differsAt()) << *replay->differsAt();
-    EXPECT_EQ(replay->model().hash(), hash);
 }
 
 /// By the number of the part.
@@ -107,7 +96,7 @@ TEST_P(RecordingParts, AReopenedToothIsRecordedExactly) {
     (*recorder)->end();
     ASSERT_TRUE((*recorder)->close(model->hash()));
     EXPECT_NE(model->hash(), hash);
-    expectReplays(folder_ / "s.ttsession", model->hash());
+    test::expectReplays(folder_ / "s.ttsession", model->hash());
     while (!model->history().done.empty()) ASSERT_TRUE(model->undo());
     EXPECT_EQ(total(model->removed()), 0) << "what was cut before can be undone as well";
 }
@@ -167,7 +156,7 @@ TEST_P(RecordingParts, AfterAFullQueueTheSessionGoesOnInAnotherFile) {
     EXPECT_FALSE(neighbourParts(parts.at(1), first->facts().part).before);
     EXPECT_EQ(neighbourParts(parts.at(2), second->facts().part).before, parts.at(1));
     EXPECT_FALSE(neighbourParts(parts.at(2), second->facts().part).behind);
-    expectReplays(parts.at(2), hash);
+    test::expectReplays(parts.at(2), hash);
 }
 
 /// The disk takes nothing for minutes: a block of events is lost, and what is recorded later leads nowhere.
@@ -266,7 +255,7 @@ TEST_F(StoppedRecording, GoesOnInAFolderThatWasDeletedMeanwhile) {
     model_.finishRecording();
     const auto parts = partsIn(place_);
     ASSERT_EQ(parts.size(), 1U) << "nobody brings back what the user has deleted";
-    expectReplays(parts.at(2), model_.tooth()->piece->hash());
+    test::expectReplays(parts.at(2), model_.tooth()->piece->hash());
 }
 
 TEST_F(StoppedRecording, GoesOnWhenAFullDiskIsFreeAgain) {
@@ -289,7 +278,7 @@ TEST_F(StoppedRecording, GoesOnWhenAFullDiskIsFreeAgain) {
     const auto parts = partsIn(place_);
     ASSERT_EQ(parts.size(), 2U);
     EXPECT_FALSE(SessionRecording::open(parts.at(1)).value().journal().isComplete());
-    expectReplays(parts.at(2), model_.tooth()->piece->hash());
+    test::expectReplays(parts.at(2), model_.tooth()->piece->hash());
 }
 
 TEST_F(StoppedRecording, ComesBackAfterACrashWithAllThatWasCut) {
@@ -345,7 +334,7 @@ TEST_F(StoppedRecording, WhatWasCutBeforeCanBeUndoneAndRedone) {
         ASSERT_TRUE(replay && replay->playUntil({}, {}));
         EXPECT_FALSE(replay->differsAt()) << number;
     }
-    expectReplays(parts.rbegin()->second, model_.tooth()->piece->hash());
+    test::expectReplays(parts.rbegin()->second, model_.tooth()->piece->hash());
 }
 
 /// Notes the longest time between two ticks of the servo.

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "model/expect_replays.h"
 #include "model/model_scene.h"
 #include "session/recording/session_recording.h"
 #include "session/recording/session_replay.h"
@@ -59,14 +60,7 @@ TEST_F(RecordedSession, IsKeptUnderTheNameOfItsToothAndReplays) {
     ASSERT_EQ(filesIn(folder_.path()).size(), 1U);
     const fs::path file = filesIn(folder_.path()).front();
     EXPECT_THAT(file.string(), EndsWith(" Block.ttsession"));
-    const auto recording = SessionRecording::open(file);
-    ASSERT_TRUE(recording) << recording.error().message();
-    auto replay = SessionReplay::start(*recording);
-    ASSERT_TRUE(replay) << replay.error().message();
-    const auto played = replay->playUntil({}, {});
-    ASSERT_TRUE(played) << played.error().message();
-    EXPECT_FALSE(replay->differsAt());
-    EXPECT_EQ(replay->model().hash(), hash);
+    test::expectReplays(file, hash);
 }
 
 TEST_F(RecordedSession, InWhichNothingWasTouchedLeavesNothing) {

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "bench_scene.h"
+#include "recording/aged_file.h"
 #include "session/recording/kept_recording.h"
 #include "session/recording/session_recording.h"
 #include "session/recording/session_replay.h"
@@ -35,11 +35,7 @@ private:
     std::chrono::system_clock::time_point time_ = std::chrono::system_clock::now();
 };
 
-/// A file that is written `age` ago, as the clock says.
-void makeFile(const fs::path& file, std::chrono::seconds age) {
-    std::ofstream(file) << std::string(900, 'x');
-    fs::last_write_time(file, fs::file_time_type::clock::now() - age);
-}
+constexpr std::size_t kBytes = 900;  // of a file
 
 /// So many ticks above the block and into it.
 void work(SessionRecorder& recorder, const std::shared_ptr<CutModel>& block, int from, int to,
@@ -97,9 +93,9 @@ TEST(ClockSetBack, TheNewestRecordingIsNotRemovedForTheOldest) {
     const test::TemporaryFolder home;
     SetClock clock;
     const RecordingFolder folder(home.path(), 2000, clock.now());
-    makeFile(home / "2026-11-24 10.00 Molar.ttsession", 2h);
-    makeFile(home / "2026-11-25 10.00 Molar.ttsession", 1h);
-    makeFile(home / "live-1-0.ttsession", 48h);
+    test::makeFile(home / "2026-11-24 10.00 Molar.ttsession", kBytes, 2h);
+    test::makeFile(home / "2026-11-25 10.00 Molar.ttsession", kBytes, 1h);
+    test::makeFile(home / "live-1-0.ttsession", kBytes, 48h);
     clock.advance(-48h);
     const auto kept = folder.keep(home / "live-1-0.ttsession", clock.now()(), "Block");
     ASSERT_TRUE(kept) << kept.error().message();
@@ -114,11 +110,11 @@ TEST(ClockSetBack, TheSessionThatBeganLastIsOfferedFirst) {
     const test::TemporaryFolder home;
     const RecordingFolder folder(home.path());
     const fs::path first = folder.liveName().value();
-    makeFile(first, 1h);
+    test::makeFile(first, kBytes, 1h);
     const fs::path second = folder.liveName().value();
-    makeFile(second, 48h);
+    test::makeFile(second, kBytes, 48h);
     const fs::path third = folder.autosaveName().value();
-    makeFile(third, 72h);
+    test::makeFile(third, kBytes, 72h);
     std::vector<fs::path> offered;
     for (const Leftover& leftover : folder.leftovers()) offered.push_back(leftover.file());
     EXPECT_THAT(offered, ElementsAre(third, second, first));

@@ -16,6 +16,7 @@
 #include <random>
 
 #include "bench_scene.h"
+#include "recording/aged_file.h"
 #include "session/recording/kept_recording.h"
 #include "session/recording/session_recording.h"
 #include "support/scoped_variable.h"
@@ -30,12 +31,6 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
-
-/// A file of so many bytes, written so long ago.
-void makeFile(const fs::path& file, std::size_t bytes, std::chrono::seconds age = 0s) {
-    std::ofstream(file) << std::string(bytes, 'x');
-    fs::last_write_time(file, fs::file_time_type::clock::now() - age);
-}
 
 std::vector<std::string> namesIn(const fs::path& folder) {
     std::vector<std::string> names;
@@ -75,7 +70,7 @@ TEST(RecordingFolder, ALiveNameHasTheNumberOfTheProcessAndIsFree) {
     const auto first = folder.liveName();
     ASSERT_TRUE(first) << first.error().message();
     EXPECT_EQ(first->filename(), "live-" + std::to_string(::getpid()) + "-0.ttsession");
-    makeFile(*first, 1);
+    test::makeFile(*first, 1);
     EXPECT_NE(*folder.liveName(), *first);
 }
 
@@ -84,7 +79,7 @@ TEST(RecordingFolder, KeepsUnderAReadableNameAndReplacesNothing) {
     const RecordingFolder folder(home.path());
     const auto now = std::chrono::system_clock::now();
     for (int i = 0; i < 3; ++i) {
-        makeFile(home / "live-1-0.ttsession", 1 + static_cast<std::size_t>(i));
+        test::makeFile(home / "live-1-0.ttsession", 1 + static_cast<std::size_t>(i));
         const auto kept = folder.keep(home / "live-1-0.ttsession", now, "Molar");
         ASSERT_TRUE(kept) << kept.error().message();
         EXPECT_EQ(fs::file_size(*kept), 1 + static_cast<std::size_t>(i));
@@ -96,12 +91,12 @@ TEST(RecordingFolder, KeepsUnderAReadableNameAndReplacesNothing) {
 TEST(RecordingFolder, TheOldestFinishedRecordingsGoFirstAndNothingElse) {
     const test::TemporaryFolder home;
     const RecordingFolder folder(home.path(), 3000);
-    makeFile(home / "live-1-0.ttsession", 1000, 9h);               // left by a crash
-    makeFile(home / "autosave-1-0.tactooth", 500, 9h);             // not restored yet
-    makeFile(home / "my lesson.ttsession", 500, 9h);               // a name of the user's own
-    makeFile(home / "2026-11-24 10.00 Molar.ttsession", 900, 8h);  // the oldest
-    makeFile(home / "2026-11-25 10.00 Molar.ttsession", 900, 7h);
-    makeFile(home / "2026-11-26 10.00 Molar.ttsession", 900, 6h);
+    test::makeFile(home / "live-1-0.ttsession", 1000, 9h);               // left by a crash
+    test::makeFile(home / "autosave-1-0.tactooth", 500, 9h);             // not restored yet
+    test::makeFile(home / "my lesson.ttsession", 500, 9h);               // a name of the user's own
+    test::makeFile(home / "2026-11-24 10.00 Molar.ttsession", 900, 8h);  // the oldest
+    test::makeFile(home / "2026-11-25 10.00 Molar.ttsession", 900, 7h);
+    test::makeFile(home / "2026-11-26 10.00 Molar.ttsession", 900, 6h);
     EXPECT_EQ(folder.bytes(), 4700U);
     folder.tidy();
     EXPECT_THAT(namesIn(home.path()),
@@ -111,11 +106,11 @@ TEST(RecordingFolder, TheOldestFinishedRecordingsGoFirstAndNothingElse) {
 
 TEST(RecordingFolder, NamesWhatHasEndedNewestFirst) {
     const test::TemporaryFolder home;
-    makeFile(home / "2026-11-24 10.00 Molar.ttsession", 10, 2h);
-    makeFile(home / "2026-11-26 10.00 Molar.ttsession", 10, 1h);
-    makeFile(home / "2026-11-25 10.00 Molar.ttsession", 10, 3h);
-    makeFile(home / "live-1-0.ttsession", 10);
-    makeFile(home / "my lesson.ttsession", 10);
+    test::makeFile(home / "2026-11-24 10.00 Molar.ttsession", 10, 2h);
+    test::makeFile(home / "2026-11-26 10.00 Molar.ttsession", 10, 1h);
+    test::makeFile(home / "2026-11-25 10.00 Molar.ttsession", 10, 3h);
+    test::makeFile(home / "live-1-0.ttsession", 10);
+    test::makeFile(home / "my lesson.ttsession", 10);
     EXPECT_THAT(
         RecordingFolder(home.path()).finished(),
         ::testing::ElementsAre(home / "2026-11-26 10.00 Molar.ttsession", home / "2026-11-24 10.00 Molar.ttsession",
@@ -126,7 +121,7 @@ TEST(RecordingFolder, NamesWhatHasEndedNewestFirst) {
 TEST(RecordingFolder, ARecordingThatIsReadOrWrittenIsNotRemoved) {
     const test::TemporaryFolder home;
     const fs::path file = home / "2026-11-24 10.00 Molar.ttsession";
-    makeFile(file, 900);
+    test::makeFile(file, 900);
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     ASSERT_EQ(::flock(descriptor, LOCK_EX), 0);
     RecordingFolder(home.path(), 0).tidy();
@@ -139,10 +134,10 @@ TEST(RecordingFolder, ARecordingThatIsReadOrWrittenIsNotRemoved) {
 TEST(RecordingFolder, OffersWhatNobodyWritesOnceAndNewestFirst) {
     const test::TemporaryFolder home;
     const RecordingFolder folder(home.path());
-    makeFile(home / "live-1-0.ttsession", 10, 2h);
-    makeFile(home / "autosave-1-0.tactooth", 10, 1h);
-    makeFile(home / "live-2-0.ttsession", 10);
-    makeFile(home / "2026-11-24 10.00 Molar.ttsession", 10);
+    test::makeFile(home / "live-1-0.ttsession", 10, 2h);
+    test::makeFile(home / "autosave-1-0.tactooth", 10, 1h);
+    test::makeFile(home / "live-2-0.ttsession", 10);
+    test::makeFile(home / "2026-11-24 10.00 Molar.ttsession", 10);
     const int running = ::open((home / "live-2-0.ttsession").c_str(), O_RDONLY | O_CLOEXEC);
     ASSERT_EQ(::flock(running, LOCK_EX), 0);  // as its writer does
     {
@@ -158,7 +153,7 @@ TEST(RecordingFolder, OffersWhatNobodyWritesOnceAndNewestFirst) {
 
 TEST(RecordingFolder, AFolderThatCannotBeMadeHasItsSentence) {
     const test::TemporaryFolder home;
-    makeFile(home / "file", 1);
+    test::makeFile(home / "file", 1);
     const auto name = RecordingFolder(home / "file/recordings").liveName();
     ASSERT_FALSE(name);
     EXPECT_THAT(name.error().message(), HasSubstr("this session is not recorded"));
@@ -207,6 +202,7 @@ TEST(KeptRecording, IsKeptIfSomethingWasCutUnseen) {
     auto recording = KeptRecording::begin(RecordingFolder(home.path()), tooth, "Block", "{}");
     ASSERT_TRUE(recording) << recording.error().message();
     tooth->sweep(test::flatBur().cutting, test::at(0, 0, 0.2), test::at(0, 0, -0.6));
+    (*recording)->recorder().append(CarveEvent{.tick = 1, .published = true});
     EXPECT_TRUE((*recording)->finish());
     EXPECT_THAT(namesIn(home.path()), ::testing::ElementsAre(EndsWith(" Block.ttsession")));
 }
