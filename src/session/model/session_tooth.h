@@ -31,14 +31,14 @@ struct SessionTooth {
     double mesialX = 1;  ///< direction of mesial along x; a file's frame is taken to have it at +x
     Provenance provenance;
     Box3 workBox = {};  ///< of the tooth that is worked on among others, mm; empty: all of the piece
-    std::vector<std::string> teethOfCase = {};    ///< names; empty: the tooth is not from a case
-    std::optional<SessionBur> bur = {};           ///< that goes with the tooth: of its case or its exercise
-    std::vector<ToothInMouth::Body> around = {};  ///< the rest of the mouth, which is touched and drawn
+    std::vector<std::string> teethOfCase = {};     ///< names; empty: the tooth is not from a case
+    std::optional<SessionBur> bur = {};            ///< that goes with the tooth: of its case or its exercise
+    std::vector<ToothInMouth::Body> around = {};   ///< the rest of the mouth, which is touched and drawn
     std::vector<SoftTissueBody> softTissues = {};  ///< drawn, and not touched
-    std::any purpose = {};                     ///< what a layer above made the tooth for; the session keeps it
-    std::vector<ImportNote> importNotes = {};  ///< what was repaired in the surfaces that were read
-    int mouthTooth = 0;                        ///< FDI number, if it stands in the whole built-in mouth; 0: it does not
-    SessionWork work = {};                     ///< what somebody was doing with it before
+    std::any purpose = {};                         ///< what a layer above made the tooth for; the session keeps it
+    std::vector<ImportNote> importNotes = {};      ///< what was repaired in the surfaces that were read
+    int mouthTooth = 0;     ///< FDI number, if it stands in the whole built-in mouth; 0: it does not
+    SessionWork work = {};  ///< what somebody was doing with it before
     /// What was gone when it was saved last; none: as it is now, nothing is unsaved.
     std::optional<MaterialVolumes> savedAt = {};
     bool wasUnsaved = false;  ///< it came with cuts that no file of the user holds
