@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/common/image_view.h"
+#include "app/common/images/image_view.h"
 #include "app/common/offscreen_application.h"
 #include "geometry/util/assert.h"
 

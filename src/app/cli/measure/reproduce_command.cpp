@@ -8,9 +8,9 @@
 
 #include "app/cli/measure/reproduce_page.h"
 #include "app/cli/terminal/output.h"
-#include "app/common/drawing_experiment.h"
 #include "app/common/exit_code.h"
-#include "app/common/panel_image.h"
+#include "app/common/images/drawing_experiment.h"
+#include "app/common/images/panel_image.h"
 #include "experiments/thread_clock.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"

@@ -8,7 +8,7 @@
 
 #include "app/cli/terminal/output.h"
 #include "app/common/exit_code.h"
-#include "app/common/spectrogram_image.h"
+#include "app/common/images/spectrogram_image.h"
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"

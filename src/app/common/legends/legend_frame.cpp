@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/common/image_view.h"
+#include "app/common/images/image_view.h"
 #include "app/common/offscreen_application.h"
 
 namespace tactooth {

@@ -7,7 +7,7 @@
 #include <array>
 #include <mutex>
 
-#include "app/common/image_view.h"
+#include "app/common/images/image_view.h"
 #include "app/common/inspection.h"
 #include "app/common/scene_builder.h"
 #include "assessment/report/messages.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/plot_image.h"
+#include "app/common/images/plot_image.h"
 
 #include <QChart>
 #include <QChartView>

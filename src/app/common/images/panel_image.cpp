@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/panel_image.h"
+#include "app/common/images/panel_image.h"
 
 #include <QChart>
 #include <QChartView>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/contact_sheet.h"
+#include "app/common/images/contact_sheet.h"
 
 #include <QPainter>
 
-#include "app/common/image_view.h"
+#include "app/common/images/image_view.h"
 #include "app/common/offscreen_application.h"
 
 namespace tactooth {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/spectrogram_image.h"
+#include "app/common/images/spectrogram_image.h"
 
 #include <QImage>
 #include <QPainter>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/common/drawing_experiment.h"
+#include "app/common/images/drawing_experiment.h"
 
 #include <algorithm>
 #include <numbers>
