@@ -5,6 +5,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "geometry/util/parallel_for.h"
@@ -30,15 +31,35 @@ struct Piece {
     bool isDrawn = true;  ///< if false, it is only an input of the piece above it
 };
 
-bool hasOneAppearance(const ShadingMesh& mesh, const Triangle& triangle) {
-    const auto appearances = [&](std::size_t corner) { return mesh.vertices[triangle[corner]].appearances; };
-    return appearances(0) == appearances(1) && appearances(1) == appearances(2);
+/// Where a vertex stands between its two appearances: from the number of the first to that of the second.
+float blendOf(std::uint32_t appearances) {
+    const auto first = static_cast<float>(appearances & 255U), second = static_cast<float>(appearances >> 8 & 255U);
+    return first + (second - first) * static_cast<float>(appearances >> 16 & 255U) / 255;
+}
+
+/// Whether at most two appearances meet in the triangle, and pass into each other slowly: at a border between two
+/// tissues all triangles stay as they are.
+bool isGradual(const ShadingMesh& mesh, const Triangle& triangle) {
+    constexpr float kSlow = 0.25F;
+    std::array<std::uint32_t, 6> met;
+    std::array<float, 3> blends;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::uint32_t mix = mesh.vertices[triangle[c]].appearances;
+        const std::uint32_t first = mix & 255U, second = mix >> 8 & 255U, share = mix >> 16 & 255U;
+        met[2 * c] = share < 255 ? first : second;
+        met[2 * c + 1] = share > 0 ? second : first;
+        blends[c] = blendOf(mix);
+    }
+    const auto [low, high] = std::ranges::minmax(met);
+    const auto [least, most] = std::ranges::minmax(blends);
+    return std::ranges::all_of(met, [&](std::uint32_t one) { return one == low || one == high; }) &&
+           most - least <= kSlow * static_cast<float>(high - low);
 }
 
 /// Triangles with local vertex numbers, because the work of simplification grows with the numbers.
 struct LocalMesh {
     std::vector<std::uint32_t> vertices;  ///< numbers in the whole mesh
-    std::vector<Vec3f> positions;
+    std::vector<Vec3f> positions;         ///< raised by what the appearance there differs
     std::vector<std::uint32_t> indices;
 
     LocalMesh(const ShadingMesh& mesh, std::span<const Triangle> triangles) {
@@ -53,9 +74,40 @@ struct LocalMesh {
         for (const Triangle& triangle : triangles) {
             for (const std::uint32_t vertex : triangle) indices.push_back(numberOf(mesh, vertex, known[vertex - low]));
         }
+        raise(mesh);
     }
 
 private:
+    /// Moves the vertices along the normal where the appearances pass into each other. The simplification knows only
+    /// distances: so it keeps the colour of a smooth surface as it keeps the form of a curved one.
+    void raise(const ShadingMesh& mesh) {
+        constexpr float kHeight = 0.25F;  // mm from one appearance to the other
+        std::vector<float> blends(vertices.size());
+        std::ranges::transform(vertices, blends.begin(),
+                               [&](std::uint32_t vertex) { return blendOf(mesh.vertices[vertex].appearances); });
+        const auto [least, most] = std::ranges::minmax(blends);
+        if (least == most) return;
+        const std::vector<Vec3f> normals = normalsByPlace();
+        const float middle = (least + most) / 2;
+        for (std::size_t i = 0; i < vertices.size(); ++i) positions[i] += kHeight * (blends[i] - middle) * normals[i];
+    }
+
+    /// Unit normals, the same for all vertices at one place: the surface stays in one piece.
+    [[nodiscard]] std::vector<Vec3f> normalsByPlace() const {
+        std::vector<std::uint32_t> place(vertices.size());
+        meshopt_generateVertexRemap(place.data(), indices.data(), indices.size(), positions.data(), positions.size(),
+                                    sizeof(Vec3f));
+        std::vector<Vec3f> sums(vertices.size(), Vec3f::Zero());
+        for (std::size_t i = 0; i < indices.size(); i += 3) {
+            const Vec3f& corner = positions[indices[i]];
+            const Vec3f area = (positions[indices[i + 1]] - corner).cross(positions[indices[i + 2]] - corner);
+            for (std::size_t c = 0; c < 3; ++c) sums[place[indices[i + c]]] += area;
+        }
+        std::vector<Vec3f> normals(vertices.size());
+        for (std::size_t i = 0; i < vertices.size(); ++i) normals[i] = sums[place[i]].normalized();
+        return normals;
+    }
+
     std::uint32_t numberOf(const ShadingMesh& mesh, std::uint32_t vertex, std::uint32_t& known) {
         if (known == kNoVertex) {
             known = static_cast<std::uint32_t>(vertices.size());
@@ -68,18 +120,18 @@ private:
 
 /// Removes half of the triangles of `piece`, if that many can be removed.
 Piece halved(const ShadingMesh& mesh, Piece piece) {
-    const auto oneAppearance = std::stable_partition(piece.triangles.begin(), piece.triangles.end(),
-                                                     [&](const Triangle& t) { return !hasOneAppearance(mesh, t); });
+    const auto gradual = std::stable_partition(piece.triangles.begin(), piece.triangles.end(),
+                                               [&](const Triangle& t) { return !isGradual(mesh, t); });
     piece.isDrawn = false;
-    if (oneAppearance == piece.triangles.end()) return piece;
-    const LocalMesh local(mesh, {oneAppearance, piece.triangles.end()});
+    if (gradual == piece.triangles.end()) return piece;
+    const LocalMesh local(mesh, {gradual, piece.triangles.end()});
     const float* positions = local.positions.front().data();
     std::vector<std::uint32_t> left(local.indices.size());
     float error = 0;
     left.resize(meshopt_simplify(left.data(), local.indices.data(), left.size(), positions, local.positions.size(),
                                  sizeof(Vec3f), left.size() / 6 * 3, std::numeric_limits<float>::max(),
                                  meshopt_SimplifyLockBorder, &error));
-    const auto fixed = static_cast<std::size_t>(oneAppearance - piece.triangles.begin());
+    const auto fixed = static_cast<std::size_t>(gradual - piece.triangles.begin());
     const std::size_t triangles = fixed + left.size() / 3;
     if (static_cast<double>(triangles) > kWorthwhile * static_cast<double>(piece.triangles.size())) return piece;
     piece.triangles.resize(fixed);

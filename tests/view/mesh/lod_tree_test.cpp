@@ -9,6 +9,7 @@
 #include <map>
 
 #include "support/shapes.h"
+#include "view/mesh/appearance_zones.h"
 
 namespace tactooth {
 namespace {
@@ -138,6 +139,41 @@ TEST(LodTree, WhereTwoAppearancesMeetNoEdgeIsLeftOut) {
     std::sort(coarse.begin(), coarse.end());
     EXPECT_GT(wanted.size(), 100U);
     EXPECT_EQ(coarse, wanted);
+}
+
+/// Thin enamel into thick, gingiva into mucosa: a number of appearances over the height, from one into the other within
+/// 4 mm of 8.
+class GradualBall : public AppearanceZones {
+public:
+    [[nodiscard]] AppearanceMix at(const Place& place) const override {
+        return {0, 1, static_cast<std::uint8_t>(std::lround(255 * shareAt(place.point.z())))};
+    }
+    static double shareAt(double z) { return std::clamp(0.5 + z / 4, 0.0, 1.0); }
+};
+
+TEST(LodTree, AppearancesThatPassSlowlyIntoEachOtherAreSimplifiedWithinTheError) {
+    const TriangleMesh mesh = ball();
+    CornerShading shading = cornerShading(mesh);
+    applyZones(GradualBall(), mesh, shading);
+    const ShadingMesh zoned = shadingMesh(mesh, shading);
+    const LodTree tree = buildLodTree(zoned);
+    const double own = worstDeparture(zoned, zoned.triangles);
+    for (const double error : {0.01, 0.02, 0.05}) {
+        const std::vector<Triangle> triangles = drawn(tree, error);
+        EXPECT_LE(triangles.size(), mesh.triangles.size() / 2) << error;
+        EXPECT_EQ(openEdges(zoned, triangles), 0U) << error;
+        EXPECT_LE(worstDeparture(zoned, triangles), own + 4 * error) << error;
+        double worst = 0;  // difference of the drawn share from the true one, at the middles of the triangles
+        for (const Triangle& t : triangles) {
+            double drawnShare = 0, height = 0;
+            for (const std::uint32_t vertex : t) {
+                drawnShare += static_cast<double>(zoned.vertices[vertex].appearances >> 16 & 255U) / 255 / 3;
+                height += static_cast<double>(zoned.vertices[vertex].position[2]) / 3;
+            }
+            worst = std::max(worst, std::abs(drawnShare - GradualBall::shareAt(height)));
+        }
+        EXPECT_LE(worst, 0.02 + 4 * error) << error;  // 0.25 mm stand for the whole way
+    }
 }
 
 TEST(LodTree, ABodyOfFewTrianglesIsLeftAsItIs) {
