@@ -10,6 +10,7 @@
 #include "view/gl/noise_texture.h"
 #include "view/gl/shaders.h"
 #include "view/passes/appearance_uniforms.h"
+#include "view/passes/draw_order.h"
 
 namespace tactooth {
 
@@ -30,7 +31,7 @@ struct ShadowTaps {
 };
 // By Shadows. Twelve on a rotated spiral leave no visible noise at 1080p. A penumbra that widens is up to three and a
 // half times as wide and needs more. It is drawn only at rest, where thirty samples in all are cheap enough.
-constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 1}, {0, 12}, {12, 18}}};
+constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 4}, {0, 12}, {12, 18}}};
 
 /// What a program can do besides lighting a surface. A software renderer computes both sides of each condition, so that
 /// a program has only what its objects need.
@@ -203,7 +204,10 @@ void SolidPass::drawOpaque(const SolidInputs& inputs) const {
     glFrontFace(inputs.view.mirrored ? GL_CW : GL_CCW);
     const bool marks = !inputs.ghosts.empty();
     if (marks) beginStencil();
-    for (const Drawable& drawable : inputs.drawables) {
+    std::vector<PlacedBox> bodies;
+    for (const Drawable& one : inputs.drawables) bodies.push_back({one.buffers->box(), one.objectToWorld});
+    for (const std::size_t i : nearestFirst(bodies, inputs.view.eye)) {
+        const Drawable& drawable = inputs.drawables[i];
         if (drawable.isTransparent()) continue;
         if (marks) glStencilFunc(GL_ALWAYS, drawable.object->sectioned ? kStencilSeenThrough : 0, ~0U);
         drawObject(inputs, drawable);
