@@ -31,7 +31,7 @@ struct ShadowTaps {
 };
 // By Shadows. Twelve on a rotated spiral leave no visible noise at 1080p. A penumbra that widens is up to three and a
 // half times as wide and needs more. It is drawn only at rest, where thirty samples in all are cheap enough.
-constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 4}, {0, 12}, {12, 18}}};
+constexpr std::array<ShadowTaps, 4> kShadowTaps = {{{0, 0}, {0, 1}, {0, 12}, {12, 18}}};
 
 /// What a program can do besides lighting a surface. A software renderer computes both sides of each condition, so that
 /// a program has only what its objects need.
@@ -39,13 +39,15 @@ struct Abilities {
     bool rich = false;      ///< glass, transparency, distances
     bool liquids = false;   ///< SurfaceLiquids
     bool machined = false;  ///< Finish::Machined
+    bool tissue = false;    ///< no metal
 };
 
 std::string definesFor(ShadowTaps taps, const Abilities& abilities) {
     return "#define SHADOW_TAPS " + std::to_string(taps.light) + "\n#define BLOCKER_TAPS " +
            std::to_string(taps.blockers) + "\n#define MAX_APPEARANCES " + std::to_string(kMaxAppearances) +
            "\n#define RICH " + std::to_string(abilities.rich ? 1 : 0) + "\n" +
-           (abilities.liquids ? "#define LIQUIDS\n" : "") + (abilities.machined ? "#define MACHINED\n" : "");
+           (abilities.liquids ? "#define LIQUIDS\n" : "") + (abilities.machined ? "#define MACHINED\n" : "") +
+           (abilities.tissue ? "#define TISSUE\n" : "");
 }
 
 Expected<ShaderProgram> lit(std::string_view vertex, ShadowTaps taps, const Abilities& abilities) {
@@ -69,6 +71,11 @@ bool isMachined(const SolidInputs& inputs, const Drawable& drawable) {
     if (inputs.shadows != Shadows::Soft && inputs.shadows != Shadows::Widening) return false;
     return std::ranges::all_of(drawable.object->appearances,
                                [](const Appearance& appearance) { return appearance.finish == Finish::Machined; });
+}
+
+bool isTissue(const Drawable& drawable) {
+    return std::ranges::all_of(drawable.object->appearances,
+                               [](const Appearance& appearance) { return appearance.metalness == 0; });
 }
 
 bool isWet(const Drawable& drawable) {
@@ -152,14 +159,18 @@ Expected<SolidPass> SolidPass::create() {
         if (!plain) return Unexpected{plain.error()};
         auto wet = lit(shaders::kSolidVert, kShadowTaps[i], {.liquids = true});
         if (!wet) return Unexpected{wet.error()};
+        auto tissue = lit(shaders::kSolidVert, kShadowTaps[i], {.tissue = true});
+        if (!tissue) return Unexpected{tissue.error()};
+        auto wetTissue = lit(shaders::kSolidVert, kShadowTaps[i], {.liquids = true, .tissue = true});
+        if (!wetTissue) return Unexpected{wetTissue.error()};
         auto rich = lit(shaders::kSolidVert, kShadowTaps[i], {.rich = true, .liquids = true});
         if (!rich) return Unexpected{rich.error()};
         auto machined = lit(shaders::kSolidVert, kShadowTaps[i], {.rich = true, .machined = true});
         if (!machined) return Unexpected{machined.error()};
         auto section = lit(shaders::kSectionVert, kShadowTaps[i], {});
         if (!section) return Unexpected{section.error()};
-        pass.variants_[i] = {std::move(*plain), std::move(*wet), std::move(*rich), std::move(*machined),
-                             std::move(*section)};
+        pass.variants_[i] = {std::move(*plain), std::move(*wet),      std::move(*tissue), std::move(*wetTissue),
+                             std::move(*rich),  std::move(*machined), std::move(*section)};
     }
     auto background = ShaderProgram::create(
         "background", "", {shaders::kFrame, shaders::kColour, shaders::kEnvironment, shaders::kBackgroundVert},
@@ -257,11 +268,11 @@ void SolidPass::drawGlass(const SolidInputs& inputs) const {
 void SolidPass::drawObject(const SolidInputs& inputs, const Drawable& drawable, Part part) const {
     const Variant& variant = variants_[static_cast<std::size_t>(inputs.shadows)];
     const bool rich = isRich(inputs, drawable);
-    const bool wet = isWet(drawable), machined = isMachined(inputs, drawable);
+    const bool wet = isWet(drawable), machined = isMachined(inputs, drawable), tissue = isTissue(drawable);
     const ShaderProgram& program = machined ? variant.machined
                                    : rich   ? variant.rich
-                                   : wet    ? variant.wet
-                                            : variant.plain;
+                                   : tissue ? (wet ? variant.wetTissue : variant.tissue)
+                                            : (wet ? variant.wet : variant.plain);
     program.use();
     setAppearances(program, drawable.object->appearances);
     program.set("appearanceCount", static_cast<int>(drawable.object->appearances.size()));

@@ -65,10 +65,11 @@ public:
 
 private:
     struct Variant {
-        ShaderProgram plain;     ///< opaque, in the colours of the appearances
-        ShaderProgram wet;       ///< the same under liquids
-        ShaderProgram rich;      ///< transparent, inner, coloured by distance
-        ShaderProgram machined;  ///< a handpiece, which may turn to glass
+        ShaderProgram plain;              ///< opaque, in the colours of the appearances
+        ShaderProgram wet;                ///< the same under liquids
+        ShaderProgram tissue, wetTissue;  ///< the same pictures where no appearance is metal, sooner
+        ShaderProgram rich;               ///< transparent, inner, coloured by distance
+        ShaderProgram machined;           ///< a handpiece, which may turn to glass
         ShaderProgram section;
     };
     void prepare(const SolidInputs& inputs) const;

@@ -7,7 +7,7 @@ namespace tactooth {
 /// How the shadow of the operating light is drawn.
 enum class Shadows {
     None,
-    Hard,      ///< one sample per pixel
+    Hard,      ///< edges as soft as three texels of the shadow map
     Soft,      ///< a penumbra of the same width everywhere
     Widening,  ///< a penumbra that widens with the distance of what throws the shadow, as of a real operating light
 };
@@ -28,7 +28,7 @@ struct RenderSettings {
 
     bool operator==(const RenderSettings&) const = default;
 };
-/// The least: edges are jagged, and those of shadows as smooth as a texel.
+/// The least: edges are jagged.
 inline constexpr RenderSettings kQuick{.lodTolerance = 0.5};
 /// While things move: on a computer without a graphics card, and with one.
 inline constexpr RenderSettings kMoving{.antialiasing = true, .lodTolerance = 0.5};

@@ -85,13 +85,19 @@ float keyVisibility(vec3 normal) {
     vec3 spot = (worldToShadow * vec4(place, 1.0)).xyz;
     if (any(lessThan(spot, vec3(0.0))) || any(greaterThan(spot, vec3(1.0)))) return 1.0;
 #if SHADOW_TAPS == 1
-    // The four texels around the place, weighted by how much of a texel-wide square around it they cover: edges are as
-    // smooth as a texel, where a plain lookup would show the steps of the map.
+    // The sixteen texels around the place, weighted by how much of a square of three texels around it they cover: the
+    // steps of the map do not show. The offset from the surface is enough for all of them.
     vec2 texelPlace = spot.xy / shadowTexel.x - 0.5;
-    vec2 part = fract(texelPlace);
-    vec4 seen = textureGather(shadowMap, (floor(texelPlace) + 1.0) * shadowTexel.x, spot.z);
-    vec2 across = mix(seen.wx, seen.zy, part.x);
-    return mix(across.x, across.y, part.y);
+    vec2 corner = floor(texelPlace);
+    vec2 after = texelPlace - corner;
+    vec2 before = 1.0 - after;
+    vec4 low = textureGather(shadowMap, corner * shadowTexel.x, spot.z);
+    vec4 right = textureGather(shadowMap, (corner + vec2(2.0, 0.0)) * shadowTexel.x, spot.z);
+    vec4 above = textureGather(shadowMap, (corner + vec2(0.0, 2.0)) * shadowTexel.x, spot.z);
+    vec4 high = textureGather(shadowMap, (corner + 2.0) * shadowTexel.x, spot.z);
+    vec2 lower = before.x * low.wx + low.zy + right.wx + after.x * right.zy;
+    vec2 upper = before.x * above.wx + above.zy + high.wx + after.x * high.zy;
+    return (before.y * lower.x + lower.y + upper.x + after.y * upper.y) / 9.0;
 #else
     // Samples on a spiral over the penumbra of the operating light, rotated from pixel to pixel. Each sample compares
     // with the plane of the surface at its own place, or slopes would shade themselves.
@@ -141,7 +147,11 @@ vec2 environmentShare(float nv, float roughness) {
 void main() {
     vec3 colour = surfaceAppearance.rgb;
     float roughness = surfaceAppearance.a;
+#ifdef TISSUE
+    const float metalness = 0.0;
+#else
     float metalness = materialAppearance.x;
+#endif
     float translucency = materialAppearance.y;
     float wetness = materialAppearance.z;
     float grain = materialAppearance.w;
@@ -239,7 +249,9 @@ void main() {
         float blur = mix(0.08, roughness, metalness);
         vec3 room = environment(reflected, blur);
         light += sharp * (room - softRoom);
+#ifndef TISSUE
         light += metalness * 1.9 * (room + bib(reflected, blur)) * roomShare;
+#endif
     }
 
     light += lamp;

@@ -65,6 +65,10 @@ TEST_F(MouthPictures, CheeksLipsAndTongueAroundTheTeeth) {
     expectBaseline("soft-tissues", seenFrom(uncut(), {1.25, 0.62}, crown(), 60, 0, true));
 }
 
+TEST_F(MouthPictures, InMotion) {
+    expectBaseline("mouth-motion", seenFrom(uncut(), {1.9, 0.8}, crown(), 30, 0, true), kMoving);
+}
+
 /// The other half of the jaw and the tongue would stand before the tooth.
 TEST_F(MouthPictures, FromLingualTheWayToTheToothIsFree) {
     expectBaseline("mouth-lingual", seenFrom(uncut(), {-1.57, 0.1}, crown(), 24, 0, true));
