@@ -268,6 +268,14 @@ inline constexpr MessageText kNoStroke{"no_stroke", "the turning bur touched not
                                        "回転中のバーが 0.05 秒を超えて触れたことがありません"};
 inline constexpr MessageText kNoLongStroke{"no_long_stroke", "no stroke took longer than 0.3 s",
                                            "0.3 秒を超えるストロークがありません"};
+inline constexpr MessageText kStrokesWithoutPath{"strokes_without_path", "the bur hardly moved in its strokes",
+                                                 "ストローク中にバーがほとんど動いていません"};
+inline constexpr MessageText kNoExpertSession{"no_expert_session", "the ideal is not an expert's recorded session",
+                                              "理想が、記録された専門家のセッションではありません"};
+inline constexpr MessageText kExpertNeverTouched{"expert_never_touched",
+                                                 "no hand has touched the tooth in the expert's session",
+                                                 "専門家のセッションでは、手で歯に触れていません"};
+inline constexpr MessageText kNoPath{"no_path", "the bur did not move", "バーが動いていません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
 inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",

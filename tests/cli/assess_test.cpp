@@ -247,6 +247,17 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_GT(value("removed_enamel"), 0.01);
     EXPECT_GT(value("efficiency"), 0);
     EXPECT_THAT(readText(file("out") + "/report.html"), HasSubstr("Force and depth during the session"));
+    EXPECT_GT(value("economy"), 0);
+    EXPECT_LE(value("economy"), 1);
+    EXPECT_EQ(metric(report(), "path_ratio")["reason"], "the ideal is not an expert's recorded session");
+}
+
+TEST_F(AssessCommand, ComparesTheHandWithThatOfAnExpertsSession) {
+    const std::string session = file("demo") + "/session.ttsession";
+    ASSERT_EQ(runTactooth({"demo", "--seconds", "3", "--out", file("demo")}).exitCode, 0);
+    const ProgramRun run = runTactooth({"assess", session, "--expert", session, "--out", file("out")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(metric(report(), "path_ratio")["value"], 1);
 }
 
 TEST_F(AssessCommand, AssessesAClassWithARowForEach) {

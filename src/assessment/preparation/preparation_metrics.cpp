@@ -27,6 +27,14 @@ Measured efficiency(All m) {
     return Measured::of(m.volumes.common / m.hand->drilling);
 }
 
+Measured pathRatio(All m) {
+    if (!m.hand) return noHand(m);
+    if (!m.hasExpertSession) return Measured::none(msg::kNoExpertSession);
+    if (!m.expertHand) return Measured::none(msg::kExpertNeverTouched);
+    if (!(m.hand->path > 0)) return Measured::none(msg::kNoPath);
+    return Measured::of(m.expertHand->path / m.hand->path);
+}
+
 Measured largerRidge(All m) {
     const Measured &mesial = m.extent.mesialRidge, &distal = m.extent.distalRidge;
     if (!mesial.value) return distal;
@@ -309,6 +317,20 @@ constexpr std::array kMetrics = {
                       [](All m) { return ofHand(m, &HandWork::path); },
                       "Length of the path of the bur's tip, without what is faster than 20 Hz.", "バーの移動距離",
                       "バー先端の経路の長さ。20 Hz より速い動きは除く。"},
+    PreparationMetric{"path_ratio", "Path of the expert by that path", "1", Better::Higher,
+                      [](All m) { return pathRatio(m); },
+                      "Path of the bur in the expert's recorded session, by the same path of the student. Below 1: the "
+                      "student moved the bur farther.",
+                      "専門家の移動距離との比",
+                      "記録された専門家のセッションでのバーの移動距離を、学生の移動距離で割った値。"
+                      "1 より小さければ、学生の方がバーを長く動かしている。"},
+    PreparationMetric{"economy", "Economy of the strokes", "1", Better::Higher,
+                      [](All m) { return ofHand(m, &HandWork::economy); },
+                      "Straight distance from the beginning to the end of each stroke, by the path between them; sums "
+                      "over all strokes. 1: all strokes are straight.",
+                      "ストロークの直線性",
+                      "各ストロークの始点から終点までの直線距離の合計を、その間の経路の長さの合計で割った値。"
+                      "すべてのストロークが直線であれば 1。"},
     PreparationMetric{"strokes", "Strokes", "1", Better::Neither, [](All m) { return ofHand(m, &HandWork::strokes); },
                       "Contacts of the turning bur of more than 50 ms; gaps of less than 50 ms do not count.",
                       "ストローク数", "回転中のバーの、50 ms を超える接触の数。50 ms 未満の途切れは数えない。",
@@ -370,7 +392,7 @@ constexpr std::array kMetrics = {
 
 }  // namespace
 
-PreparationMeasures::PreparationMeasures(const Preparation& preparation, const SessionTrack* track)
+PreparationMeasures::PreparationMeasures(const Preparation& preparation, const RecordedSessions& sessions)
     : surfaces(preparation),
       form(cavityForm(preparation, surfaces)),
       extent(cavityExtent(preparation, surfaces)),
@@ -385,8 +407,10 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const S
     deviation = surfaceDeviation(preparation, columns);
     tissues = tissueVolumes(preparation, volumes, kSpacing);
     forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
-    hasSession = track != nullptr;
-    if (hasSession) hand = handWork(*track, preparation.axis);
+    hasSession = sessions.student != nullptr;
+    if (hasSession) hand = handWork(*sessions.student, preparation.axis);
+    hasExpertSession = sessions.expert != nullptr;
+    if (hasExpertSession) expertHand = handWork(*sessions.expert, preparation.axis);
 }
 
 std::span<const PreparationMetric> preparationMetrics() { return kMetrics; }

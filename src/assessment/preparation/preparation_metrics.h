@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -20,11 +21,15 @@
 
 namespace tactooth {
 
+/// The finished sessions in which a preparation and its ideal were made; null: not known.
+struct RecordedSessions {
+    std::shared_ptr<const SessionTrack> student = {}, expert = {};
+};
+
 /// All that is measured on a finished preparation.
 struct PreparationMeasures {
-    /// Takes some seconds for a large tooth. The same on any number of threads. `track`: the finished session in which
-    /// it was made; null: not known.
-    explicit PreparationMeasures(const Preparation& preparation, const SessionTrack* track = nullptr);
+    /// Takes some seconds for a large tooth. The same on any number of threads.
+    explicit PreparationMeasures(const Preparation& preparation, const RecordedSessions& sessions = {});
 
     CutSurfaces surfaces;
     PreparedVolumes volumes;
@@ -41,6 +46,8 @@ struct PreparationMeasures {
     Measured forbiddenVolume;
     bool hasSession = false;
     std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
+    bool hasExpertSession = false;
+    std::optional<HandWork> expertHand;  ///< the same of the expert's session
 };
 
 /// How a value is written for people.

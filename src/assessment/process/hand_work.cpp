@@ -20,6 +20,7 @@ constexpr double kLeastSpeed = 100;        // rpm: a slower bur stands
 constexpr double kShortest = 0.05;         // s: of strokes and of gaps between them
 constexpr double kShortestMovement = 0.3;  // s: a shorter stroke says nothing about its smoothness
 constexpr double kPause = 1;               // s
+constexpr double kLeastPath = 0.1;         // mm in all strokes: less is no movement
 constexpr double kLargeForce = 2;          // N: above what experts use
 constexpr double kRate = 1000;             // Hz: of the samples that are filtered
 constexpr double kCutoff = 20;             // Hz: hands are slower; faster is the noise of sensors
@@ -87,13 +88,15 @@ void HandWorkMeter::endMovement() {
             coordinates[axis].push_back(place[static_cast<Eigen::Index>(axis)]);
     }
     for (auto& each : coordinates) each = lowPassed(each, kRate, kCutoff);
-    std::vector<double> speed;  // mm/s
-    for (std::size_t i = kEach; i < count; i += kEach) {
-        const auto step = [&](std::size_t axis) { return coordinates[axis][i] - coordinates[axis][i - kEach]; };
-        speed.push_back(std::hypot(step(0), step(1), step(2)) * kSpeedRate);
-        work_.path += speed.back() / kSpeedRate;
+    Smoothed smoothed;
+    for (std::size_t i = 0; i < count; i += kEach) {
+        smoothed.places.emplace_back(coordinates[0][i], coordinates[1][i], coordinates[2][i]);
+        if (i == 0) continue;
+        const double step = (smoothed.places.back() - smoothed.places.end()[-2]).norm();
+        smoothed.speed.push_back(step * kSpeedRate);
+        work_.path += step;
     }
-    for (const Stroke& stroke : strokes()) addStroke(stroke, speed);
+    for (const Stroke& stroke : strokes()) addStroke(stroke, smoothed);
 }
 
 std::vector<HandWorkMeter::Stroke> HandWorkMeter::strokes() const {
@@ -113,7 +116,7 @@ std::vector<HandWorkMeter::Stroke> HandWorkMeter::strokes() const {
     return found;
 }
 
-void HandWorkMeter::addStroke(const Stroke& stroke, const std::vector<double>& speed) {
+void HandWorkMeter::addStroke(const Stroke& stroke, const Smoothed& smoothed) {
     const double begin = movement_[stroke.first].time, end = movement_[stroke.last].time;
     ++work_.strokes;
     strokeTimes_.push_back(end - begin);
@@ -128,12 +131,15 @@ void HandWorkMeter::addStroke(const Stroke& stroke, const std::vector<double>& s
         strokeTime_ += time;
         strokeVariance_ += std::max(0.0, squares - sum * sum / time);
     }
-    if (end - begin <= kShortestMovement) return;
     const auto sample = [&](double at) {
         const double number = (at - movement_.front().time) * kSpeedRate;
-        return std::min(speed.size(), static_cast<std::size_t>(std::max(0.0, number)));
+        return std::min(smoothed.speed.size(), static_cast<std::size_t>(std::max(0.0, number)));
     };
-    const std::span movement = std::span(speed).subspan(sample(begin), sample(end) - sample(begin));
+    const std::size_t first = sample(begin), last = sample(end);
+    const std::span movement = std::span(smoothed.speed).subspan(first, last - first);
+    for (const double each : movement) strokePath_ += each / kSpeedRate;
+    strokeSpan_ += (smoothed.places[last] - smoothed.places[first]).norm();
+    if (end - begin <= kShortestMovement) return;
     if (const auto value = spectralArcLength(movement, kSpeedRate)) arcLengths_.push_back(*value);
     if (const auto value = logDimensionlessJerk(movement, kSpeedRate)) jerks_.push_back(*value);
     if (const auto value = frequency95(movement, kSpeedRate)) frequencies_.push_back(*value);
@@ -163,6 +169,12 @@ void HandWorkMeter::addForces(HandWork& work) {
     }
 }
 
+Measured HandWorkMeter::economy() const {
+    if (strokeTimes_.empty()) return Measured::none(msg::kNoStroke);
+    if (strokePath_ < kLeastPath) return Measured::none(msg::kStrokesWithoutPath);
+    return Measured::of(strokeSpan_ / strokePath_);
+}
+
 std::optional<HandWork> HandWorkMeter::finish() {
     interrupt();
     if (std::ranges::none_of(held_, [](const Held& each) { return each.duration > 0; })) return std::nullopt;
@@ -173,6 +185,7 @@ std::optional<HandWork> HandWorkMeter::finish() {
     work.burTilt =
         work.drilling > 0 ? Measured::of(tilt_ / work.drilling / kDegree) : Measured::none(msg::kNeverDrilled);
     work.strokeTime = median(strokeTimes_, msg::kNoStroke);
+    work.economy = economy();
     work.arcLength = median(arcLengths_, msg::kNoLongStroke);
     work.jerk = median(jerks_, msg::kNoLongStroke);
     work.frequency95 = median(frequencies_, msg::kNoLongStroke);

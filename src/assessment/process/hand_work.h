@@ -22,6 +22,10 @@ struct HandWork {
     Measured strokeTime;  ///< median, s
     // Medians over the strokes of more than 0.3 s: see movement.h.
     Measured arcLength, jerk, frequency95;
+    /// From the beginning of each stroke straight to its end, by the path of the tip between them: the sums over all
+    /// strokes, 0..1. By length, because a touch that hardly moves has a ratio of noise, and a median counts it as a
+    /// long stroke.
+    Measured economy;
     // Over the time of contact.
     double forceMean = 0, forceRms = 0, forceP95 = 0, forcePeak = 0;  ///< N
     double forceOver2 = 0;                                            ///< share of the time with more than 2 N, 0..1
@@ -55,9 +59,16 @@ private:
         std::size_t first, last;  // of movement_, included
     };
 
+    /// The tip of a movement without what is faster than a hand, at equal intervals.
+    struct Smoothed {
+        std::vector<Vec3> places;   // mm
+        std::vector<double> speed;  // mm/s: from each place to the next
+    };
+
     void endMovement();
     [[nodiscard]] std::vector<Stroke> strokes() const;
-    void addStroke(const Stroke& stroke, const std::vector<double>& speed);
+    void addStroke(const Stroke& stroke, const Smoothed& smoothed);
+    [[nodiscard]] Measured economy() const;
     void addForces(HandWork& work);
 
     Vec3 axis_;
@@ -71,6 +82,7 @@ private:
     std::vector<Held> held_;  // of all contacts
     std::vector<double> strokeTimes_, arcLengths_, jerks_, frequencies_;
     double strokeTime_ = 0, strokeVariance_ = 0;  // s; N^2*s
+    double strokePath_ = 0, strokeSpan_ = 0;      // mm
 };
 
 /// The same of a whole session.

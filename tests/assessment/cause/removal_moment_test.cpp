@@ -40,7 +40,7 @@ protected:
         preparation_.original = toothAt(track, 0);
         preparation_.prepared = toothAt(track, track->ticks());
         preparation_.ideal = toothAt(track, track->momentAt(TwoHoles::kFirstHole + kStartOfHole));
-        const PreparationMeasures measures(preparation_, track.get());
+        const PreparationMeasures measures(preparation_, {.student = track});
         results_ = measureAll(measures);
         errors_ = traceErrors(results_, preparation_, measures, track);
     }

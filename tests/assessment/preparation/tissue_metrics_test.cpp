@@ -75,6 +75,22 @@ TEST(TissueMetrics, TheRateOfDecayIsItsVolumeByTheTimeOfDrilling) {
     EXPECT_EQ(reasonOf(measures, "decay_rate"), "never_drilled");
 }
 
+TEST(ProcessMetrics, ThePathOfTheExpertIsComparedWithThatOfTheStudent) {
+    PreparationMeasures measures(
+        blockPreparation(blockWithBox(-2, 2, -1.5, 1.5, 3), blockWithBox(-2, 2, -1.5, 1.5, 3)));
+    EXPECT_EQ(reasonOf(measures, "path_ratio"), "no_session");
+    measures.hasSession = true;
+    measures.hand = HandWork();
+    EXPECT_EQ(reasonOf(measures, "path_ratio"), "no_expert_session");
+    measures.hasExpertSession = true;
+    EXPECT_EQ(reasonOf(measures, "path_ratio"), "expert_never_touched");
+    measures.expertHand = HandWork();
+    measures.expertHand->path = 150;
+    EXPECT_EQ(reasonOf(measures, "path_ratio"), "no_path");
+    measures.hand->path = 600;
+    EXPECT_NEAR(valueOf(measures, "path_ratio"), 0.25, 1e-12);
+}
+
 TEST(TissueMetrics, DecayBesideThePreparationIsLeft) {
     const PreparationMeasures measures(layered(blockWithBox(2, 4, -1, 1, 4.5), blockWithBox(2, 4, -1, 1, 4.5)));
     EXPECT_NEAR(valueOf(measures, "decay_left"), 8, 0.1);

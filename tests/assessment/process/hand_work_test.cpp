@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -161,6 +162,56 @@ TEST(HandWork, AnUnsteadyForceHasItsStandardDeviation) {
     });
     EXPECT_NEAR(*work.forceSpread.value, 0.3 / std::numbers::sqrt2, 0.002);
     EXPECT_NEAR(work.forceP95, 1 + 0.3 * std::sin(std::numbers::pi * 0.45), 0.005);
+}
+
+/// Two strokes of a second: 3 mm straight, and half a circle of 2 mm; between them the bur wanders in the air.
+TEST(HandWork, TheEconomyOfAStraightStrokeAndHalfACircleIsItsClosedForm) {
+    const double pi = std::numbers::pi;
+    for (const double rate : {500.0, 1000.0, 2000.0}) {
+        const HandWork work = workOf(
+            4,
+            [pi](double t) {
+                if (t < 1) return Hand{.place = Vec3(3 * t, 0, 0), .touches = true, .turns = true};
+                if (t < 2) return Hand{.place = Vec3(3, 4 * std::sin(pi * (t - 1)), 0), .turns = true};
+                const double angle = pi * std::clamp(t - 2, 0.0, 1.0);
+                return Hand{
+                    .place = Vec3(1 + 2 * std::cos(angle), 2 * std::sin(angle), 0), .touches = t < 3, .turns = true};
+            },
+            rate);
+        EXPECT_EQ(work.strokes, 2);
+        EXPECT_NEAR(work.economy.value.value_or(-1), (3 + 4) / (3 + 2 * pi), 0.01) << rate;
+    }
+}
+
+TEST(HandWork, TheEconomyOfAStraightStrokeIsOneAndOfAReturnItIsNearNothing) {
+    const HandWork straight =
+        workOf(1, [](double t) { return Hand{.place = Vec3(t, 2 * t, 0), .touches = true, .turns = true}; });
+    EXPECT_NEAR(straight.economy.value.value_or(-1), 1, 1e-6);
+    const HandWork back = workOf(2, [](double t) {
+        return Hand{.place = Vec3(2 * std::sin(std::numbers::pi * t / 2), 0, 0), .touches = true, .turns = true};
+    });
+    EXPECT_NEAR(back.economy.value.value_or(-1), 0, 0.01);
+}
+
+/// A hundred touches that only tremble: a median over the strokes would be theirs.
+TEST(HandWork, TouchesThatHardlyMoveDoNotChangeTheEconomy) {
+    const HandWork work = workOf(24, [](double t) {
+        if (t < 2) return Hand{.place = Vec3(3 * t, 0, 0), .touches = true, .turns = true};
+        const double phase = std::fmod(t, 0.2);
+        const double tremor = 0.001 * std::sin(2 * std::numbers::pi * 15 * t);
+        return Hand{.place = Vec3(6, tremor, 0), .touches = phase < 0.1, .turns = true};
+    });
+    EXPECT_GT(work.strokes, 100);
+    EXPECT_NEAR(work.economy.value.value_or(-1), 1, 0.1);
+}
+
+TEST(HandWork, WithoutMovementThereIsNoEconomy) {
+    const HandWork still = workOf(1, [](double) { return Hand{.touches = true, .turns = true}; });
+    EXPECT_FALSE(still.economy.value);
+    EXPECT_EQ(still.economy.reason->id, "strokes_without_path");
+    const HandWork none = workOf(1, [](double t) { return Hand{.place = Vec3(t, 0, 0), .touches = true}; });
+    EXPECT_FALSE(none.economy.value);
+    EXPECT_EQ(none.economy.reason->id, "no_stroke");
 }
 
 TEST(HandWork, ATremblingStrokeIsLessSmooth) {

@@ -82,6 +82,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
         const auto lies = place(expert, expertInTooth, *preparation.original, align_);
         if (!lies) return Unexpected{lies.error()};
         work.expert = expert.name;
+        work.expertTrack = expert.track;
         preparation.ideal = std::make_shared<const SurfacePart>(std::move(expert.surface));
     }
     preparation.prepared = std::make_shared<const SurfacePart>(std::move(student->surface));

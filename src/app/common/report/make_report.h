@@ -28,7 +28,8 @@ struct AssessedWork {
     std::string comment = {};                            ///< of the teacher; empty: there is none
     double tolerance = 0.3;           ///< mm: of the exercise, else as teachers allow (docs/assessment.md)
     std::optional<ScanFit> fit = {};  ///< of a surface from a file
-    std::shared_ptr<const SessionTrack> track = {};  ///< the finished session; null: not known
+    std::shared_ptr<const SessionTrack> track = {};        ///< the finished session; null: not known
+    std::shared_ptr<const SessionTrack> expertTrack = {};  ///< that of the expert; null: not known
     /// Receives the share of the assessment that is done, 0..1; empty: nobody wants to know.
     std::function<void(double)> progress = {};
 };
