@@ -276,6 +276,14 @@ inline constexpr MessageText kExpertNeverTouched{"expert_never_touched",
                                                  "no hand has touched the tooth in the expert's session",
                                                  "専門家のセッションでは、手で歯に触れていません"};
 inline constexpr MessageText kNoPath{"no_path", "the bur did not move", "バーが動いていません"};
+inline constexpr MessageText kDentinNotReached{"dentin_not_reached", "no dentin was cut in this session",
+                                               "このセッションでは象牙質を削っていません"};
+inline constexpr MessageText kNoDeepDecayRemoved{"no_deep_decay_removed",
+                                                 "hardly any of the deep decay was removed in this session",
+                                                 "このセッションでは、深部のう蝕をほとんど除去していません"};
+inline constexpr MessageText kNoPeripheryRemoved{
+    "no_periphery_removed", "hardly any of the decay along the enamel was removed in this session",
+    "このセッションでは、エナメル質に沿ったう蝕をほとんど除去していません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
 inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",

@@ -250,6 +250,8 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_GT(value("economy"), 0);
     EXPECT_LE(value("economy"), 1);
     EXPECT_EQ(metric(report(), "path_ratio")["reason"], "the ideal is not an expert's recorded session");
+    EXPECT_EQ(metric(report(), "periphery_first")["reason"],
+              "hardly any of the deep decay was removed in this session");
 }
 
 TEST_F(AssessCommand, ComparesTheHandWithThatOfAnExpertsSession) {

@@ -27,6 +27,12 @@ Measured efficiency(All m) {
     return Measured::of(m.volumes.common / m.hand->drilling);
 }
 
+/// That of the session, which lies in its frame; else that of the preparation.
+const LayeredTooth* toothOf(const Preparation& preparation, const RecordedSessions& sessions) {
+    const bool isInSession = sessions.student != nullptr && !sessions.student->tooth()->layers().empty();
+    return isInSession ? sessions.student->tooth().get() : preparation.tooth.get();
+}
+
 Measured pathRatio(All m) {
     if (!m.hand) return noHand(m);
     if (!m.hasExpertSession) return Measured::none(msg::kNoExpertSession);
@@ -313,6 +319,25 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.hand ? Measured::none(msg::kNoMirrorKnown) : noHand(m); },
                       "Time with the mirror in use. Recordings do not hold it, so it is not measurable yet.",
                       "ミラーの使用時間", "ミラーを使っている時間。記録に含まれないため、まだ計測できない。"},
+    PreparationMetric{"dentin_time", "Dentin reached", "s", Better::Neither, [](All m) { return m.order.dentinTime; },
+                      "When the bur first cut dentin, since the session began.", "象牙質への到達",
+                      "セッションの開始から、バーが初めて象牙質を削るまでの時間。"},
+    PreparationMetric{"periphery_first", "Decay along the enamel before the deep decay", "1", Better::Higher,
+                      [](All m) { return m.order.decay.peripheryFirst; },
+                      "Share of the pairs of a removed piece along the enamel (in it, or within 0.5 mm below it) and a "
+                      "removed piece of the deep third, over the pulp, in which that along the enamel went first. "
+                      "100 %: all of it before the deep decay; 50 %: no order.",
+                      "エナメル質沿いのう蝕を先に除去",
+                      "エナメル質に沿った（その中か、下 0.5 mm 以内の）除去片と、歯髄に近い 3 分の 1 "
+                      "の除去片のすべての組のうち、前者を先に除去した割合。100 % はすべて先、50 % は順序なし。",
+                      ValueForm::Share},
+    PreparationMetric{"deep_decay_early", "Deep decay removed too early", "1", Better::Lower,
+                      [](All m) { return m.order.decay.deepEarly; },
+                      "Share of the removed deep decay that went before 90 % of the removed decay along the enamel "
+                      "had gone.",
+                      "深部のう蝕の早すぎる除去",
+                      "除去した深部のう蝕のうち、エナメル質に沿ったう蝕の除去の 90 % が済む前に除去した割合。",
+                      ValueForm::Share},
     PreparationMetric{"path_length", "Path of the bur", "mm", Better::Lower,
                       [](All m) { return ofHand(m, &HandWork::path); },
                       "Length of the path of the bur's tip, without what is faster than 20 Hz.", "バーの移動距離",
@@ -409,6 +434,7 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const R
     forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
     hasSession = sessions.student != nullptr;
     if (hasSession) hand = handWork(*sessions.student, preparation.axis);
+    order = tissueOrder(toothOf(preparation, sessions), sessions.student);
     hasExpertSession = sessions.expert != nullptr;
     if (hasExpertSession) expertHand = handWork(*sessions.expert, preparation.axis);
 }

@@ -18,6 +18,7 @@
 #include "assessment/preparation/tissue_volumes.h"
 #include "assessment/preparation/undercut.h"
 #include "assessment/process/hand_work.h"
+#include "assessment/process/tissue_order.h"
 
 namespace tactooth {
 
@@ -46,6 +47,7 @@ struct PreparationMeasures {
     Measured forbiddenVolume;
     bool hasSession = false;
     std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
+    TissueOrder order;
     bool hasExpertSession = false;
     std::optional<HandWork> expertHand;  ///< the same of the expert's session
 };
