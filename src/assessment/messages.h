@@ -284,6 +284,8 @@ inline constexpr MessageText kNoDeepDecayRemoved{"no_deep_decay_removed",
 inline constexpr MessageText kNoPeripheryRemoved{
     "no_periphery_removed", "hardly any of the decay along the enamel was removed in this session",
     "このセッションでは、エナメル質に沿ったう蝕をほとんど除去していません"};
+inline constexpr MessageText kIdealRemovesNothing{"ideal_removes_nothing", "the ideal preparation removes nothing",
+                                                  "理想形成では何も削りません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
 inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",

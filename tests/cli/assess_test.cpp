@@ -250,6 +250,7 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_GT(value("economy"), 0);
     EXPECT_LE(value("economy"), 1);
     EXPECT_EQ(metric(report(), "path_ratio")["reason"], "the ideal is not an expert's recorded session");
+    EXPECT_NEAR(value("target_time") + value("band_time") + value("outside_time"), 1, 1e-9);
     EXPECT_EQ(metric(report(), "periphery_first")["reason"],
               "hardly any of the deep decay was removed in this session");
 }
@@ -260,6 +261,8 @@ TEST_F(AssessCommand, ComparesTheHandWithThatOfAnExpertsSession) {
     const ProgramRun run = runTactooth({"assess", session, "--expert", session, "--out", file("out")});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_EQ(metric(report(), "path_ratio")["value"], 1);
+    EXPECT_GT(metric(report(), "target_time")["value"], 0.8) << "what the bur has cut is the ideal";
+    EXPECT_EQ(metric(report(), "outside_time")["value"], 0);
 }
 
 TEST_F(AssessCommand, AssessesAClassWithARowForEach) {

@@ -319,6 +319,21 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.hand ? Measured::none(msg::kNoMirrorKnown) : noHand(m); },
                       "Time with the mirror in use. Recordings do not hold it, so it is not measurable yet.",
                       "ミラーの使用時間", "ミラーを使っている時間。記録に含まれないため、まだ計測できない。"},
+    PreparationMetric{
+        "target_time", "Drilling in the ideal cavity", "1", Better::Higher, [](All m) { return m.coverage.target; },
+        "Share of the drilling time in which no part of the bur's head lies more than 0.05 mm beyond what "
+        "is to be removed.",
+        "理想窩洞内の切削",
+        "切削時間のうち、バーの頭部のどこも、削除すべき部分から 0.05 mm を超えて出ていない時間の割合。",
+        ValueForm::Share},
+    PreparationMetric{
+        "band_time", "Drilling within the tolerance", "1", Better::Neither, [](All m) { return m.coverage.band; },
+        "Share in which it lies farther beyond, but within the tolerance of the exercise, or 0.3 mm.", "許容差内の切削",
+        "それより外に出ているが、課題の許容差（ない場合は 0.3 mm）以内の時間の割合。", ValueForm::Share},
+    PreparationMetric{"outside_time", "Drilling beyond the tolerance", "1", Better::Lower,
+                      [](All m) { return m.coverage.outside; },
+                      "Share in which it lies beyond the tolerance, or works elsewhere.", "許容差を超えた切削",
+                      "許容差を超えて出ている、または別の場所を削っている時間の割合。", ValueForm::Share},
     PreparationMetric{"dentin_time", "Dentin reached", "s", Better::Neither, [](All m) { return m.order.dentinTime; },
                       "When the bur first cut dentin, since the session began.", "象牙質への到達",
                       "セッションの開始から、バーが初めて象牙質を削るまでの時間。"},
@@ -434,6 +449,7 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const R
     forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
     hasSession = sessions.student != nullptr;
     if (hasSession) hand = handWork(*sessions.student, preparation.axis);
+    coverage = burCoverage(preparation, surfaces, sessions.student.get(), sessions.studentInTooth);
     order = tissueOrder(toothOf(preparation, sessions), sessions.student);
     hasExpertSession = sessions.expert != nullptr;
     if (hasExpertSession) expertHand = handWork(*sessions.expert, preparation.axis);

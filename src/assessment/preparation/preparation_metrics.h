@@ -17,6 +17,7 @@
 #include "assessment/preparation/tissue_damage.h"
 #include "assessment/preparation/tissue_volumes.h"
 #include "assessment/preparation/undercut.h"
+#include "assessment/process/bur_coverage.h"
 #include "assessment/process/hand_work.h"
 #include "assessment/process/tissue_order.h"
 
@@ -25,6 +26,7 @@ namespace tactooth {
 /// The finished sessions in which a preparation and its ideal were made; null: not known.
 struct RecordedSessions {
     std::shared_ptr<const SessionTrack> student = {}, expert = {};
+    Pose studentInTooth = {};  ///< of the student's tooth in the frame of the preparation
 };
 
 /// All that is measured on a finished preparation.
@@ -47,6 +49,7 @@ struct PreparationMeasures {
     Measured forbiddenVolume;
     bool hasSession = false;
     std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
+    BurCoverage coverage;
     TissueOrder order;
     bool hasExpertSession = false;
     std::optional<HandWork> expertHand;  ///< the same of the expert's session

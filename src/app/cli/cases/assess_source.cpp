@@ -96,6 +96,7 @@ Expected<AssessedWork> AssessSource::workOf(const std::filesystem::path& file, s
     preparation.axis = plan != nullptr ? plan->outward : openingOf(preparation);
     work.student = student->name;
     work.track = student->track;
+    work.sessionInTooth = studentInTooth;
     work.date = student->date;
     return work;
 }

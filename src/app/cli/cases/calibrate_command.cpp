@@ -74,7 +74,7 @@ Expected<std::vector<MeasuredWork>> measured(const std::vector<NamedWork>& works
         std::vector<ImportNote> notes;
         const Expected<AssessedWork> work = source.workOf(each.file, notes);
         if (!work) return Unexpected{work.error()};
-        const PreparationMeasures measures(work->preparation, {work->track, work->expertTrack});
+        const PreparationMeasures measures(work->preparation, {work->track, work->expertTrack, work->sessionInTooth});
         results.push_back({each.id, students.at(each.id), measureAll(measures)});
     }
     return results;

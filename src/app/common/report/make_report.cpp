@@ -55,7 +55,7 @@ void setExercise(AssessedWork& work, const Exercise& exercise) {
 
 Expected<AssessmentReport> makeReport(const AssessedWork& work, const Rubric& rubric, Language language) {
     if (const auto font = reportFont(language); !font) return Unexpected{font.error()};
-    const PreparationMeasures measures(work.preparation, {work.track, work.expertTrack});
+    const PreparationMeasures measures(work.preparation, {work.track, work.expertTrack, work.sessionInTooth});
     if (measures.surfaces.idealCut.mesh.empty()) return unexpected(msg::kTargetLeavesNothing, work.expert);
     std::vector<MetricResult> results = measureAll(measures);
     showProgress(work, kMeasured);

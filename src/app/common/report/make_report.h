@@ -29,6 +29,7 @@ struct AssessedWork {
     double tolerance = 0.3;           ///< mm: of the exercise, else as teachers allow (docs/assessment.md)
     std::optional<ScanFit> fit = {};  ///< of a surface from a file
     std::shared_ptr<const SessionTrack> track = {};        ///< the finished session; null: not known
+    Pose sessionInTooth = {};                              ///< of its tooth in the frame of the preparation
     std::shared_ptr<const SessionTrack> expertTrack = {};  ///< that of the expert; null: not known
     /// Receives the share of the assessment that is done, 0..1; empty: nobody wants to know.
     std::function<void(double)> progress = {};
