@@ -286,6 +286,11 @@ inline constexpr MessageText kNoPeripheryRemoved{
     "このセッションでは、エナメル質に沿ったう蝕をほとんど除去していません"};
 inline constexpr MessageText kIdealRemovesNothing{"ideal_removes_nothing", "the ideal preparation removes nothing",
                                                   "理想形成では何も削りません"};
+inline constexpr MessageText kNoClutchKnown{"no_clutch_known", "recordings do not say when the bur was held",
+                                            "記録には、バーを保持していた時間がありません"};
+inline constexpr MessageText kNoFingerRestKnown{"no_finger_rest_known",
+                                                "no device measures whether a finger rests on the teeth",
+                                                "指が歯に置かれているかを計測する装置がありません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
 inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",

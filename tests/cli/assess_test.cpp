@@ -253,6 +253,9 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_NEAR(value("target_time") + value("band_time") + value("outside_time"), 1, 1e-9);
     EXPECT_EQ(metric(report(), "periphery_first")["reason"],
               "hardly any of the deep decay was removed in this session");
+    for (const char* id : {"clutch_uses", "finger_lifts", "mirror_time"}) {
+        EXPECT_TRUE(metric(report(), id)["value"].is_null()) << id;
+    }
 }
 
 TEST_F(AssessCommand, ComparesTheHandWithThatOfAnExpertsSession) {

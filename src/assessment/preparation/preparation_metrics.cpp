@@ -319,6 +319,18 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.hand ? Measured::none(msg::kNoMirrorKnown) : noHand(m); },
                       "Time with the mirror in use. Recordings do not hold it, so it is not measurable yet.",
                       "ミラーの使用時間", "ミラーを使っている時間。記録に含まれないため、まだ計測できない。"},
+    PreparationMetric{"clutch_uses", "Bur held while the hand moved", "1", Better::Neither,
+                      [](All m) { return m.hand ? Measured::none(msg::kNoClutchKnown) : noHand(m); },
+                      "Number of times that the bur was held while the hand moved on. Recordings do not hold it, so it "
+                      "is not measurable.",
+                      "バーの保持の回数", "バーを保持したまま手を動かした回数。記録に含まれないため、計測できない。",
+                      ValueForm::Count},
+    PreparationMetric{"finger_lifts", "Lifts of the finger rest", "1", Better::Lower,
+                      [](All m) { return m.hand ? Measured::none(msg::kNoFingerRestKnown) : noHand(m); },
+                      "Number of times that the resting finger left the teeth. No device measures it, so it is not "
+                      "measurable.",
+                      "フィンガーレストを離した回数",
+                      "歯に置いた指が離れた回数。計測する装置がないため、計測できない。", ValueForm::Count},
     PreparationMetric{
         "target_time", "Drilling in the ideal cavity", "1", Better::Higher, [](All m) { return m.coverage.target; },
         "Share of the drilling time in which no part of the bur's head lies more than 0.05 mm beyond what "
