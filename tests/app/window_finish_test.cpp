@@ -18,6 +18,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
 #include <filesystem>
 
 #include "app/gui/finish/report_pages_view.h"
@@ -206,6 +207,12 @@ void WindowFinishTest::whatIsHandedInLiesInOneFolder() {
     QVERIFY(window_->findChild<QLabel*>("handedIn")->text().contains(QString::fromStdString(handedIn_.string())));
     waitForSteps(2);
     QVERIFY(!window_->isWindowModified());  // the folder holds the tooth
+    const auto recording = SessionRecording::open(handedIn_ / "recording.ttsession");
+    QVERIFY(recording.has_value());
+    const auto mirror = recording->mirror();
+    QVERIFY(mirror.has_value());
+    QVERIFY(std::ranges::any_of(*mirror, [](const MirrorMoment& each) { return each.sight.isShown; }));
+    QVERIFY(mirror->front().tick <= mirror->back().tick && mirror->back().tick < recording->ticks());
 }
 
 void WindowFinishTest::theCommandLineGivesTheSameMark() {

@@ -20,7 +20,7 @@ MAGIC = b"\x89TTS\r\n\x1a\n"
 VERSION = 1
 BLOCK = struct.Struct("<4sHHQIIIII")
 MAX_HEADER, MAX_STORED, MAX_RAW, MAX_TICK = 1 << 20, 1 << 24, 1 << 26, 1 << 63
-EVENTS, ATTACHMENT, INDEX, RECOVERED, CLOSED, LOST, TRIMMED, SIGNATURE = 1, 4, 5, 6, 7, 9, 10, 11
+EVENTS, ATTACHMENT, INDEX, RECOVERED, CLOSED, LOST, TRIMMED, SIGNATURE, MIRROR = 1, 4, 5, 6, 7, 9, 10, 11, 12
 SKIPPED = 77
 
 
@@ -233,7 +233,7 @@ def words(payload):
 def describe(block):
     """A line on the payload of a block."""
     payload = block.payload()
-    if block.type == EVENTS:
+    if block.type in (EVENTS, MIRROR):
         return " ".join(f"[{d}:{','.join(map(str, v))}]" for d, v in columns_of(payload))
     if block.type == ATTACHMENT:
         size = struct.unpack_from("<I", payload)[0]

@@ -24,12 +24,11 @@ enum class BlockType : std::uint16_t {
     Lost = 9,        ///< blocks are missing here: the queue was full
     Trimmed = 10,    ///< the file is a part of a longer recording
     Signature = 11,  ///< all before it is signed: the recording is sealed (signature_block.h)
+    Mirror = 12,     ///< how the mouth mirror was held, and from where it was looked at
 };
 
 /// Whether this version knows the type.
-[[nodiscard]] constexpr bool isKnown(BlockType type) {
-    return type >= BlockType::Events && type <= BlockType::Signature;
-}
+[[nodiscard]] constexpr bool isKnown(BlockType type) { return type >= BlockType::Events && type <= BlockType::Mirror; }
 
 /// Whether the container itself writes and reads blocks of this type.
 [[nodiscard]] constexpr bool isOfContainer(BlockType type) {

@@ -112,6 +112,10 @@ void SessionKeeper::end() {
     if (recording_ != nullptr) recording_->recorder().end();
 }
 
+void SessionKeeper::noteMirror(const MirrorSight& sight) {
+    if (recording_ != nullptr && !hasStopped_) recording_->recorder().noteMirror(sight);
+}
+
 void SessionKeeper::noteTouch() {
     if (recording_ != nullptr) recording_->noteTouch();
 }

@@ -65,6 +65,8 @@ public:
     [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
     /// The threads have ended.
     void end();
+    /// How the mirror is held now (SessionRecorder::noteMirror).
+    void noteMirror(const MirrorSight& sight);
     /// The instrument has touched something.
     void noteTouch();
     /// Ends the recording and waits until it is on the disk.

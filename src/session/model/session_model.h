@@ -87,6 +87,8 @@ public:
     [[nodiscard]] bool isSealing() const { return keeper_->isSealing(); }
     /// What somebody is doing, for the recording (workText).
     void describeWork(const std::string& work) { keeper_->describe(work); }
+    /// How the mirror is held now, for the recording. Call it after each step.
+    void noteMirror(const MirrorSight& sight) { keeper_->noteMirror(sight); }
     /// See SessionKeeper::setEnding; it holds for the recordings of this model.
     void setRecordingEnding(std::function<SessionKeeper::Kept()> ending);
     /// Stops the runner, ends the recording and waits until it is on the disk: the program ends.

@@ -24,10 +24,16 @@ using namespace std::chrono_literals;
 constexpr auto kDrainPeriod = 50ms;   // the queues hold four seconds
 constexpr auto kBlockPeriod = 450ms;  // a block is at most half a second
 constexpr double kBlockSeconds = 0.45;
+constexpr auto kMirrorPeriod = 16ms;  // a picture
 
 std::vector<std::byte> bytesOf(const std::string& text) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(text));
     return {bytes.begin(), bytes.end()};
+}
+
+std::uint32_t ticksIn(std::span<const SessionEvent> events) {
+    return static_cast<std::uint32_t>(
+        std::ranges::count_if(events, [](const SessionEvent& event) { return secondsOf(event).has_value(); }));
 }
 
 }  // namespace
@@ -110,6 +116,17 @@ std::shared_ptr<EventLanes> SessionRecorder::begin(const BeginEvent& event) {
     return lanes_;
 }
 
+void SessionRecorder::noteMirror(const MirrorSight& sight) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::lock_guard lock(mutex_);
+    if (mirrorNow_ && (sight == *mirrorNow_ || now - mirrorNoted_ < kMirrorPeriod)) return;
+    mirrorNow_ = sight;
+    mirrorNoted_ = now;
+    const std::uint64_t tick = firstTick_ + ticksIn(events_);
+    if (!mirror_.empty() && mirror_.back().tick == tick) mirror_.pop_back();  // no tick has seen it
+    mirror_.push_back({tick, sight});
+}
+
 void SessionRecorder::append(const SessionEvent& event) {
     if (const auto* const begin = std::get_if<BeginEvent>(&event)) return open(*begin);
     const std::lock_guard lock(mutex_);
@@ -144,17 +161,30 @@ void SessionRecorder::writeEvents(bool waits) {
     while (!rest.empty()) {
         const std::span<const SessionEvent> block = rest.first(std::min(rest.size(), kMaxBlockEvents));
         rest = rest.subspan(block.size());
-        const auto ticks = static_cast<std::uint32_t>(
-            std::ranges::count_if(block, [](const SessionEvent& event) { return secondsOf(event).has_value(); }));
-        JournalBlock events{BlockType::Events, firstTick_, ticks, encodeEvents(block)};
-        if (!(waits ? writer_->appendWhenRoom(std::move(events)) : writer_->append(std::move(events)))) {
-            overflowed_ = isBeyondGap_ = true;  // without it nothing that follows can be replayed
-            break;
-        }
+        const std::uint32_t ticks = ticksIn(block);
+        if (!writeBlock({BlockType::Events, firstTick_, ticks, encodeEvents(block)}, waits)) break;
+        writeMirror(ticks, waits);
         firstTick_ += ticks;
         hasChanges_ = hasChanges_ || std::ranges::any_of(block, changesTooth);
     }
     events_.clear();
+}
+
+/// Called with the lock. What the next `ticks` have seen; what none has seen yet waits.
+void SessionRecorder::writeMirror(std::uint32_t ticks, bool waits) {
+    const auto later =
+        std::ranges::find_if(mirror_, [&](const MirrorMoment& each) { return each.tick >= firstTick_ + ticks; });
+    const std::span<const MirrorMoment> seen(mirror_.begin(), later);
+    if (seen.empty()) return;
+    (void)writeBlock({BlockType::Mirror, firstTick_, ticks, encodeMirror(seen)}, waits);
+    mirror_.erase(mirror_.begin(), later);
+}
+
+/// Called with the lock. A block that finds no room is a gap, beyond which nothing can be replayed.
+bool SessionRecorder::writeBlock(JournalBlock block, bool waits) {
+    if (waits ? writer_->appendWhenRoom(std::move(block)) : writer_->append(std::move(block))) return true;
+    overflowed_ = isBeyondGap_ = true;
+    return false;
 }
 
 void SessionRecorder::breakOff() {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -17,6 +18,7 @@
 #include "session/kernel/event_lanes.h"
 #include "session/kernel/event_merger.h"
 #include "session/kernel/session_event.h"
+#include "session/recording/mirror_sight.h"
 #include "session/recording/session_text.h"
 
 namespace tactooth {
@@ -50,6 +52,9 @@ public:
     void describe(const std::string& work);
     /// A bur begins to work. The threads of the simulation report to the result until `end`.
     [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
+    /// How the mirror is held now. Call it as often as the picture changes: it keeps what has changed, at most 60 times
+    /// a second. The moment is right to the period in which the queues are emptied, 0.05 s.
+    void noteMirror(const MirrorSight& sight);
     /// For a session that is not live, in place of `begin`: takes the next event. Waits while the disk is slow.
     void append(const SessionEvent& event);
     /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
@@ -80,6 +85,8 @@ private:
     void drain();
     void open(const BeginEvent& event);
     void writeEvents(bool waits);
+    void writeMirror(std::uint32_t ticks, bool waits);
+    [[nodiscard]] bool writeBlock(JournalBlock block, bool waits);
     void note(const std::string& json);
     void attach(std::string_view name, std::span<const std::byte> content);
     void attachTooth(const CutModel& model);
@@ -92,7 +99,10 @@ private:
     EventMerger merger_;
     std::vector<SessionEvent> events_;  // not written yet
     std::uint64_t firstTick_ = 0;       // of these; the ticks of all burs are counted together
-    double unwritten_ = 0;              // s of a session that is not live
+    std::vector<MirrorMoment> mirror_;  // not written yet
+    std::optional<MirrorSight> mirrorNow_;
+    std::chrono::steady_clock::time_point mirrorNoted_;
+    double unwritten_ = 0;  // s of a session that is not live
     std::chrono::steady_clock::time_point flushed_;
     bool hasChanges_ = false;
     bool overflowed_ = false;  // events are missing

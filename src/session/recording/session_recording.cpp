@@ -128,6 +128,22 @@ Expected<void> SessionRecording::forEach(const std::function<bool(const SessionE
     return {};
 }
 
+Expected<std::vector<MirrorMoment>> SessionRecording::mirror() const {
+    constexpr std::size_t kMost = std::size_t{1} << 22;  // 19 hours of movement
+    std::vector<MirrorMoment> all;
+    for (const BlockPlace& block : journal_.blocks()) {
+        if (block.header.type != BlockType::Mirror) continue;
+        const Expected<std::vector<std::byte>> payload = journal_.payload(block);
+        if (!payload) return Unexpected{payload.error()};
+        const std::optional<std::vector<MirrorMoment>> moments = decodeMirror(*payload);
+        const bool isInOrder = moments && (all.empty() || moments->empty() || all.back().tick <= moments->front().tick);
+        if (!isInOrder || all.size() + moments->size() > kMost)
+            return unexpected(msg::kRecordingEventsDamaged, journal_.name(), block.offset);
+        all.insert(all.end(), moments->begin(), moments->end());
+    }
+    return all;
+}
+
 Expected<RecordedEnd> SessionRecording::end() const {
     RecordedEnd end;
     for (const BlockPlace& block : journal_.blocks()) {

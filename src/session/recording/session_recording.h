@@ -7,10 +7,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "journal/file/attachment_reader.h"
 #include "journal/file/journal_reader.h"
 #include "session/kernel/session_event.h"
+#include "session/recording/mirror_sight.h"
 #include "session/recording/session_text.h"
 #include "session/simulation/session_work.h"
 
@@ -42,6 +44,10 @@ public:
 
     /// Calls `visit` with each event in turn, until it returns false. Fails with one sentence if a block is damaged.
     [[nodiscard]] Expected<void> forEach(const std::function<bool(const SessionEvent&)>& visit) const;
+
+    /// How the mirror was held, in the order of the ticks; empty: it was not recorded. Fails with one sentence if a
+    /// block is damaged.
+    [[nodiscard]] Expected<std::vector<MirrorMoment>> mirror() const;
 
     /// The end of a recording that was finished; without hash and gap if it was cut off.
     [[nodiscard]] Expected<RecordedEnd> end() const;

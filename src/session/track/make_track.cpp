@@ -99,6 +99,12 @@ void makeTrack(const SessionRecording& recording, std::shared_ptr<CutModel> mode
     maker.end();
     std::optional<Message> fault;
     if (!read) fault = read.error();
+    Expected<std::vector<MirrorMoment>> mirror = recording.mirror();
+    if (mirror) {
+        track.setMirror(std::move(*mirror));
+    } else if (!fault) {
+        fault = mirror.error();
+    }
     if (read && !differsAt && !stop.stop_requested()) {
         const auto recorded = recording.end();
         if (!recorded) fault = recorded.error();

@@ -40,6 +40,17 @@ void SessionTrack::add(TrackBur bur) {
     burs_.push_back(std::make_shared<const TrackBur>(std::move(bur)));
 }
 
+void SessionTrack::setMirror(std::vector<MirrorMoment> mirror) {
+    const std::lock_guard lock(mutex_);
+    mirror_ = std::move(mirror);
+    bytes_ += mirror_.size() * sizeof(MirrorMoment);
+}
+
+std::vector<MirrorMoment> SessionTrack::mirror() const {
+    const std::lock_guard lock(mutex_);
+    return mirror_;
+}
+
 void SessionTrack::finish(std::optional<double> differsAt, std::optional<Message> fault) {
     const std::lock_guard lock(mutex_);
     finished_ = true;

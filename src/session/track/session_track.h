@@ -13,6 +13,7 @@
 
 #include "geometry/util/message.h"
 #include "session/kernel/session_event.h"
+#include "session/recording/mirror_sight.h"
 #include "session/simulation/cut_model.h"
 #include "session/track/track_chunk.h"
 
@@ -43,6 +44,8 @@ public:
     void append(TrackChunk chunk);
     void add(const TrackEvent& event);
     void add(TrackBur bur);
+    /// How the mirror was held, in the order of the ticks.
+    void setMirror(std::vector<MirrorMoment> mirror);
     /// Nothing follows. `differsAt`: where the replay was found to differ from the recording, s. `fault`: why the
     /// recording could not be read further.
     void finish(std::optional<double> differsAt, std::optional<Message> fault);
@@ -57,6 +60,8 @@ public:
     [[nodiscard]] std::optional<double> differsAt() const;
     [[nodiscard]] std::optional<Message> fault() const;
     [[nodiscard]] std::vector<TrackEvent> events() const;
+    /// How the mirror was held; empty: the recording does not say it.
+    [[nodiscard]] std::vector<MirrorMoment> mirror() const;
     /// The bur at work at a moment; null before the first one.
     [[nodiscard]] std::shared_ptr<const TrackBur> burAt(std::uint64_t moment) const;
     /// The last moment that is not later than `time`, s.
@@ -94,6 +99,7 @@ private:
     std::vector<std::shared_ptr<const TrackChunk>> chunks_;
     std::vector<TrackEvent> events_;
     std::vector<std::shared_ptr<const TrackBur>> burs_;
+    std::vector<MirrorMoment> mirror_;
     std::uint64_t ticks_ = 0;
     std::size_t bytes_ = 0;
     bool finished_ = false;

@@ -69,7 +69,7 @@ std::string wordsText(Bytes payload) {
 }
 
 std::string describe(BlockType type, Bytes payload) {
-    if (type == BlockType::Events) return columnsText(payload);
+    if (type == BlockType::Events || type == BlockType::Mirror) return columnsText(payload);
     if (type == BlockType::Attachment) {
         const AttachmentPiece piece = parseAttachment(payload).value();
         return piece.name + " " + std::to_string(piece.totalBytes) + " " + std::to_string(piece.offset) + " " +
@@ -155,7 +155,8 @@ TEST_F(SecondReader, ReadsNumbersOfAnySizeInColumns) {
     for (std::int64_t& value : values) value = static_cast<std::int64_t>(random()) >> random() % 64;
     putColumns(out, std::vector<IntegerColumn>{
                         {Differences::None, values}, {Differences::First, values}, {Differences::Second, values}});
-    const std::vector<JournalBlock> blocks{{BlockType::Events, 0, 200, out.take()}};
+    const std::vector<std::byte> columns = out.take();
+    const std::vector<JournalBlock> blocks{{BlockType::Events, 0, 200, columns}, {BlockType::Mirror, 0, 200, columns}};
     ASSERT_TRUE(writeFile(folder_ / "a", Bytes(test::journalBytes(blocks, true))));
     expectSame("a");
 }

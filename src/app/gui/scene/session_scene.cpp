@@ -12,13 +12,6 @@ namespace {
 
 constexpr float kFog = 0.6F, kDrops = 0.5F;  // share of the glass, 0..1: the crown can still be seen in it
 
-/// As the mouse and a device hold it.
-Pose mirrorPose(const SessionModel& model) {
-    const Pose& held = model.mirror().pose();
-    const Pose& moved = model.runner()->feed().mirrorMotion();
-    return {held.position + moved.position, (moved.rotation * held.rotation).normalized()};
-}
-
 ShownMirror shownMirror(const SessionModel& model, const InstrumentMeshes& meshes) {
     const MirrorState& state = model.instruments().mirror();
     const MirrorGlass& glass = model.instruments().glass();
@@ -72,6 +65,12 @@ SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool wi
     }
     if (withMirror) contents.mirror = shownMirror(model, *meshes);
     return contents;
+}
+
+Pose mirrorPose(const SessionModel& model) {
+    const Pose& held = model.mirror().pose();
+    const Pose& moved = model.runner()->feed().mirrorMotion();
+    return {held.position + moved.position, (moved.rotation * held.rotation).normalized()};
 }
 
 std::optional<MirrorDisc> mirrorGlass(const SessionModel& model) {

@@ -11,6 +11,9 @@ namespace tactooth {
 /// What a picture of the session shows; the camera is left out.
 [[nodiscard]] SceneContents sceneContents(const SessionModel& model, bool withTurbine, bool withMirror);
 
+/// The mouth mirror as the mouse and a device hold it. Needs a runner.
+[[nodiscard]] Pose mirrorPose(const SessionModel& model);
+
 /// The glass of the mouth mirror where the picture shows it; none until the instruments are made.
 [[nodiscard]] std::optional<MirrorDisc> mirrorGlass(const SessionModel& model);
 

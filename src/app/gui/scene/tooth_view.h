@@ -114,6 +114,8 @@ public:
     [[nodiscard]] Camera camera() const { return camera_.camera(); }
     [[nodiscard]] bool showsTurbine() const { return showsTurbine_; }
     [[nodiscard]] bool showsMirror() const { return showsMirror_; }
+    /// How the picture shows the mirror, for a recording.
+    [[nodiscard]] MirrorSight mirrorSight() const;
 
 signals:
     /// The mouse wheel has changed the press depth, mm.

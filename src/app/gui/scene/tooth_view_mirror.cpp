@@ -11,6 +11,12 @@ std::optional<MirrorDisc> ToothView::glass() const {
     return showsMirror_ && !contents_ && tool_ == nullptr ? mirrorGlass(model_) : std::nullopt;
 }
 
+MirrorSight ToothView::mirrorSight() const {
+    const std::optional<MirrorDisc> shown = glass();
+    if (!shown) return {};
+    return MirrorSight::of(mirrorPose(model_), shown->radius, viewport().camera().cameraInWorld.position);
+}
+
 void ToothView::pressHand() {
     const Viewport picture = viewport();
     if (model_.runner() == nullptr) return model_.manipulator().press(picture, mouse_);

@@ -133,6 +133,7 @@ void MainWindow::connectLoop() {
     connect(&input_.instruments, &InstrumentController::changed, &help_.hints, &WindowHints::showUsual);
     connect(&loop_, &StepLoop::toothChanged, this, &MainWindow::showNewTooth);
     connect(&loop_, &StepLoop::stepped, this, [this] {
+        model_.noteMirror(frame_.panels.view->mirrorSight());
         input_.devices.followButtons();
         output_.sounds.poll();
         input_.instruments.poll();
