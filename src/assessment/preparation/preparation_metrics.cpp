@@ -349,7 +349,7 @@ constexpr std::array kMetrics = {
     PreparationMetric{"dentin_time", "Dentin reached", "s", Better::Neither, [](All m) { return m.order.dentinTime; },
                       "When the bur first cut dentin, since the session began.", "象牙質への到達",
                       "セッションの開始から、バーが初めて象牙質を削るまでの時間。"},
-    PreparationMetric{"periphery_first", "Decay along the enamel before the deep decay", "1", Better::Higher,
+    PreparationMetric{"periphery_first", "Decay along the enamel first", "1", Better::Higher,
                       [](All m) { return m.order.decay.peripheryFirst; },
                       "Share of the pairs of a removed piece along the enamel (in it, or within 0.5 mm below it) and a "
                       "removed piece of the deep third, over the pulp, in which that along the enamel went first. "
