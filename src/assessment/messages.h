@@ -293,8 +293,8 @@ inline constexpr MessageText kNoFingerRestKnown{"no_finger_rest_known",
                                                 "指が歯に置かれているかを計測する装置がありません"};
 inline constexpr MessageText kNeverDrilled{"never_drilled", "the turning bur touched nothing",
                                            "回転中のバーは何にも触れていません"};
-inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "recordings do not say when the mirror was in use",
-                                            "記録にはミラーの使用時間がありません"};
+inline constexpr MessageText kNoMirrorKnown{"no_mirror_known", "this recording does not say how the mirror was held",
+                                            "この記録にはミラーの位置がありません"};
 
 // Rubrics.
 inline constexpr MessageText kARubric{"a_rubric", "a rubric", "評価基準表"};

@@ -213,6 +213,8 @@ void WindowFinishTest::whatIsHandedInLiesInOneFolder() {
     QVERIFY(mirror.has_value());
     QVERIFY(std::ranges::any_of(*mirror, [](const MirrorMoment& each) { return each.sight.isShown; }));
     QVERIFY(mirror->front().tick <= mirror->back().tick && mirror->back().tick < recording->ticks());
+    QVERIFY(content(handedIn_ / "report.csv").contains("mirror_time,"));
+    QVERIFY(!content(handedIn_ / "report.csv").contains("mirror_time,,"));
 }
 
 void WindowFinishTest::theCommandLineGivesTheSameMark() {

@@ -315,10 +315,9 @@ constexpr std::array kMetrics = {
     PreparationMetric{"dead_time", "Pauses", "s", Better::Neither, [](All m) { return ofHand(m, &HandWork::dead); },
                       "Time without turning and touching, in pauses of more than 1 s.", "休止時間",
                       "回転も接触もない時間。1 秒を超える休止だけを数える。"},
-    PreparationMetric{"mirror_time", "Mirror in use", "s", Better::Neither,
-                      [](All m) { return m.hand ? Measured::none(msg::kNoMirrorKnown) : noHand(m); },
-                      "Time with the mirror in use. Recordings do not hold it, so it is not measurable yet.",
-                      "ミラーの使用時間", "ミラーを使っている時間。記録に含まれないため、まだ計測できない。"},
+    PreparationMetric{"mirror_time", "Bur seen in the mirror", "s", Better::Neither, [](All m) { return m.mirrorTime; },
+                      "Time in which the mirror shows the bur's tip to the eye that looks at the picture.",
+                      "ミラーにバーが映る時間", "画面を見る目に、ミラーがバーの先端を映している時間。"},
     PreparationMetric{"clutch_uses", "Bur held while the hand moved", "1", Better::Neither,
                       [](All m) { return m.hand ? Measured::none(msg::kNoClutchKnown) : noHand(m); },
                       "Number of times that the bur was held while the hand moved on. Recordings do not hold it, so it "
@@ -461,6 +460,7 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const R
     forbiddenVolume = tactooth::forbiddenVolume(preparation, surfaces, kSpacing);
     hasSession = sessions.student != nullptr;
     if (hasSession) hand = handWork(*sessions.student, preparation.axis);
+    mirrorTime = tactooth::mirrorTime(sessions.student.get());
     coverage = burCoverage(preparation, surfaces, sessions.student.get(), sessions.studentInTooth);
     order = tissueOrder(toothOf(preparation, sessions), sessions.student);
     hasExpertSession = sessions.expert != nullptr;

@@ -19,6 +19,7 @@
 #include "assessment/preparation/undercut.h"
 #include "assessment/process/bur_coverage.h"
 #include "assessment/process/hand_work.h"
+#include "assessment/process/mirror_use.h"
 #include "assessment/process/tissue_order.h"
 
 namespace tactooth {
@@ -50,6 +51,7 @@ struct PreparationMeasures {
     bool hasSession = false;
     std::optional<HandWork> hand;  ///< nothing without a session, or if no tool has touched anything in it
     BurCoverage coverage;
+    Measured mirrorTime;
     TissueOrder order;
     bool hasExpertSession = false;
     std::optional<HandWork> expertHand;  ///< the same of the expert's session

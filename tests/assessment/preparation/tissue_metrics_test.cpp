@@ -70,7 +70,6 @@ TEST(TissueMetrics, TheRateOfDecayIsItsVolumeByTheTimeOfDrilling) {
     measures.hand->drilling = 20;
     EXPECT_NEAR(valueOf(measures, "decay_rate"), valueOf(measures, "removed_decay") / 20, 1e-12);
     EXPECT_NEAR(valueOf(measures, "decay_rate"), 4.0 / 20, 0.005);
-    EXPECT_EQ(reasonOf(measures, "mirror_time"), "no_mirror_known") << "null, not 0";
     measures.hand = HandWork{};
     EXPECT_EQ(reasonOf(measures, "decay_rate"), "never_drilled");
 }
