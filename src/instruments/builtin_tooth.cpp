@@ -12,6 +12,7 @@
 #include "instruments/anatomy/lesion.h"
 #include "instruments/anatomy/tooth_shape.h"
 #include "instruments/modelling/fold_check.h"
+#include "instruments/tooth_making.h"
 
 namespace tactooth {
 namespace {
@@ -82,18 +83,27 @@ TriangleMesh pulpOf(const ToothShape& shape, double cellSize) {
 }
 
 /// The tooth's layers as meshes, with +x mesial. All on one grid, so that layers that share a surface share triangles.
-BuiltinTooth meshed(const ToothShape& shape, double cellSize) {
+BuiltinTooth meshed(const ToothShape& shape, double cellSize, const std::function<void(double)>& progress) {
+    const auto report = [&](double share) {
+        if (progress) progress(share);
+    };
+    // About these shares of the time; what is in the tooth comes after them.
+    constexpr double kOuter = 0.25, kEnamel = 0.5, kDentin = 0.7, kPulp = 0.9;
     const auto mesh = [&](const ScalarField& body) { return meshOf(body, shape.bounds, cellSize, kRelaxations); };
     BuiltinTooth tooth;
     tooth.name = shape.name;
     tooth.fdi = shape.fdi;
     tooth.outer = mesh(shape.outer);
+    report(kOuter);
     // The cut of the crown is a little below the cervical line, where dentin wins: no gap at the thin edge of the
     // enamel.
     constexpr double kOverlap = 0.3;
     tooth.enamel = mesh([&](const Vec3& p) { return std::max(shape.outer(p), -shape.cervical(p) - kOverlap); });
+    report(kEnamel);
     tooth.dentin = mesh(shape.core);
+    report(kDentin);
     tooth.pulp = pulpOf(shape, cellSize);
+    report(kPulp);
     return tooth;
 }
 
@@ -106,14 +116,16 @@ TriangleMesh insideTooth(const ToothShape& shape, const ScalarField& body, int t
 
 }  // namespace
 
-BuiltinTooth makeTooth(const ToothRequest& request) {
+BuiltinTooth makeTooth(const ToothRequest& request) { return makeToothReporting(request, {}); }
+
+BuiltinTooth makeToothReporting(const ToothRequest& request, const std::function<void(double)>& progress) {
     TACTOOTH_ASSERT(isPermanentTooth(request.fdi) && request.triangles > 0);
     const ToothShape shape = toothShape(request.fdi, request.seed);
     double cellSize = cellSizeFor(shape, request.triangles);
-    BuiltinTooth tooth = meshed(shape, cellSize);
+    BuiltinTooth tooth = meshed(shape, cellSize, progress);
     for (int i = 1; i < kTries && (hasFolds(tooth.outer) || hasFolds(tooth.enamel) || hasFolds(tooth.dentin)); ++i) {
         cellSize *= kFinerCell;
-        tooth = meshed(shape, cellSize);
+        tooth = meshed(shape, cellSize, progress);
     }
     if (request.lesion) tooth.caries = insideTooth(shape, lesionBody(shape, *request.lesion), request.triangles);
     if (request.lesion && request.lesion->rim)
@@ -121,6 +133,7 @@ BuiltinTooth makeTooth(const ToothRequest& request) {
     if (request.filling) tooth.filling = insideTooth(shape, fillingBody(shape, *request.filling), request.triangles);
     takeMaterials(tooth, request);
     if (mesialX(tooth.fdi) < 0) mirrorLayers(tooth);
+    if (progress) progress(1);
     return tooth;
 }
 

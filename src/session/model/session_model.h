@@ -66,6 +66,8 @@ public:
     void goTo(std::size_t position) {
         if (!isExamination_) history_.goTo(position);
     }
+    /// Goes back to where the undo, redo or jump that is under way began.
+    void giveUpHistory() { history_.giveUp(); }
     /// In an examination nothing can be taken back (undo, redo, jumps, resetTooth), no device has an aid, and no tick
     /// goes to a stream.
     void setExamination(bool on);

@@ -14,32 +14,48 @@
 
 namespace tactooth {
 
-Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
-                                        const std::string& suffix) {
-    const BuiltinTooth made = ToothCache(defaultCacheFolder()).make(request);
+namespace {
+
+/// Reports the part of a work that goes from `from` to `to` of the whole.
+ShareDone part(const ShareDone& whole, double from, double to) {
+    if (!whole) return {};
+    return [whole, from, to](double share) { whole(from + (to - from) * share); };
+}
+
+void report(const ShareDone& progress, double share) {
+    if (progress) progress(share);
+}
+
+}  // namespace
+
+Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name, const std::string& suffix,
+                                        const ShareDone& progress) {
+    constexpr double kMade = 0.8, kLayered = 0.9;  // about these shares of the time
+    const BuiltinTooth made = ToothCache(defaultCacheFolder()).make(request, part(progress, 0, kMade));
     Expected<LayeredTooth> layered = layeredTooth(made);
     if (!layered) return Unexpected{layered.error()};
+    report(progress, kLayered);
     auto shared = std::make_shared<const LayeredTooth>(std::move(*layered));
     SessionTooth tooth{name,
                        std::make_shared<CutModel>(std::move(shared), kSessionVoxel),
                        mesialX(made.fdi),
                        {{"tooth", "built in: " + made.name + suffix}}};
     tooth.fdi = made.fdi;
+    report(progress, 1);
     return tooth;
 }
 
-Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry) {
-    return makeSessionTooth(builtinToothRequest(entry.kind), std::string(entry.name), "");
+Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry, const ShareDone& progress) {
+    return makeSessionTooth(builtinToothRequest(entry.kind), std::string(entry.name), "", progress);
 }
 
-Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const std::function<void(double)>& progress) {
+Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const ShareDone& progress) {
     constexpr int kNeighbourTriangles = 20000;
     const MouthRequest request{.triangles = kNeighbourTriangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
     const ToothCache cache(mouth.cached ? defaultCacheFolder() : std::filesystem::path());
     constexpr double kShareOfMeshes = 0.9;  // then the surfaces are made ready to be touched
-    Expected<ToothInMouth> made = toothInMouth(mouth.fdi, mouth.lesion, request, cache, [&](double share) {
-        if (progress) progress(kShareOfMeshes * share);
-    });
+    Expected<ToothInMouth> made =
+        toothInMouth(mouth.fdi, mouth.lesion, request, cache, part(progress, 0, kShareOfMeshes));
     if (!made) return Unexpected{made.error()};
     if (mouth.filling)
         made->tooth = cache.make({mouth.fdi, request.triangles, request.seed, mouth.lesion, mouth.filling});
@@ -72,8 +88,8 @@ ChairView chairViewOf(const SessionTooth& tooth) {
     return {.view = dentistView(tooth.mesialX)};
 }
 
-Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {
-    Expected<SessionTooth> mouth = makeSessionTooth(MouthChoice{.fdi = fdi});
+Expected<void> putIntoMouth(SessionTooth& tooth, int fdi, const ShareDone& progress) {
+    Expected<SessionTooth> mouth = makeSessionTooth(MouthChoice{.fdi = fdi}, progress);
     if (!mouth) return Unexpected{mouth.error()};
     tooth.mesialX = mouth->mesialX;
     tooth.workBox = mouth->workBox;
@@ -84,9 +100,12 @@ Expected<void> putIntoMouth(SessionTooth& tooth, int fdi) {
     return {};
 }
 
-Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn) {
+Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn,
+                                        const ShareDone& progress) {
+    constexpr double kRead = 0.5;  // then it may come into a mouth
     Expected<LoadedModel> work = loadModelOrCase(source, workOn, std::nullopt, kSessionVoxel);
     if (!work) return Unexpected{work.error()};
+    report(progress, kRead);
     ToothPlacement& place = work->place;
     SessionTooth tooth{
         std::move(place.name),       std::move(work->piece), place.mesialX, std::move(work->provenance), place.box,
@@ -107,7 +126,7 @@ Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::st
         if (auto bur = burOf(tooth.work, source.outer.parent_path())) tooth.bur = std::move(*bur);
     }
     if (isPermanentTooth(tooth.work.mouthTooth)) {
-        if (const auto inMouth = putIntoMouth(tooth, tooth.work.mouthTooth); !inMouth)
+        if (const auto inMouth = putIntoMouth(tooth, tooth.work.mouthTooth, part(progress, kRead, 1)); !inMouth)
             return Unexpected{inMouth.error()};
     }
     return tooth;

@@ -72,20 +72,22 @@ struct MouthChoice {
     std::optional<Filling> filling = {};      ///< of the tooth that is worked on
 };
 
+/// Is called with the share of the work that is done, 0..1, from several threads.
+using ShareDone = std::function<void(double)>;
+
 // These take up to a few seconds: run them in a Task. They fail with one sentence for the user.
-[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry);
-/// `progress`: called from several threads, with the share of the work that is done, 0..1.
-[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth,
-                                                      const std::function<void(double)>& progress = {});
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const BuiltinToothEntry& entry, const ShareDone& progress = {});
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const MouthChoice& mouth, const ShareDone& progress = {});
 /// `suffix`: added to the built-in tooth's name in the provenance.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ToothRequest& request, const std::string& name,
-                                                      const std::string& suffix);
+                                                      const std::string& suffix, const ShareDone& progress = {});
 /// `scan`: with layers, as finishScan makes it.
 [[nodiscard]] Expected<SessionTooth> makeSessionTooth(const ExaminedScan& scan);
 /// `workOn`: name of the tooth of a case; empty: its first. What was being done with a saved tooth is in its `work`.
-[[nodiscard]] Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn = {});
+[[nodiscard]] Expected<SessionTooth> loadSessionTooth(const ToothSource& source, const std::string& workOn = {},
+                                                      const ShareDone& progress = {});
 
 /// Puts a tooth back into the whole mouth that it was cut in: takes over its neighbours and gums from there.
-[[nodiscard]] Expected<void> putIntoMouth(SessionTooth& tooth, int fdi);
+[[nodiscard]] Expected<void> putIntoMouth(SessionTooth& tooth, int fdi, const ShareDone& progress = {});
 
 }  // namespace tactooth

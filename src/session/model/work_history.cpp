@@ -179,7 +179,27 @@ WorkHistory WorkHistory::cutsAlone() const {
     return alone;
 }
 
-void WorkHistory::goTo(std::size_t position) { goal_ = std::min(position, steps_.size()); }
+void WorkHistory::goTo(std::size_t position) {
+    if (!goal_) start_ = position_;
+    isGivingUp_ = false;
+    goal_ = std::min(position, steps_.size());
+}
+
+std::optional<double> WorkHistory::share() const {
+    if (!goal_) return std::nullopt;
+    const auto distance = [](std::size_t a, std::size_t b) {
+        return static_cast<double>(std::max(a, b) - std::min(a, b));
+    };
+    const double done = distance(start_, position_), left = distance(position_, *goal_);
+    return done + left > 0 ? done / (done + left) : 0;
+}
+
+void WorkHistory::giveUp() {
+    if (!goal_ || isGivingUp_) return;
+    const std::size_t before = std::exchange(start_, position_);
+    goal_ = std::min(before, steps_.size());
+    isGivingUp_ = true;
+}
 
 std::optional<Edit> WorkHistory::advance() {
     while (goal_ && !isWaiting_) {

@@ -45,6 +45,12 @@ public:
     [[nodiscard]] WorkHistory cutsAlone() const;
     /// Whether something is being undone or redone.
     [[nodiscard]] bool isBusy() const { return isWaiting_ || goal_.has_value(); }
+    /// The share of the way to the goal that is done, 0..1; none: nothing is being undone or redone.
+    [[nodiscard]] std::optional<double> share() const;
+    /// Goes back to where it was when undoing or redoing began.
+    void giveUp();
+    /// Whether it does so already.
+    [[nodiscard]] bool isGivingUp() const { return isGivingUp_; }
     /// Another runner: it does not answer a request to the one before.
     void restart() { isWaiting_ = false; }
 
@@ -79,6 +85,8 @@ private:
     std::vector<std::optional<Cut>> cuts_;  // of each step
     std::size_t position_ = 0;
     std::optional<std::size_t> goal_;
+    std::size_t start_ = 0;  // the position when there was no goal yet
+    bool isGivingUp_ = false;
     bool isWaiting_ = false;  // for the runner
     std::uint64_t revision_ = 0;
 };

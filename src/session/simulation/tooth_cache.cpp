@@ -13,6 +13,7 @@
 #include "geometry/files/atomic_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/util/byte_stream.h"
+#include "instruments/tooth_making.h"
 
 namespace tactooth {
 namespace {
@@ -152,14 +153,14 @@ fs::path ToothCache::fileOf(const MouthRequest& request) const {
     return folder_ / (std::string(name.data()) + kExtensions[1]);
 }
 
-BuiltinTooth ToothCache::make(const ToothRequest& request) const {
-    if (folder_.empty()) return makeTooth(request);
+BuiltinTooth ToothCache::make(const ToothRequest& request, const std::function<void(double)>& progress) const {
+    if (folder_.empty()) return makeToothReporting(request, progress);
     const fs::path file = fileOf(request);
     if (auto tooth = kept(file, toothFrom); tooth && tooth->fdi == request.fdi) {
         takeMaterials(*tooth, request);
         return std::move(*tooth);
     }
-    BuiltinTooth tooth = makeTooth(request);
+    BuiltinTooth tooth = makeToothReporting(request, progress);
     store(bytesOf(tooth), file);
     return tooth;
 }

@@ -21,8 +21,9 @@ public:
 
     explicit ToothCache(std::filesystem::path folder, std::uintmax_t limit = kDefaultLimit);
 
-    /// makeTooth(request), bit for bit.
-    [[nodiscard]] BuiltinTooth make(const ToothRequest& request) const;
+    /// makeTooth(request), bit for bit. `progress`: see makeToothReporting.
+    [[nodiscard]] BuiltinTooth make(const ToothRequest& request,
+                                    const std::function<void(double)>& progress = {}) const;
 
     /// makeMouth(request), bit for bit. `partDone`: called from several threads, with the share of the work that is
     /// done, 0..1.

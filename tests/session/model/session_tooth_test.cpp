@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace tactooth {
 namespace {
 
@@ -38,6 +41,16 @@ TEST(SessionTooth, IsSeenFromBuccalAndAboveWhereItsNumberIsNotKnownOrDoesNotFitI
     }
     const double other = -mesialX(26);
     expectView({.name = "26.stl", .piece = {}, .mesialX = other, .provenance = {}}, 0, false, dentistView(other));
+}
+
+TEST(SessionTooth, SaysHowMuchOfItIsMade) {
+    for (const BuiltinToothEntry& entry : kBuiltinTeeth) {
+        std::vector<double> shares;
+        ASSERT_TRUE(makeSessionTooth(entry, [&](double share) { shares.push_back(share); }));
+        EXPECT_GE(shares.size(), 2u);
+        EXPECT_TRUE(std::ranges::is_sorted(shares));
+        EXPECT_EQ(shares.back(), 1);
+    }
 }
 
 }  // namespace

@@ -194,6 +194,34 @@ TEST_F(WorkHistoryTest, AChangeAfterAnUndoneCutKeepsTheCutToRedo) {
     EXPECT_EQ(value, 5);
 }
 
+TEST_F(WorkHistoryTest, AJumpShowsHowFarItIsAndCanBeGivenUp) {
+    for (int i = 1; i <= 4; ++i) cut(stroke(i));
+    EXPECT_FALSE(history_.share());
+    history_.goTo(0);
+    EXPECT_EQ(history_.share(), 0.0);
+    for (int done = 1; done <= 2; ++done) {
+        const auto edit = history_.advance();
+        ASSERT_EQ(edit, Edit::Undo);
+        carryOut(*edit);
+        follow(50);
+        EXPECT_EQ(history_.share(), done / 4.0);
+    }
+    history_.giveUp();
+    EXPECT_TRUE(history_.isGivingUp());
+    EXPECT_EQ(history_.share(), 0.0);
+    settle();
+    EXPECT_EQ(history_.position(), 4U);
+    EXPECT_EQ(tooth_.done.size(), 4U);
+    EXPECT_FALSE(history_.share());
+    history_.goTo(1);  // a new jump is none that was given up
+    EXPECT_FALSE(history_.isGivingUp());
+    settle();
+    EXPECT_EQ(history_.position(), 1U);
+    history_.giveUp();  // nothing is under way
+    settle();
+    EXPECT_EQ(history_.position(), 1U);
+}
+
 TEST_F(WorkHistoryTest, ForAnotherWindowTheCutsRemain) {
     int value = 0;
     cut(stroke(1));

@@ -49,6 +49,19 @@ TEST(ToothCache, GivesBackTheToothBitForBit) {
     expectSame(cache.make(decayed), makeTooth(decayed));
 }
 
+TEST(ToothCache, SaysHowMuchOfAToothIsMade) {
+    std::vector<double> shares;
+    ToothRequest decayed = kTooth;
+    decayed.lesion = Lesion{LesionSite::Mesial, 1.5, {}};
+    const BuiltinTooth made = ToothCache({}).make(decayed, [&](double share) { shares.push_back(share); });
+    expectSame(made, makeTooth(decayed));
+    EXPECT_GE(shares.size(), 4u);
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_GT(shares.front(), 0);
+    EXPECT_LT(shares.front(), 0.5);
+    EXPECT_EQ(shares.back(), 1);
+}
+
 TEST(ToothCache, ReadsTheFileInsteadOfMakingTheTooth) {
     const test::TemporaryFolder folder;
     const ToothCache cache(folder.path());

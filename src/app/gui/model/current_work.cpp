@@ -80,8 +80,8 @@ void resumeWork(SessionTooth& tooth, const fs::path& folder, const std::vector<f
 }
 
 Expected<SessionTooth> openSessionTooth(const ToothSource& source, const std::string& workOn,
-                                        const std::vector<fs::path>& known) {
-    Expected<SessionTooth> tooth = loadSessionTooth(source, workOn);
+                                        const std::vector<fs::path>& known, const ShareDone& progress) {
+    Expected<SessionTooth> tooth = loadSessionTooth(source, workOn, progress);
     if (tooth) resumeWork(*tooth, source.outer.parent_path(), known);
     return tooth;
 }

@@ -24,6 +24,7 @@ void resumeWork(SessionTooth& tooth, const std::filesystem::path& folder,
 
 /// loadSessionTooth, and goes on with the work on a saved tooth.
 [[nodiscard]] Expected<SessionTooth> openSessionTooth(const ToothSource& source, const std::string& workOn,
-                                                      const std::vector<std::filesystem::path>& known);
+                                                      const std::vector<std::filesystem::path>& known,
+                                                      const ShareDone& progress = {});
 
 }  // namespace tactooth

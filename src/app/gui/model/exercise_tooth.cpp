@@ -7,15 +7,15 @@
 
 namespace tactooth {
 
-Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise) {
+Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise, const ShareDone& progress) {
     const auto* request = std::get_if<ToothRequest>(&exercise->tooth);
     const bool isSound = request != nullptr && (!request->lesion || request->lesion->width == 0) && !request->filling;
     const auto make = [&]() -> Expected<SessionTooth> {
-        if (request == nullptr) return loadSessionTooth(std::get<ToothSource>(exercise->tooth));
+        if (request == nullptr) return loadSessionTooth(std::get<ToothSource>(exercise->tooth), {}, progress);
         if (exercise->inMouth)
             return makeSessionTooth(
-                MouthChoice{.fdi = request->fdi, .lesion = request->lesion, .filling = request->filling});
-        return makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "");
+                MouthChoice{.fdi = request->fdi, .lesion = request->lesion, .filling = request->filling}, progress);
+        return makeSessionTooth(*request, exercise->name, isSound ? ", sound" : "", progress);
     };
     Expected<SessionTooth> tooth = make();
     if (!tooth) return tooth;

@@ -11,7 +11,8 @@ namespace tactooth {
 
 /// The tooth of an exercise together with its bur. Takes up to a few seconds: run it in a Task. Fails with one sentence
 /// for the user.
-[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise);
+[[nodiscard]] Expected<SessionTooth> makeSessionTooth(const std::shared_ptr<const Exercise>& exercise,
+                                                      const ShareDone& progress = {});
 
 /// The exercise that the tooth was made for; null: free practice.
 [[nodiscard]] std::shared_ptr<const Exercise> exerciseOf(const SessionTooth& tooth);

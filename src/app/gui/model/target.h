@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
 
 #include "assessment/cavity_ghost.h"
@@ -20,8 +21,12 @@ struct Target {
     std::shared_ptr<CavityMetrics> metrics;
 };
 
+/// Is called with the share of the work that is done, 0..1.
+using TargetProgress = std::function<void(double share)>;
+
 /// `ideal`: closed, tooth frame; `outer`: surface of the uncut tooth, which lies in `box`. Takes some seconds for a
 /// large tooth.
-[[nodiscard]] Target makeTarget(const QString& name, TriangleMesh ideal, const SurfacePart& outer, const Box3& box);
+[[nodiscard]] Target makeTarget(const QString& name, TriangleMesh ideal, const SurfacePart& outer, const Box3& box,
+                                const TargetProgress& progress = {});
 
 }  // namespace tactooth
