@@ -53,6 +53,7 @@ private slots:
     void aWideHoleIsFilledWhenChosen();
     void aDroppedCaseIsOpenedAndItsTeethCanBeChosen();
     void aDroppedFolderOfScansBecomesACase();
+    void inJapaneseACaseSaysInJapaneseWhatWasAssumed();
     void aFolderWithoutATooth();
     void aCaseThatCannotBeWrittenStaysShown();
     void cleanupTestCase();
@@ -331,6 +332,25 @@ void ImportWindowTest::aDroppedFolderOfScansBecomesACase() {
     dialog->reject();
     caseDialog()->reject();
     QTRY_VERIFY_WITH_TIMEOUT(caseDialog() == nullptr && !window_->teeth().isImporting(), kLoadPatience);
+}
+
+void ImportWindowTest::inJapaneseACaseSaysInJapaneseWhatWasAssumed() {
+    writeBlocks("japanese");
+    QVERIFY(writeStl(test::box(Vec3(-9, -9, -30), Vec3(19, 9, -13)), folder_ / "japanese/bone.stl").has_value());
+    const auto made = makeCase({.from = {folder_ / "japanese"}, .quadrant = 3});
+    QVERIFY2(made.has_value(), made ? "" : made.error().message().c_str());
+    applyLanguage(*qApp, "ja");
+    CaseDialog shown("japanese");
+    shown.setAttribute(Qt::WA_DeleteOnClose, false);
+    shown.showCase(made);
+    applyLanguage(*qApp, "en");
+    const QString notes = shown.findChild<QTextBrowser*>("caseNotes")->toPlainText();
+    QVERIFY2(notes.contains(QStringLiteral("元から閉じていて、問題はありません。")), qPrintable(notes));
+    for (const auto& body : made->description.teeth) {
+        for (const std::string& english : body.assumed) {
+            QVERIFY2(!notes.contains(QString::fromStdString(english)), english.c_str());
+        }
+    }
 }
 
 void ImportWindowTest::aFolderWithoutATooth() {

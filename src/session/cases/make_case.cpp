@@ -23,9 +23,16 @@
 namespace tactooth {
 namespace {
 
-std::vector<std::string> words(const std::vector<ImportNote>& importNotes) {
+std::vector<Message> messagesOf(const std::vector<ImportNote>& importNotes) {
+    std::vector<Message> messages;
+    for (const ImportNote& importNote : importNotes) messages.push_back(importNote.message);
+    return messages;
+}
+
+/// As the file of a case keeps them.
+std::vector<std::string> inEnglish(const std::vector<Message>& messages) {
     std::vector<std::string> sentences;
-    for (const ImportNote& importNote : importNotes) sentences.push_back(inWords(importNote));
+    for (const Message& message : messages) sentences.push_back(message.in(Language::English));
     return sentences;
 }
 
@@ -113,7 +120,8 @@ private:
         std::ranges::sort(entry.layers, {}, [](const auto& layer) { return layer.first; });
         entry.isModelled = tooth.layersAreModelled;
         entry.toothInCase = toothInCase;
-        entry.assumed = words(tooth.importNotes);
+        made_.ofTeeth.push_back(messagesOf(tooth.importNotes));
+        entry.assumed = inEnglish(made_.ofTeeth.back());
         made_.description.teeth.push_back(std::move(entry));
     }
 
@@ -129,10 +137,12 @@ private:
         CaseSurrounding body;
         body.name = bodyNames_.make(name);
         body.material = materials_->withRole(MaterialRole::Surroundings);
-        body.assumed = words(surfaces_.aroundImportNotes[name]);
         body.surface = "around/" + surroundingNames_.make(name) + ".stl";
-        body.assumed.push_back(isMended ? "The surface was mended." : "Closed and sound as it came.");
-        for (const std::string& sentence : words(importNotes)) body.assumed.push_back(sentence);
+        std::vector<Message> assumed = messagesOf(surfaces_.aroundImportNotes[name]);
+        assumed.emplace_back(isMended ? msg::kCaseSurfaceMended : msg::kCaseSurfaceSound);
+        for (const Message& message : messagesOf(importNotes)) assumed.push_back(message);
+        body.assumed = inEnglish(assumed);
+        made_.ofAround.push_back(std::move(assumed));
         made_.files.push_back({body.surface, stlBytes(solid.mesh)});
         made_.description.around.push_back(std::move(body));
         return {};

@@ -31,6 +31,8 @@ struct CaseRequest {
 struct NewCase {
     CaseDescription description;
     std::vector<CaseFile> files;  ///< with case.toml
+    /// What `assumed` says in English, in every language: of each tooth, and of each body around them.
+    std::vector<std::vector<Message>> ofTeeth, ofAround;
 };
 
 /// Called with the present body and its done part, 0..1. Return false to stop.

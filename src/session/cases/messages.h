@@ -140,6 +140,10 @@ inline constexpr MessageText kCaseWithoutTooth{
 inline constexpr MessageText kCaseSurfaceNotSolid{
     "case_surface_not_solid", "%1: %2. Leave it out, or ask for all holes to be filled.",
     "%1：%2。この表面を除くか、すべての穴をふさぐように指定してください。"};
+inline constexpr MessageText kCaseSurfaceMended{"case_surface_mended", "The surface was mended.",
+                                                "表面を修復しました。"};
+inline constexpr MessageText kCaseSurfaceSound{"case_surface_sound", "Closed and sound as it came.",
+                                               "元から閉じていて、問題はありません。"};
 inline constexpr MessageText kCaseNotReadable{"case_not_readable", "the new case could not be opened: %1",
                                               "この症例は誰にも開けません：%1"};
 inline constexpr MessageText kCaseTargetTaken{

@@ -112,6 +112,30 @@ TEST(MakeCase, ASingleSurfaceGetsAModelAndSaysSo) {
     EXPECT_TRUE(openCase(CaseStore::openArchive(bytes, "x").value()));
 }
 
+TEST(MakeCase, WhatWasAssumedIsSaidInEveryLanguage) {
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(writeStl(test::box(Vec3(-4, -4, -12), Vec3(4, 4, 8)), folder / "L6_outer.stl"));
+    ASSERT_TRUE(writeStl(test::box(Vec3(-3, -3, -11), Vec3(3, 3, 5)), folder / "L6_dentin.stl"));
+    ASSERT_TRUE(writeStl(test::box(Vec3(-9, -9, -30), Vec3(9, 9, -13)), folder / "bone.stl"));
+    const auto made = makeCase({.from = {folder.path()}, .quadrant = 3});
+    ASSERT_TRUE(made) << made.error().message();
+    const CaseDescription& described = made->description;
+    ASSERT_EQ(made->ofTeeth.size(), described.teeth.size());
+    ASSERT_EQ(made->ofAround.size(), described.around.size());
+    ASSERT_EQ(described.around.size(), 1u);
+    const auto expectBoth = [](const std::vector<Message>& messages, const std::vector<std::string>& english) {
+        ASSERT_FALSE(messages.empty());
+        ASSERT_EQ(messages.size(), english.size());
+        for (std::size_t i = 0; i < messages.size(); ++i) {
+            EXPECT_EQ(messages[i].in(Language::English), english[i]);  // what the file says
+            EXPECT_NE(messages[i].in(Language::Japanese), english[i]);
+        }
+    };
+    expectBoth(made->ofTeeth.front(), described.teeth.front().assumed);
+    expectBoth(made->ofAround.front(), described.around.front().assumed);
+    EXPECT_EQ(described.around.front().assumed, std::vector<std::string>{"Closed and sound as it came."});
+}
+
 TEST(MakeCase, NamesThatDifferInForeignLettersAloneGetFilesOfTheirOwn) {
     const test::TemporaryFolder folder;
     for (const auto& [name, x] : {std::pair("右", 0.0), std::pair("左", 12.0)}) {

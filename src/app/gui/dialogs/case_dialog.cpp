@@ -24,11 +24,9 @@ QString titleOf(const CaseTooth& tooth) {
     return CaseDialog::tr("%1, tooth %2 (FDI)").arg(name).arg(tooth.fdi);
 }
 
-QString asList(const QString& title, const std::vector<std::string>& sentences) {
+QString asList(const QString& title, const std::vector<Message>& sentences) {
     QString list = "<b>" + title.toHtmlEscaped() + "</b><ul>";
-    for (const std::string& sentence : sentences) {
-        list += "<li>" + QString::fromStdString(sentence).toHtmlEscaped() + "</li>";
-    }
+    for (const Message& sentence : sentences) list += "<li>" + translated(sentence).toHtmlEscaped() + "</li>";
     return list + "</ul>";
 }
 
@@ -111,9 +109,11 @@ void CaseDialog::showCase(const Expected<NewCase>& made) {
     const CaseDescription& described = made->description;
     state_->setText(tr("Teeth: %1. Bodies around them: %2.").arg(described.teeth.size()).arg(described.around.size()));
     QString text;
-    for (const CaseTooth& tooth : described.teeth) text += asList(titleOf(tooth), tooth.assumed);
-    for (const CaseSurrounding& body : described.around) {
-        text += asList(QString::fromStdString(body.name), body.assumed);
+    for (std::size_t i = 0; i < described.teeth.size(); ++i) {
+        text += asList(titleOf(described.teeth[i]), made->ofTeeth[i]);
+    }
+    for (std::size_t i = 0; i < described.around.size(); ++i) {
+        text += asList(QString::fromStdString(described.around[i].name), made->ofAround[i]);
     }
     notes_->setHtml(text);
 }
