@@ -107,6 +107,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTRY_VERIFY_WITH_TIMEOUT(fact("Over-preparation") != "0.00 mm\u00b3" || cleared->value() > 0, kPatience);
     const auto report = folder_ / "report.csv";
     window_->exercise().exportReport(QString::fromStdString(report.string()));
+    waitForFiles();
     std::ifstream file(report);
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     QVERIFY(text.find("task,\"Pit in the molar\"") != std::string::npos);
@@ -278,6 +279,7 @@ void WindowExerciseTest::anotherLanguageKeepsTargetExerciseAndLook() {
     QVERIFY(holder.window().findChild<QComboBox*>("exercise")->currentText().startsWith("Pit in the molar"));
     const auto report = folder_ / "kept.csv";
     holder.window().exercise().exportReport(QString::fromStdString(report.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(!holder.window().isWriting(), kPatience);
     QVERIFY(test::readText(report).find("task,\"Pit in the molar\"") != std::string::npos);
     choose(0);
     QTRY_COMPARE_WITH_TIMEOUT(holder.window().settings().language, std::string(), kPatience);

@@ -237,6 +237,7 @@ void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     stretch->setValue(4);
     for (const char* name : {"plots.csv", "plots.png", "plots.svg"}) {
         window_->records().exportPlotsTo(QString::fromStdString((folder_ / name).string()));
+        waitForFiles();
         QVERIFY2(std::filesystem::file_size(folder_ / name) > 100, name);
     }
     std::ifstream table(folder_ / "plots.csv");
@@ -244,6 +245,7 @@ void WindowLookTest::thePlotsHoldStillZoomAndAreExported() {
     std::getline(table, head);
     QCOMPARE(head, std::string("t,depth,speed,force,cavity_depth"));
     window_->records().exportPlotsTo(QString::fromStdString((folder_ / "plots.doc").string()));
+    waitForFiles();
     QVERIFY(dismissMessage().contains("end its name in .csv, .svg or .png"));
     QTest::mouseClick(pause, Qt::LeftButton);
     stretch->setValue(10);

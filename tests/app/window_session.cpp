@@ -85,6 +85,8 @@ void WindowSession::waitForCarving() const {
     QTRY_VERIFY_WITH_TIMEOUT(isQuiet(), kPatience);
 }
 
+void WindowSession::waitForFiles() const { QTRY_VERIFY_WITH_TIMEOUT(!window_->isWriting(), kPatience); }
+
 bool WindowSession::waitForQuietPicture() const {
     std::uint64_t last = view().pictures();
     QElapsedTimer unchanged;
@@ -113,6 +115,11 @@ QString WindowSession::dismissMessage() const {
     const QString text = box->text();
     delete box;
     return text;
+}
+
+QString WindowSession::messageAfterFiles() const {
+    waitForFiles();
+    return dismissMessage();
 }
 
 void WindowSession::answerUnsaved(QMessageBox::StandardButton answer) const {

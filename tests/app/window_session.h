@@ -51,6 +51,8 @@ protected:
     void waitForSteps(int steps) const;
     /// Until the carving thread has no work left. The bur must be clear of the tooth.
     void waitForCarving() const;
+    /// Until all files are written that are saved and exported.
+    void waitForFiles() const;
     /// Restarts the runner, which empties the plots, and waits until the window rests.
     void waitForRest() const;
     /// Waits until the view is at rest and has drawn no picture for a second: a slow machine may have one on its way.
@@ -58,6 +60,8 @@ protected:
     [[nodiscard]] bool waitForQuietPicture() const;
     /// Closes the message in front and returns its text; empty if there is none.
     [[nodiscard]] QString dismissMessage() const;
+    /// The same after all files are written.
+    [[nodiscard]] QString messageAfterFiles() const;
 
     TemporaryFolder folder_;
     std::unique_ptr<OpenAlOutput> sound_;

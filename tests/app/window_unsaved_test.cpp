@@ -343,7 +343,8 @@ void WindowUnsavedTest::aSavedToothGoesOnWithItsExercise() {
     const double seconds = window_->model().log().workSeconds();
     QVERIFY(seconds > 0);
     const fs::path file = folder_ / "lesson.tactooth";
-    QVERIFY(window_->teeth().saveTooth(QString::fromStdString(file.string())));
+    window_->teeth().saveTooth(QString::fromStdString(file.string()));
+    waitForFiles();
     loadMolar();
     window_->teeth().openTooth({.outer = file, .layers = {}});
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("Distal pit"), kLoadPatience);

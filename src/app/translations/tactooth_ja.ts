@@ -973,6 +973,18 @@ It can be overcome, and is off in an examination.</source>
         <source>%1[*] — Tactooth</source>
         <translation>%1[*] — Tactooth</translation>
     </message>
+    <message>
+        <source>Writing a file</source>
+        <translation>ファイルの書き込み</translation>
+    </message>
+    <message>
+        <source>No file is written or changed</source>
+        <translation>ファイルは作られず、変更もされません</translation>
+    </message>
+    <message>
+        <source>A file is being written: the window closes as soon as it is complete</source>
+        <translation>ファイルを書き込んでいます。書き終わるとウィンドウを閉じます</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::AppearanceMenu</name>
@@ -1108,6 +1120,22 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>The report was written to %1</source>
         <translation>報告書を %1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Preparing the target</source>
+        <translation>目標の準備</translation>
+    </message>
+    <message>
+        <source>The tooth and the target stay as they are</source>
+        <translation>歯と目標は今のままです</translation>
+    </message>
+    <message>
+        <source>It was cancelled: the target before stays</source>
+        <translation>取り消しました。前の目標がそのまま残ります</translation>
+    </message>
+    <message>
+        <source>It was cancelled: there is no target</source>
+        <translation>取り消しました。目標はありません</translation>
     </message>
 </context>
 <context>
@@ -1457,6 +1485,22 @@ It can be overcome, and is off in an examination.</source>
         <source>Loading was cancelled: the tooth stays as it is</source>
         <translation>読み込みを中止しました。歯はそのままです</translation>
     </message>
+    <message>
+        <source>Loading</source>
+        <translation>読み込み中</translation>
+    </message>
+    <message>
+        <source>Keeps the present tooth; what is being loaded is dropped</source>
+        <translation>現在の歯をそのまま残し、読み込みを中止します</translation>
+    </message>
+    <message>
+        <source>Writing the tooth to %1…</source>
+        <translation>歯を %1 に書き出しています…</translation>
+    </message>
+    <message>
+        <source>Saving the tooth to %1…</source>
+        <translation>歯を %1 に保存しています…</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::ToothFields</name>
@@ -1794,6 +1838,10 @@ It can be overcome, and is off in an examination.</source>
         <source>Tactooth</source>
         <translation>Tactooth</translation>
     </message>
+    <message>
+        <source>It was cancelled: no file was written or changed</source>
+        <translation>取り消しました。ファイルは作られず、変更もされていません</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::OpenToothDialog</name>
@@ -1999,24 +2047,8 @@ It can be overcome, and is off in an examination.</source>
         <translation>詳しくは「リアルタイム」パネルをご覧ください。</translation>
     </message>
     <message>
-        <source>Loading</source>
-        <translation>読み込み中</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>中止</translation>
-    </message>
-    <message>
-        <source>Keeps the present tooth; what is being loaded is dropped</source>
-        <translation>現在の歯をそのまま残し、読み込みを中止します</translation>
-    </message>
-    <message>
-        <source>Assessing</source>
-        <translation>評価中</translation>
-    </message>
-    <message>
-        <source>The work goes on as if you had not finished it</source>
-        <translation>終了しなかったものとして作業を続けます</translation>
     </message>
 </context>
 <context>
@@ -2714,6 +2746,18 @@ It can be overcome, and is off in an examination.</source>
         <source>Look inside</source>
         <translation>内部を見る</translation>
     </message>
+    <message>
+        <source>Going back</source>
+        <translation>元に戻しています</translation>
+    </message>
+    <message>
+        <source>Undo and redo</source>
+        <translation>取り消しとやり直し</translation>
+    </message>
+    <message>
+        <source>Brings back the tooth as it was before</source>
+        <translation>歯を前の状態に戻します</translation>
+    </message>
 </context>
 <context>
     <name>tactooth::HistoryPanel</name>
@@ -2783,10 +2827,6 @@ It can be overcome, and is off in an examination.</source>
 </context>
 <context>
     <name>tactooth::RestoreController</name>
-    <message>
-        <source>Restoring the session… %1 %</source>
-        <translation>セッションを復元しています… %1 %</translation>
-    </message>
     <message>
         <source>Unfinished session</source>
         <translation>終わっていないセッション</translation>
@@ -3329,6 +3369,14 @@ It can be overcome, and is off in an examination.</source>
     <message>
         <source>The tooth is not ready yet</source>
         <translation>歯の準備がまだできていません</translation>
+    </message>
+    <message>
+        <source>Assessing</source>
+        <translation>評価中</translation>
+    </message>
+    <message>
+        <source>The work goes on as if you had not finished it</source>
+        <translation>終了しなかったものとして作業を続けます</translation>
     </message>
 </context>
 <context>

@@ -76,7 +76,10 @@ void LiveRunner::fadeOut() {
 
 LiveRunner::~LiveRunner() {
     fadeOut();
-    carvingThread_ = {};  // joins
+    carvingThread_ = {};                                   // joins
+    while (std::optional<Request> left = takeRequest()) {  // nobody carries out an edit any more
+        if (auto* const wanted = std::get_if<std::promise<ToothSnapshot>>(&*left)) answer(*wanted);
+    }
     brickPrefetchThread_ = {};
     neighbourListThread_ = {};  // joins; now no thread fills the queues
     loop_.reset();
@@ -142,30 +145,41 @@ void LiveRunner::publishSurface() {
     cutAvailable_.notify_one();
 }
 
-std::vector<std::byte> LiveRunner::toothFile(const Provenance& provenance, const std::string& work) const {
-    const std::lock_guard lock(modelMutex_);
-    return toothFileBytes(*model_, provenance, work);
-}
-
 void LiveRunner::request(Edit edit) {
     const std::lock_guard lock(requestMutex_);
-    requested_.push_back(edit);
+    requested_.emplace_back(edit);
 }
 
-std::optional<Edit> LiveRunner::takeEdit() {
+std::future<ToothSnapshot> LiveRunner::snapshot() {
+    std::promise<ToothSnapshot> wanted;
+    std::future<ToothSnapshot> result = wanted.get_future();
+    const std::lock_guard lock(requestMutex_);
+    requested_.emplace_back(std::move(wanted));
+    return result;
+}
+
+std::optional<LiveRunner::Request> LiveRunner::takeRequest() {
     const std::lock_guard lock(requestMutex_);
     if (requested_.empty()) return std::nullopt;
-    const Edit edit = requested_.front();
+    std::optional<Request> first(std::move(requested_.front()));
     requested_.pop_front();
-    return edit;
+    return first;
+}
+
+void LiveRunner::answer(std::promise<ToothSnapshot>& wanted) const {
+    wanted.set_value(snapshotOf(model_->volume(), model_->removed()));
 }
 
 /// One turn of the carving thread. Returns true if the surface has changed.
 bool LiveRunner::processModel() {
-    const std::lock_guard lock(modelMutex_);
-    if (const std::optional<Edit> edit = takeEdit()) {
-        const bool changed = carving_.edit(*edit);
-        if (lanes_) lanes_->carving(EditEvent{*edit, changed});
+    if (std::optional<Request> request = takeRequest()) {
+        if (auto* const wanted = std::get_if<std::promise<ToothSnapshot>>(&*request)) {
+            answer(*wanted);
+            return false;
+        }
+        const Edit edit = std::get<Edit>(*request);
+        const bool changed = carving_.edit(edit);
+        if (lanes_) lanes_->carving(EditEvent{edit, changed});
         return changed;
     }
     if (!tickForCarving_.refresh()) return false;

@@ -8,11 +8,13 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <future>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include "geometry/util/triple_buffer.h"
@@ -25,6 +27,7 @@
 #include "session/kernel/servo_stage.h"
 #include "session/live/session_feed.h"
 #include "session/simulation/tooth_file.h"
+#include "tooth/file/tooth_snapshot.h"
 
 namespace tactooth {
 
@@ -74,9 +77,9 @@ public:
     /// whole tooth. Undo takes back the last step: a reset, or the cut since the bur last began to cut after a pause.
     /// Redo does it again, unless something was cut since. No effect if there is nothing to reset, undo or redo.
     void request(Edit edit);
-    /// The present tooth as the bytes of a file. Any thread but the servo thread; waits for one cut at most. `work`:
-    /// see toothFileBytes.
-    [[nodiscard]] std::vector<std::byte> toothFile(const Provenance& provenance, const std::string& work = {}) const;
+    /// The tooth as it is after all that was requested before, for a file. Any thread but the servo thread. The carving
+    /// thread makes the copy, at the latest when the runner ends.
+    [[nodiscard]] std::future<ToothSnapshot> snapshot();
 
 private:
     template <std::size_t kCapacity>
@@ -96,7 +99,9 @@ private:
     void runNeighbourLists(const std::stop_token& stop);
     void runBrickPrefetch(const std::stop_token& stop, BrickPool& pool);
     [[nodiscard]] bool processModel();
-    [[nodiscard]] std::optional<Edit> takeEdit();
+    using Request = std::variant<Edit, std::promise<ToothSnapshot>>;
+    [[nodiscard]] std::optional<Request> takeRequest();
+    void answer(std::promise<ToothSnapshot>& wanted) const;
     void publishSurface();
     [[nodiscard]] Publication waitForSurface(const std::stop_token& stop, bool idle);
     [[nodiscard]] std::uint32_t recycleSurfaces();
@@ -133,11 +138,8 @@ private:
     double nextCarvingHash_ = 0;  // of the carving thread: Tick::time, s
     ListingStage listing_;        // of the neighbour-list thread
 
-    /// Held by the carving thread while it cuts, and by observers of the model; never by the servo thread.
-    mutable std::mutex modelMutex_;
-
     mutable std::mutex requestMutex_;  // of the carving thread and those who ask; never of the servo thread
-    std::deque<Edit> requested_;
+    std::deque<Request> requested_;
 
     mutable std::mutex publishedMutex_;  // of the carving thread and the neighbour-list thread
     std::optional<Publication> surfaceToList_;

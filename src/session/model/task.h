@@ -45,6 +45,11 @@ public:
     /// Whether `poll` will return a result: work runs or waits that was not cancelled.
     [[nodiscard]] bool isAwaited() const { return isBusy() && (!isCancelled_ || pending_); }
 
+    /// Waits until `poll` has something to fetch.
+    void wait() const {
+        if (isBusy()) running_.wait();
+    }
+
     /// Drops the result of the running work, and the work that waits.
     void cancel() {
         pending_ = nullptr;

@@ -11,6 +11,7 @@
 
 #include "geometry/util/assert.h"
 #include "geometry/util/byte_stream.h"
+#include "tooth/file/tooth_snapshot.h"
 #include "tooth/model/messages.h"
 
 namespace tactooth {
@@ -376,12 +377,16 @@ void putMaterial(ByteWriter& out, const MaterialDefinition& material, bool withN
 
 }  // namespace
 
-std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
-                                       const Provenance& provenance, const std::string& work) {
+namespace {
+
+/// The cut bricks of a volume or of a snapshot, in ascending order of the keys.
+using CutBricks = std::vector<std::pair<BrickKey, const CutField*>>;
+
+std::vector<std::byte> bytesOf(const LayeredTooth& tooth, double voxel, const MaterialVolumes& removed,
+                               const CutBricks& bricks, const Provenance& provenance, const std::string& work) {
     TACTOOTH_ASSERT(work.size() <= kMaxWork);
     ByteWriter out;
     out.putAll(std::span(kMagic.data(), kMagic.size()));
-    const LayeredTooth& tooth = *volume.tooth();
     const std::vector<MaterialId> materials = materialsIn(tooth, removed);
     const bool hasOwn = std::ranges::any_of(materials, [&](MaterialId id) { return isOwn(tooth.materials()[id]); });
     const std::uint32_t version = hasOwn ? kVersion : work.empty() ? kWithoutWork : kWithoutOwnMaterials;
@@ -402,18 +407,41 @@ std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVo
     out.put(static_cast<std::int8_t>(tooth.toothContext().mesialX < 0 ? -1 : 1));
     out.put(tooth.toothContext().firstAdjacent);
 
-    out.put(volume.lattice().spacing());
+    out.put(voxel);
     for (const MaterialId id : materials) {
         const double gone = removed[static_cast<std::size_t>(id)];
         TACTOOTH_ASSERT(std::isfinite(gone) && gone >= 0);
         out.put(gone);
     }
-    const std::vector<BrickKey> keys = volume.cutBricks();
-    out.put(static_cast<std::uint64_t>(keys.size()));
-    const CutField untouched = CutField::untouched(volume.lattice().spacing());
-    for (const BrickKey& key : keys) putBrick(out, key, *volume.bricks().find(key), untouched);
+    out.put(static_cast<std::uint64_t>(bricks.size()));
+    const CutField untouched = CutField::untouched(voxel);
+    for (const auto& [key, field] : bricks) putBrick(out, key, *field, untouched);
     out.put(checksum(out.bytes()));
     return out.take();
+}
+
+}  // namespace
+
+std::vector<std::byte> savedToothBytes(const CutVolume& volume, const MaterialVolumes& removed,
+                                       const Provenance& provenance, const std::string& work) {
+    CutBricks bricks;
+    for (const BrickKey& key : volume.cutBricks()) bricks.emplace_back(key, volume.bricks().find(key));
+    return bytesOf(*volume.tooth(), volume.lattice().spacing(), removed, bricks, provenance, work);
+}
+
+ToothSnapshot snapshotOf(const CutVolume& volume, const MaterialVolumes& removed) {
+    ToothSnapshot snapshot{volume.tooth(), volume.lattice().spacing(), removed, {}};
+    const std::vector<BrickKey> keys = volume.cutBricks();
+    snapshot.cuts.reserve(keys.size());
+    for (const BrickKey& key : keys) snapshot.cuts.emplace_back(key, *volume.bricks().find(key));
+    return snapshot;
+}
+
+std::vector<std::byte> savedToothBytes(const ToothSnapshot& snapshot, const Provenance& provenance,
+                                       const std::string& work) {
+    CutBricks bricks;
+    for (const auto& [key, field] : snapshot.cuts) bricks.emplace_back(key, &field);
+    return bytesOf(*snapshot.tooth, snapshot.voxel, snapshot.removed, bricks, provenance, work);
 }
 
 Expected<SavedTooth> parseSavedTooth(std::span<const std::byte> bytes, const std::string& name,

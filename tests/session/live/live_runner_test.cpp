@@ -431,10 +431,26 @@ TEST(LiveRunner, TheToothCanBeSavedWhileItIsCut) {
     LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
     runner.setControls(cutting());
     ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) > 0.01; }));
-    const auto saved = parseSavedTooth(runner.toothFile({}), "saved");
+    const auto saved = parseSavedTooth(savedToothBytes(runner.snapshot().get(), {}), "saved");
     ASSERT_TRUE(saved) << saved.error().message();
     EXPECT_GT(saved->removed[static_cast<std::size_t>(test::kCaries)], 0.01);
     EXPECT_FALSE(saved->cuts.empty());
+}
+
+TEST(LiveRunner, ASnapshotIsTheToothBeforeWhatIsRequestedAfterIt) {
+    const auto piece = test::cutBlock();
+    const std::vector<std::byte> before = toothFileBytes(*piece, {});
+    SpyDevice device(stroking());
+    std::future<ToothSnapshot> first, last;
+    {
+        LiveRunner runner(piece, test::flatBur(), HapticSettings(), device, {});
+        first = runner.snapshot();
+        runner.request(Edit::Reset);
+        ASSERT_TRUE(soon([&] { return total(runner.feed().removed()) == 0; }));
+        last = runner.snapshot();  // the runner ends
+    }
+    EXPECT_EQ(savedToothBytes(first.get(), {}), before);
+    EXPECT_EQ(total(last.get().removed), 0);
 }
 
 TEST(LiveRunner, ACutModelGoesOnFromOneRunnerToTheNext) {

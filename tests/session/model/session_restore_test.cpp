@@ -229,7 +229,7 @@ TEST_F(RecordedSession, ASavedToothGoesOnWhereOneStopped) {
     const fs::path file = crashed_ / "a.tactooth";
     ASSERT_TRUE(saveTooth(*model.tooth()->piece, {}, file));
     EXPECT_EQ(loadSessionTooth({.outer = file, .layers = {}}).value().work.seconds, 0) << "an old file";
-    const auto bytes = model.runner()->toothFile({}, workText(work));
+    const auto bytes = savedToothBytes(model.runner()->snapshot().get(), {}, workText(work));
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     const auto tooth = loadSessionTooth({.outer = file, .layers = {}});

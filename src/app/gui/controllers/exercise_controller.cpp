@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/gui/controllers/file_dialogs.h"
 #include "app/gui/controllers/tooth_controller.h"
@@ -23,13 +24,15 @@
 #include "assessment/exercise_file.h"
 #include "assessment/ideal_shape.h"
 #include "assessment/practice_report.h"
-#include "geometry/files/atomic_file.h"
+#include "geometry/util/byte_text.h"
+#include "session/model/file_writer.h"
 
 namespace tactooth {
 
 ExerciseController::ExerciseController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
-                                       WindowMessages& messages, FileDialogs& files, ToothController& teeth)
-    : model_(model), mode_(mode), panels_(panels), messages_(messages), files_(files), teeth_(teeth) {
+                                       WindowMessages& messages, FileDialogs& files, FileWriter& writer,
+                                       ToothController& teeth)
+    : model_(model), mode_(mode), panels_(panels), messages_(messages), files_(files), writer_(writer), teeth_(teeth) {
     connect(panels_.inspection, &InspectionPanel::targetRequested, this, &ExerciseController::askForTarget);
     connect(panels_.exercise, &ExercisePanel::chosen, this, &ExerciseController::start);
     connect(panels_.exercise, &ExercisePanel::openRequested, this, &ExerciseController::askForExercise);
@@ -48,7 +51,7 @@ void ExerciseController::start(const std::shared_ptr<const Exercise>& exercise) 
     if (exercise == nullptr && !mode_.allowsAnotherTooth()) return showActive();  // the task of an examination stays
     panels_.exercise->show(exercise);
     if (exercise == nullptr) return clearTarget();
-    teeth_.load([exercise] { return makeSessionTooth(exercise); },
+    teeth_.make([exercise](const ShareDone& progress) { return makeSessionTooth(exercise, progress); },
                 tr("Preparing the exercise: %1…").arg(exerciseTitle(*exercise)));
 }
 
@@ -106,15 +109,21 @@ void ExerciseController::beginExercise() {
     loadIdealShape();
 }
 
+/// One that is pending will be opened anew.
+ExerciseController::TargetState ExerciseController::targetState() const {
+    if (!openedFile_.isEmpty()) return {{}, openedFile_};
+    return {target_, targetFile_};
+}
+
 void ExerciseController::restore(TargetState state) {
     if (state.target.metrics != nullptr) {
         if (active_ != nullptr) state.target.name = exerciseTitle(*active_);  // in the language of this window
         setTarget(std::move(state.target));
         targetFile_ = state.file;
-    } else if (active_ != nullptr) {
-        loadIdealShape();
     } else if (!state.file.isEmpty()) {
         openTarget(state.file);
+    } else if (active_ != nullptr) {
+        loadIdealShape();
     }
 }
 
@@ -162,12 +171,12 @@ void ExerciseController::prepareHand() {
 
 void ExerciseController::loadIdealShape() {
     messages_.setHint(tr("Preparing the target of %1…").arg(exerciseTitle(*active_)));
-    pendingTarget_.start([exercise = active_, name = exerciseTitle(*active_),
-                          tooth = model_.tooth()->piece->volume().tooth(),
-                          box = model_.tooth()->box()]() -> Expected<Target> {
+    openedFile_.clear();
+    prepare([exercise = active_, name = exerciseTitle(*active_), tooth = model_.tooth()->piece->volume().tooth(),
+             box = model_.tooth()->box()](const TargetProgress& progress) -> Expected<Target> {
         Expected<TriangleMesh> ideal = idealShape(*exercise, tooth);
         if (!ideal) return Unexpected{ideal.error()};
-        return makeTarget(name, std::move(*ideal), *tooth->ownOuter(), box);
+        return makeTarget(name, std::move(*ideal), *tooth->ownOuter(), box, progress);
     });
 }
 
@@ -175,28 +184,51 @@ void ExerciseController::openTarget(const QString& file) {
     if (!model_.tooth()) return;
     files_.enterFolderOf(file);
     messages_.setHint(tr("Measuring the distance to %1…").arg(QFileInfo(file).fileName()));
+    openedFile_ = file;
+    prepare([file, outer = model_.tooth()->piece->tooth().ownOuter(),
+             box = model_.tooth()->box()](const TargetProgress& progress) -> Expected<Target> {
+        Expected<TriangleMesh> ideal = tactooth::loadIdealShape(file.toStdString());
+        if (!ideal) return Unexpected{ideal.error()};
+        return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box, progress);
+    });
+}
+
+void ExerciseController::prepare(std::function<Expected<Target>(const TargetProgress& progress)> make) {
+    prepared_ = std::make_shared<std::atomic<double>>(0);
+    pendingTarget_.start(
+        [make = std::move(make), share = prepared_] { return make([&](double done) { *share = done; }); });
+}
+
+std::optional<LongWork> ExerciseController::preparing() {
+    if (!isBusy()) return std::nullopt;
+    return LongWork{.title = tr("Preparing the target"),
+                    .share = prepared_->load(),
+                    .cancel = [this] { cancelPreparing(); },
+                    .cancelTip = tr("The tooth and the target stay as they are")};
+}
+
+void ExerciseController::cancelPreparing() {
+    pendingTarget_.cancel();
+    openedFile_.clear();
+    messages_.setHint(target_.metrics != nullptr ? tr("It was cancelled: the target before stays")
+                                                 : tr("It was cancelled: there is no target"));
+}
+
+/// The user's own target takes the place of the exercise.
+void ExerciseController::leaveExercise() {
     active_ = nullptr;
     panels_.force->wantDepthStop(false);
     showActive();
     showZones();
     emit activeChanged();
-    targetFile_ = file;
-    pendingTarget_.start(
-        [file, outer = model_.tooth()->piece->tooth().ownOuter(), box = model_.tooth()->box()]() -> Expected<Target> {
-            Expected<TriangleMesh> ideal = tactooth::loadIdealShape(file.toStdString());
-            if (!ideal) return Unexpected{ideal.error()};
-            return makeTarget(QFileInfo(file).fileName(), std::move(*ideal), *outer, box);
-        });
 }
 
 void ExerciseController::clearTarget() {
     pendingTarget_.cancel();
-    active_ = nullptr;
-    panels_.force->wantDepthStop(false);
+    openedFile_.clear();
     targetFile_.clear();
     setTarget({});
-    showZones();
-    emit activeChanged();
+    leaveExercise();
 }
 
 void ExerciseController::setTarget(Target target) {
@@ -215,10 +247,10 @@ void ExerciseController::showTarget() {
 void ExerciseController::collectTarget() {
     auto target = pendingTarget_.poll();
     if (!target) return;
-    if (!*target) {
-        if (target_.metrics == nullptr) targetFile_.clear();
-        return messages_.showError(target->error());
-    }
+    const QString file = std::exchange(openedFile_, QString());
+    if (!*target) return messages_.showError(target->error());
+    if (!file.isEmpty()) leaveExercise();
+    targetFile_ = file;
     setTarget(std::move(**target));
     if (active_ == nullptr) {
         if (mode_.showsTarget())
@@ -276,9 +308,11 @@ void ExerciseController::exportReport(const QString& file) {
                                                   .materials = &model_.runner()->feed().materials(),
                                                   .beside = model_.runner()->feed().loss().beside,
                                                   .events = model_.log().events().all()});
-    const Expected<void> written = writeFile(file.toStdString(), report);
-    if (!written) return messages_.showError(written.error());
-    messages_.setHint(tr("The report was written to %1").arg(file));
+    writer_.write([report, path = file.toStdString()](
+                      const GoesOn& goesOn) { return writeInPieces(path, asBytes(report), goesOn); },
+                  [this, file](const Expected<bool>& written) {
+                      messages_.showWritten(written, tr("The report was written to %1").arg(file));
+                  });
 }
 
 }  // namespace tactooth

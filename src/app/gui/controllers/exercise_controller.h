@@ -3,10 +3,13 @@
 #pragma once
 
 #include <QObject>
+#include <atomic>
+#include <functional>
 #include <memory>
 
 #include "app/gui/controllers/window_panels.h"
 #include "app/gui/model/exercise_clock.h"
+#include "app/gui/model/long_work.h"
 #include "app/gui/model/progress_meter.h"
 #include "app/gui/model/target.h"
 #include "assessment/exercise.h"
@@ -15,6 +18,7 @@ namespace tactooth {
 
 class ExaminationMode;
 class FileDialogs;
+class FileWriter;
 class ToothController;
 class WindowMessages;
 
@@ -25,7 +29,7 @@ class ExerciseController final : public QObject {
 public:
     /// All of them outlive the controller.
     ExerciseController(SessionModel& model, const ExaminationMode& mode, const WindowPanels& panels,
-                       WindowMessages& messages, FileDialogs& files, ToothController& teeth);
+                       WindowMessages& messages, FileDialogs& files, FileWriter& writer, ToothController& teeth);
 
     /// Loads tooth, bur and target of an exercise; null: free practice, on the tooth as it is.
     void start(const std::shared_ptr<const Exercise>& exercise);
@@ -33,7 +37,7 @@ public:
     void open(const QString& file);
     /// Compares the tooth with the closed surface in `file`: colours it by the distance, and makes its ghost.
     void openTarget(const QString& file);
-    /// Writes the report of the work; shows a message if that fails.
+    /// Writes the report of the work in the background; shows a message if that fails.
     void exportReport(const QString& file);
     void askForExercise();
     /// Adds the exercises of the user's own folder to the list; the status line names a file that cannot be used.
@@ -48,9 +52,9 @@ public:
         Target target;  ///< empty: none, or not ready yet
         QString file;   ///< of the user's own target
     };
-    [[nodiscard]] TargetState targetState() const { return {target_, targetFile_}; }
-    /// Of the user's own target; empty: none.
-    [[nodiscard]] const QString& targetFile() const { return targetFile_; }
+    [[nodiscard]] TargetState targetState() const;
+    /// Of the user's own target, from the moment it is opened; empty: none.
+    [[nodiscard]] const QString& targetFile() const { return openedFile_.isEmpty() ? targetFile_ : openedFile_; }
     /// Null: free practice.
     [[nodiscard]] const std::shared_ptr<const Exercise>& active() const { return active_; }
     /// All that the user can choose; the first is null: free practice.
@@ -65,6 +69,9 @@ public:
     void restore(TargetState state);
     /// Shows which exercise is active: another one could not be loaded.
     void showActive();
+    /// A target that is being prepared. When it is cancelled, the one before stays.
+    [[nodiscard]] std::optional<LongWork> preparing();
+    [[nodiscard]] bool isBusy() const { return pendingTarget_.isAwaited(); }
     /// Takes over what is ready and measures the progress. Call it after each step of the model.
     void poll();
     void showProgress();
@@ -87,7 +94,10 @@ private:
     void loadIdealShape();
     void setTarget(Target target);
     void clearTarget();
+    void prepare(std::function<Expected<Target>(const TargetProgress& progress)> make);
+    void cancelPreparing();
     void collectTarget();
+    void leaveExercise();
     [[nodiscard]] double workSeconds() const;
     void askForTarget();
     void askForReportFile();
@@ -97,11 +107,14 @@ private:
     WindowPanels panels_;
     WindowMessages& messages_;
     FileDialogs& files_;
+    FileWriter& writer_;
     ToothController& teeth_;
     Task<Target> pendingTarget_;
-    Target target_;                           // of the tooth in the session; empty: none
-    QString targetFile_;                      // of the user's own target, from the moment it is opened
-    std::shared_ptr<const Exercise> active_;  // null: free practice
+    Target target_;                                  // of the tooth in the session; empty: none
+    std::shared_ptr<std::atomic<double>> prepared_;  // the share of the pending target, 0..1
+    QString targetFile_;                             // of the user's own target
+    QString openedFile_;                             // of the user's own target that is pending
+    std::shared_ptr<const Exercise> active_;         // null: free practice
     ProgressMeter progress_;
     ExerciseClock clock_;
 };

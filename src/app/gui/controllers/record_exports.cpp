@@ -7,14 +7,15 @@
 #include "app/gui/panels/event_panel.h"
 #include "app/gui/panels/plot_export.h"
 #include "app/gui/panels/plot_panel.h"
-#include "geometry/files/atomic_file.h"
+#include "geometry/util/byte_text.h"
+#include "session/model/file_writer.h"
 #include "session/model/session_model.h"
 
 namespace tactooth {
 
 RecordExports::RecordExports(SessionModel& model, const WindowPanels& panels, WindowMessages& messages,
-                             FileDialogs& files)
-    : model_(model), panels_(panels), messages_(messages), files_(files) {
+                             FileDialogs& files, FileWriter& writer)
+    : model_(model), panels_(panels), messages_(messages), files_(files), writer_(writer) {
     connect(panels_.plots, &PlotPanel::exportRequested, this, &RecordExports::askForPlotFile);
     connect(panels_.events, &EventPanel::exportRequested, this, &RecordExports::askForEventFile);
 }
@@ -26,9 +27,10 @@ void RecordExports::askForPlotFile() {
 
 void RecordExports::exportPlotsTo(const QString& file) {
     files_.enterFolderOf(file);
-    const Expected<void> written = exportPlots(panels_.plots->shown(), panels_.plots->plots(), file.toStdString());
-    if (!written) return messages_.showError(written.error());
-    messages_.setHint(tr("The plots were written to %1").arg(file));
+    writer_.write(plotsExport(panels_.plots->shown(), panels_.plots->plots(), file.toStdString()),
+                  [this, file](const Expected<bool>& written) {
+                      messages_.showWritten(written, tr("The plots were written to %1").arg(file));
+                  });
 }
 
 void RecordExports::askForEventFile() {
@@ -38,9 +40,14 @@ void RecordExports::askForEventFile() {
 
 void RecordExports::exportEventsTo(const QString& file) {
     files_.enterFolderOf(file);
-    const Expected<void> written = writeFile(file.toStdString(), cutEventsCsv(model_.log().events().all()));
-    if (!written) return messages_.showError(written.error());
-    messages_.setHint(tr("The list was written to %1").arg(file));
+    writer_.write(
+        [events = model_.log().events().all(), path = file.toStdString()](const GoesOn& goesOn) {
+            const std::string table = cutEventsCsv(events);
+            return writeInPieces(path, asBytes(table), goesOn);
+        },
+        [this, file](const Expected<bool>& written) {
+            messages_.showWritten(written, tr("The list was written to %1").arg(file));
+        });
 }
 
 }  // namespace tactooth

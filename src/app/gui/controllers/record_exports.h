@@ -9,16 +9,18 @@
 namespace tactooth {
 
 class FileDialogs;
+class FileWriter;
 class SessionModel;
 class WindowMessages;
 
-/// Writes the plots and the list of events to files.
+/// Writes the plots and the list of events to files, in the background.
 class RecordExports final : public QObject {
     Q_OBJECT
 
 public:
     /// All of them outlive the exports.
-    RecordExports(SessionModel& model, const WindowPanels& panels, WindowMessages& messages, FileDialogs& files);
+    RecordExports(SessionModel& model, const WindowPanels& panels, WindowMessages& messages, FileDialogs& files,
+                  FileWriter& writer);
 
     /// As a table or a picture, see exportPlots; shows a message if that fails.
     void exportPlotsTo(const QString& file);
@@ -33,6 +35,7 @@ private:
     WindowPanels panels_;
     WindowMessages& messages_;
     FileDialogs& files_;
+    FileWriter& writer_;
 };
 
 }  // namespace tactooth

@@ -28,11 +28,17 @@ QString shortTime(std::chrono::system_clock::time_point time) {
 RestoreController::RestoreController(SessionModel& model, ToothController& teeth, RecordingController& recordings,
                                      WindowMessages& messages, QWidget& window)
     : model_(model), teeth_(teeth), recordings_(recordings), messages_(messages), window_(window) {
-    connect(&teeth_, &ToothController::loadingFailed, this, [this] { restoring_.reset(); });
+    connect(&teeth_, &ToothController::loadingFailed, this, &RestoreController::giveUp);
+    connect(&teeth_, &ToothController::loadingDeclined, this, [this] {
+        if (!teeth_.isBusy()) giveUp();  // else another tooth was declined
+    });
 }
 
-RestoreController::~RestoreController() {
-    if (restoring_ != nullptr) restoring_->progress.stops = true;
+RestoreController::~RestoreController() { giveUp(); }
+
+/// The file stays, and the next start offers it again.
+void RestoreController::giveUp() {
+    if (const auto restoring = std::exchange(restoring_, nullptr)) restoring->progress->stops = true;
 }
 
 void RestoreController::offer() {
@@ -51,11 +57,6 @@ void RestoreController::poll() {
         found_ = std::move(**found);
         askForNext();
     }
-    if (restoring_ == nullptr) return;
-    constexpr int kWhole = 100;
-    const int percent = static_cast<int>(kWhole * restoring_->progress.part);
-    if (percent == std::exchange(shownPercent_, percent)) return;
-    messages_.setHint(tr("Restoring the session… %1 %").arg(percent));
 }
 
 void RestoreController::askForNext() {
@@ -103,17 +104,17 @@ void RestoreController::answer(const Found& found, QMessageBox::ButtonRole role)
 
 void RestoreController::restore(const Found& found) {
     found_.clear();
-    shownPercent_ = -1;
-    restoring_ = std::make_shared<Restoring>(found.leftover, QString::fromStdString(found.facts.title));
+    restoring_ = std::make_shared<Restoring>(found.leftover, QString::fromStdString(found.facts.title),
+                                             std::make_shared<RestoreProgress>());
     teeth_.load(
         [restoring = restoring_, known = teeth_.knownFiles()]() -> Expected<SessionTooth> {
-            Expected<SessionTooth> tooth = restoreSession(restoring->leftover, restoring->progress);
+            Expected<SessionTooth> tooth = restoreSession(restoring->leftover, *restoring->progress);
             if (!tooth) return tooth;
             resumeWork(*tooth, {}, known);
             restoring->isDone = true;
             return tooth;
         },
-        tr("Restoring the session…"));
+        tr("Restoring the session…"), ToothController::LoadedShare(restoring_->progress, &restoring_->progress->part));
 }
 
 void RestoreController::takeTooth() {

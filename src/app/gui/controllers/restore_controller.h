@@ -47,13 +47,14 @@ private:
     struct Restoring {
         Leftover leftover;
         QString title;
-        RestoreProgress progress;
+        std::shared_ptr<RestoreProgress> progress;  // the status line may hold it longer than the file is held
         std::atomic<bool> isDone{false};
     };
 
     void askForNext();
     void answer(const Found& found, QMessageBox::ButtonRole role);
     void restore(const Found& found);
+    void giveUp();
 
     SessionModel& model_;
     ToothController& teeth_;
@@ -64,7 +65,6 @@ private:
     std::vector<Found> found_;  // not asked about yet, newest first
     QPointer<QMessageBox> question_;
     std::shared_ptr<Restoring> restoring_;
-    int shownPercent_ = -1;
 };
 
 }  // namespace tactooth

@@ -12,10 +12,12 @@
 #include "app/gui/model/current_work.h"
 #include "app/gui/model/examination_mode.h"
 #include "app/gui/text/translation.h"
-#include "geometry/files/atomic_file.h"
 #include "geometry/io/stl_writer.h"
 #include "session/cases/case_store.h"
+#include "session/model/file_writer.h"
 #include "session/recording/session_recorder.h"
+#include "tooth/file/exported_mesh.h"
+#include "tooth/file/tooth_snapshot.h"
 
 namespace tactooth {
 namespace {
@@ -34,14 +36,42 @@ MaterialVolumes removedNow(const SessionModel& model) {
 /// The session stands still, and no thread works on the tooth.
 bool isStill(const SessionModel& model) { return model.tooth() && model.isPaused(); }
 
+/// Notes the largest share that was reported: several threads may count parts.
+Task<SessionTooth>::Function withShare(const ToothController::MakeTooth& tooth,
+                                       const std::shared_ptr<std::atomic<double>>& share) {
+    return [tooth, share] {
+        return tooth([&](double done) {
+            double before = share->load();
+            while (before < done && !share->compare_exchange_weak(before, done)) {
+            }
+        });
+    };
+}
+
+/// The present tooth; where no thread works on it, the copy is made at once.
+std::future<ToothSnapshot> snapshotNow(SessionModel& model) {
+    if (model.runner() != nullptr) return model.runner()->snapshot();
+    std::promise<ToothSnapshot> copy;
+    copy.set_value(snapshotOf(model.tooth()->piece->volume(), model.tooth()->piece->removed()));
+    return copy.get_future();
+}
+
+constexpr double kMade = 0.7;  // of the time: the content of a file is made, then it is written
+
+/// What remains of the work after its share `done`.
+GoesOn part(const GoesOn& goesOn, double done) {
+    return [goesOn, done](double share) { return goesOn(done + (1 - done) * share); };
+}
+
 }  // namespace
 
 ToothController::ToothController(SessionModel& model, const ExaminationMode& mode, WindowMessages& messages,
-                                 FileDialogs& files, UnsavedWork& unsaved, QWidget& window)
+                                 FileDialogs& files, FileWriter& writer, UnsavedWork& unsaved, QWidget& window)
     : model_(model),
       mode_(mode),
       messages_(messages),
       files_(files),
+      writer_(writer),
       unsaved_(unsaved),
       window_(window),
       loader_(model) {
@@ -83,8 +113,18 @@ void ToothController::load(Task<SessionTooth>::Function tooth, const QString& hi
     });
 }
 
-std::optional<double> ToothController::loadedShare() const {
-    return isBusy() && share_ ? std::optional(share_->load()) : std::nullopt;
+void ToothController::make(const MakeTooth& tooth, const QString& hint) {
+    const auto share = std::make_shared<std::atomic<double>>(0);
+    load(withShare(tooth, share), hint, share);
+}
+
+std::optional<LongWork> ToothController::loading() {
+    if (!isBusy()) return std::nullopt;
+    LongWork work{.title = tr("Loading"), .share = share_ ? std::optional(share_->load()) : std::nullopt};
+    if (!model_.tooth()) return work;
+    work.cancel = [this] { cancelLoading(); };
+    work.cancelTip = tr("Keeps the present tooth; what is being loaded is dropped");
+    return work;
 }
 
 void ToothController::cancelLoading() {
@@ -94,20 +134,13 @@ void ToothController::cancelLoading() {
 }
 
 void ToothController::loadBuiltinTooth(const BuiltinToothEntry& entry) {
-    load([entry] { return makeSessionTooth(entry); }, tr("Making the tooth: %1…").arg(translated(entry.name)));
+    make([entry](const ShareDone& progress) { return makeSessionTooth(entry, progress); },
+         tr("Making the tooth: %1…").arg(translated(entry.name)));
 }
 
 void ToothController::loadMouth(const MouthChoice& mouth) {
-    const auto share = std::make_shared<std::atomic<double>>(0);
-    const auto make = [mouth, share] {
-        // The parts are counted by several threads: the largest count is the newest.
-        return makeSessionTooth(mouth, [&](double done) {
-            double before = share->load();
-            while (before < done && !share->compare_exchange_weak(before, done)) {
-            }
-        });
-    };
-    load(make, tr("Making the whole mouth around tooth %1…").arg(mouth.fdi), share);
+    make([mouth](const ShareDone& progress) { return makeSessionTooth(mouth, progress); },
+         tr("Making the whole mouth around tooth %1…").arg(mouth.fdi));
 }
 
 void ToothController::openTooth(const ToothSource& source, const std::string& workOn) {
@@ -117,9 +150,13 @@ void ToothController::openTooth(const ToothSource& source, const std::string& wo
         emit fileOpened(file);
         source_ = source;
         messages_.setHint(tr("Opening %1…").arg(QString::fromStdString(source.outer.filename().string())));
-        share_.reset();
-        loader_.load(Task<SessionTooth>::Function(
-            [source, workOn, known = knownFiles_] { return openSessionTooth(source, workOn, known); }));
+        const auto share = std::make_shared<std::atomic<double>>(0);
+        share_ = share;
+        loader_.load(withShare(
+            [source, workOn, known = knownFiles_](const ShareDone& progress) {
+                return openSessionTooth(source, workOn, known, progress);
+            },
+            share));
     });
 }
 
@@ -167,43 +204,60 @@ void ToothController::importFolder(const std::filesystem::path& folder) {
 }
 
 void ToothController::loadBur(const BurSpec& spec) {
+    if (!isBusy()) share_.reset();
     loader_.load(Task<SessionBur>::Function([spec] { return makeSessionBur(spec); }));
 }
 
 void ToothController::openBur(const QString& file) {
+    if (!isBusy()) share_.reset();
     files_.enterFolderOf(file);
     loader_.load(Task<SessionBur>::Function([path = file.toStdString()] { return loadSessionBur(path); }));
+}
+
+/// Another tooth may have come while the file was written.
+void ToothController::markSaved(const std::shared_ptr<CutModel>& piece, const MaterialVolumes& removed) {
+    if (model_.tooth() && model_.tooth()->piece == piece) model_.markSaved(removed);
 }
 
 void ToothController::exportTooth(const QString& file) {
     if (model_.runner() == nullptr && !isStill(model_)) return;
     files_.enterFolderOf(file);
-    const MaterialVolumes removed = removedNow(model_);
-    const TaggedMesh surface =
-        model_.runner() != nullptr ? model_.runner()->feed().exported() : model_.tooth()->piece->exported();
-    const Expected<void> written = writeStl(surface.mesh, file.toStdString());
-    if (!written) return messages_.showError(written.error());
-    model_.markSaved(removed);
-    messages_.setHint(tr("The tooth was written to %1").arg(file));
+    messages_.setHint(tr("Writing the tooth to %1…").arg(file));
+    const MaterialVolumes removed = removedNow(model_);  // before the surface: what is cut between them is unsaved
+    const std::shared_ptr<CutModel> piece = model_.tooth()->piece;
+    writer_.write(
+        [surface = model_.runner() != nullptr ? model_.runner()->feed().surface() : piece->surface(),
+         voxel = piece->volume().lattice().spacing(),
+         path = file.toStdString()](const GoesOn& goesOn) -> Expected<bool> {
+            if (!goesOn(0)) return false;
+            const TaggedMesh mesh = exportedMesh(*surface, voxel);
+            return writeInPieces(path, stlBytes(mesh.mesh), part(goesOn, kMade));
+        },
+        [this, file, piece, removed](const Expected<bool>& written) {
+            messages_.showWritten(written, tr("The tooth was written to %1").arg(file));
+            if (written && *written) markSaved(piece, removed);
+        });
 }
 
-bool ToothController::saveTooth(const QString& file) {
-    if (model_.runner() == nullptr && !isStill(model_)) return false;
+void ToothController::saveTooth(const QString& file, const std::function<void()>& saved) {
+    if (model_.runner() == nullptr && !isStill(model_)) return;
     files_.enterFolderOf(file);
-    const MaterialVolumes removed = removedNow(model_);
-    const std::string work = work_ ? workTextWithoutFolders(work_()) : std::string();
-    const Provenance provenance = savedNow(model_.tooth()->provenance);
-    const auto bytes = model_.runner() != nullptr ? model_.runner()->toothFile(provenance, work)
-                                                  : toothFileBytes(*model_.tooth()->piece, provenance, work);
-    const Expected<void> written = writeFile(file.toStdString(), bytes);
-    if (!written) {
-        messages_.showError(written.error());
-        return false;
-    }
-    model_.markSaved(removed);
-    messages_.setHint(tr("The tooth was saved to %1").arg(file));
-    emit toothSaved(file);
-    return true;
+    messages_.setHint(tr("Saving the tooth to %1…").arg(file));
+    const auto snapshot = std::make_shared<std::shared_future<ToothSnapshot>>(snapshotNow(model_).share());
+    writer_.write(
+        [snapshot, provenance = savedNow(model_.tooth()->provenance),
+         work = work_ ? workTextWithoutFolders(work_()) : std::string(),
+         path = file.toStdString()](const GoesOn& goesOn) -> Expected<bool> {
+            if (!goesOn(0)) return false;
+            return writeInPieces(path, savedToothBytes(snapshot->get(), provenance, work), part(goesOn, kMade));
+        },
+        [this, file, saved, snapshot, piece = model_.tooth()->piece](const Expected<bool>& written) {
+            messages_.showWritten(written, tr("The tooth was saved to %1").arg(file));
+            if (!written || !*written) return;
+            markSaved(piece, snapshot->get().removed);
+            emit toothSaved(file);
+            if (saved) saved();
+        });
 }
 
 void ToothController::askForTooth() {
@@ -249,9 +303,7 @@ bool ToothController::isReplaying() const {
 void ToothController::askForSave(const std::function<void()>& saved) {
     if (isReplaying()) return;
     files_.save(tr("Save tooth"), tr("Saved teeth (*.tactooth);;All files (*)"), "tooth.tactooth",
-                [this, saved](const QString& file) {
-                    if (saveTooth(file) && saved) saved();
-                });
+                [this, saved](const QString& file) { saveTooth(file, saved); });
 }
 
 void ToothController::poll() {

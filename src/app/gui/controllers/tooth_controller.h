@@ -12,12 +12,14 @@
 
 #include "app/gui/dialogs/case_maker.h"
 #include "app/gui/dialogs/scan_importer.h"
+#include "app/gui/model/long_work.h"
 #include "session/model/session_loader.h"
 
 namespace tactooth {
 
 class ExaminationMode;
 class FileDialogs;
+class FileWriter;
 class UnsavedWork;
 class WindowMessages;
 
@@ -29,7 +31,7 @@ class ToothController final : public QObject {
 public:
     /// All of them outlive the controller; `window` is the parent of its dialogs.
     ToothController(SessionModel& model, const ExaminationMode& mode, WindowMessages& messages, FileDialogs& files,
-                    UnsavedWork& unsaved, QWidget& window);
+                    FileWriter& writer, UnsavedWork& unsaved, QWidget& window);
 
     void loadBuiltinTooth(const BuiltinToothEntry& entry);
     /// A tooth among its neighbours and gums.
@@ -38,6 +40,9 @@ public:
     using LoadedShare = std::shared_ptr<const std::atomic<double>>;
     /// `hint`: what the status line says meanwhile.
     void load(Task<SessionTooth>::Function tooth, const QString& hint, LoadedShare share = nullptr);
+    /// Makes a tooth in the background, and reports how much of it is done.
+    using MakeTooth = std::function<Expected<SessionTooth>(const ShareDone& progress)>;
+    void make(const MakeTooth& tooth, const QString& hint);
     void openTooth(const ToothSource& source, const std::string& workOn = {});
     /// A tooth, a case, the description of an exercise, a recorded session, or a scan to import, as RecentFile::text.
     void openFile(const QString& file);
@@ -51,11 +56,11 @@ public:
     void importFolder(const std::filesystem::path& folder);
     void loadBur(const BurSpec& spec);
     void openBur(const QString& file);
-    /// Writes the surface of the tooth as it is now; shows a message if that fails.
+    /// Writes the surface of the tooth as it is now, in the background; shows a message if that fails.
     void exportTooth(const QString& file);
-    /// Saves the tooth with its layers, all cuts and what was being done with it, to go on later; shows a message if
-    /// that fails. Returns whether it was saved.
-    bool saveTooth(const QString& file);
+    /// Saves the tooth as it is now with its layers, all cuts and what was being done with it, to go on later. The file
+    /// is written in the background. Shows a message if that fails. `saved`: called when the tooth was saved.
+    void saveTooth(const QString& file, const std::function<void()>& saved = {});
 
     void askForTooth();
     void askForScan();
@@ -68,10 +73,8 @@ public:
     /// Takes over what is ready. Call it before each step of the model.
     void poll();
     [[nodiscard]] bool isBusy() const { return loader_.isBusy(); }
-    /// The share of the tooth that is loaded, 0..1; none: it is unknown.
-    [[nodiscard]] std::optional<double> loadedShare() const;
-    /// The tooth stays, and what is being loaded is dropped.
-    void cancelLoading();
+    /// A tooth or a bur that is being loaded. It can be cancelled if there is a tooth to go back to.
+    [[nodiscard]] std::optional<LongWork> loading();
     [[nodiscard]] bool isImporting() const { return importer_.isBusy() || caseMaker_.isBusy(); }
     /// The files of the tooth that was opened last.
     [[nodiscard]] const ToothSource& source() const { return source_; }
@@ -98,14 +101,17 @@ signals:
     void loadingDeclined();
 
 private:
+    void cancelLoading();
     void replaceTooth(const std::function<void()>& load);
     void install(const SessionTooth& imported, const RecentFile& from);
+    void markSaved(const std::shared_ptr<CutModel>& piece, const MaterialVolumes& removed);
     [[nodiscard]] bool isReplaying() const;
 
     SessionModel& model_;
     const ExaminationMode& mode_;
     WindowMessages& messages_;
     FileDialogs& files_;
+    FileWriter& writer_;
     UnsavedWork& unsaved_;
     QWidget& window_;
     SessionLoader loader_;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "session/model/file_writer.h"
 #include "session/model/session_model.h"
 
 namespace tactooth {
@@ -20,9 +21,13 @@ void UnsavedWork::confirmCuts(Function then, const Function& otherwise) {
     const auto cancel = [otherwise] {
         if (otherwise) otherwise();
     };
-    if (question_ != nullptr) {
-        question_->raise();
+    if (question_ != nullptr || waiting_) {
+        if (question_ != nullptr) question_->raise();
         return cancel();
+    }
+    if (writer_.isBusy()) {
+        waiting_ = Waiting{std::move(then), otherwise};
+        return;
     }
     question_ = new QMessageBox(QMessageBox::Warning, tr("Unsaved cuts"),
                                 tr("The tooth has cuts that are not saved. Save it first?"),
@@ -31,15 +36,21 @@ void UnsavedWork::confirmCuts(Function then, const Function& otherwise) {
     question_->setAttribute(Qt::WA_DeleteOnClose);
     question_->setDefaultButton(QMessageBox::Save);
     question_->setEscapeButton(QMessageBox::Cancel);
-    connect(question_, &QDialog::finished, this, [this, then = std::move(then), cancel](int answer) {
+    connect(question_, &QDialog::finished, this, [this, then = std::move(then), otherwise, cancel](int answer) {
         question_.clear();  // so that the answer may lead to another question
-        if (answer == QMessageBox::Save && save_) return save_(then);
+        if (answer == QMessageBox::Save && save_)
+            return save_([this, then, otherwise] { confirmCuts(then, otherwise); });
         if (answer == QMessageBox::Discard) return then();
         cancel();
     });
     question_->open();
 }
 
-void UnsavedWork::showState() { window_.setWindowModified(isUnsaved()); }
+void UnsavedWork::update() {
+    window_.setWindowModified(isUnsaved());
+    if (!waiting_ || writer_.isBusy()) return;
+    const Waiting next = *std::exchange(waiting_, std::nullopt);
+    confirmCuts(next.then, next.otherwise);
+}
 
 }  // namespace tactooth

@@ -6,9 +6,11 @@
 #include <QObject>
 #include <QPointer>
 #include <functional>
+#include <optional>
 
 namespace tactooth {
 
+class FileWriter;
 class SessionModel;
 
 /// Asks before cuts are lost that were neither saved nor exported, and before an exercise is lost that is being made.
@@ -18,8 +20,9 @@ class UnsavedWork final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive it; `window` shows a star in its title while there are such cuts.
-    UnsavedWork(SessionModel& model, QWidget& window) : model_(model), window_(window) {}
+    /// All of them outlive it; `window` shows a star in its title while there are such cuts.
+    UnsavedWork(SessionModel& model, const FileWriter& writer, QWidget& window)
+        : model_(model), writer_(writer), window_(window) {}
 
     using Function = std::function<void()>;
     /// Lets the user save, and calls its argument if the tooth was saved.
@@ -37,20 +40,25 @@ public:
     [[nodiscard]] bool isUnsaved() const;
 
     /// Calls `then` at once if nothing is lost by it. Otherwise it asks, and returns at once: Save calls `then` after
-    /// the tooth was saved, Discard calls it, Cancel calls `otherwise`. While a question is open, another one is
-    /// cancelled.
+    /// the tooth was saved, unless it was cut meanwhile; Discard calls it, Cancel calls `otherwise`. While a question
+    /// is open, another one is cancelled. While a file is being written, which may be the tooth, it asks afterwards.
     void confirmDiscard(Function then, const Function& otherwise = {});
-    /// Brings the star up to date.
-    void showState();
+    /// Brings the star up to date, and asks what was to wait for a file. Call it in every step.
+    void update();
 
 private:
+    struct Waiting {
+        Function then, otherwise;
+    };
     void confirmCuts(Function then, const Function& otherwise);
 
     SessionModel& model_;
+    const FileWriter& writer_;
     QWidget& window_;
     Saver save_;
     Other other_;
     QPointer<QMessageBox> question_;
+    std::optional<Waiting> waiting_;  // for a file
 };
 
 }  // namespace tactooth

@@ -7,7 +7,9 @@
 
 namespace tactooth {
 
-void WindowMessages::setHint(const QString& hint) { status_.setHint(hint); }
+void WindowMessages::setHint(const QString& hint) {
+    if (!isSilent_) status_.setHint(hint);
+}
 
 void WindowMessages::showError(const QString& sentence) {
     setHint(sentence);
@@ -16,7 +18,13 @@ void WindowMessages::showError(const QString& sentence) {
 
 void WindowMessages::showError(const Error& error) { showError(translated(error)); }
 
+void WindowMessages::showWritten(const Expected<bool>& written, const QString& hint) {
+    if (!written) return showError(written.error());
+    setHint(*written ? hint : tr("It was cancelled: no file was written or changed"));
+}
+
 void WindowMessages::show(QMessageBox::Icon icon, const QString& title, const QString& text) {
+    if (isSilent_) return;
     auto* box = new QMessageBox(icon, title, text, QMessageBox::Ok, &window_);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -24,11 +24,16 @@ public:
     void showError(const QString& sentence);
     /// Translates the error first.
     void showError(const Error& error);
+    /// After a file was written (FileWriter): the hint, or why there is none.
+    void showWritten(const Expected<bool>& written, const QString& hint);
     void show(QMessageBox::Icon icon, const QString& title, const QString& text);
+    /// The program ends: nobody reads any more.
+    void silence() { isSilent_ = true; }
 
 private:
     StatusLine& status_;
     QWidget& window_;
+    bool isSilent_ = false;
 };
 
 }  // namespace tactooth

@@ -38,7 +38,13 @@ FinishController::~FinishController() {
     if (progress_ != nullptr) progress_->stop();
 }
 
-double FinishController::assessedShare() const { return progress_ != nullptr ? progress_->share() : 0; }
+std::optional<LongWork> FinishController::assessing() {
+    if (!isAssessing()) return std::nullopt;
+    return LongWork{.title = tr("Assessing"),
+                    .share = progress_->share(),
+                    .cancel = [this] { cancel(); },
+                    .cancelTip = tr("The work goes on as if you had not finished it")};
+}
 
 void FinishController::finishOrContinue() {
     if (parts_.exercise.isClockStopped()) {
@@ -71,9 +77,21 @@ FinishedWork FinishController::takeWork() {
             .title = tooth.name,
             .uncut = tooth.piece->volume().tooth(),
             .cut = tooth.piece->surface(),
-            .toothFile = toothFileBytes(*tooth.piece, savedNow(tooth.provenance), workTextWithoutFolders(now)),
+            .makeToothFile = makingToothFile(workTextWithoutFolders(now)),
             .recording = parts_.model.writtenRecording(),
             .language = windowLanguage()};
+}
+
+/// It reads the tooth in the background, while nothing cuts it.
+std::function<std::vector<std::byte>()> FinishController::makingToothFile(const std::string& work) {
+    const auto isRead = std::make_shared<std::promise<void>>();
+    toothIsRead_ = isRead->get_future();
+    const SessionTooth& tooth = *parts_.model.tooth();
+    return [isRead, piece = tooth.piece, provenance = savedNow(tooth.provenance), work] {
+        std::vector<std::byte> bytes = toothFileBytes(*piece, provenance, work);
+        isRead->set_value();
+        return bytes;
+    };
 }
 
 /// The picture stays while nothing runs behind it.
@@ -92,6 +110,7 @@ void FinishController::stopWork() {
 
 /// The simulation goes on, and the time stands still.
 void FinishController::release() {
+    if (toothIsRead_.valid()) toothIsRead_.wait();  // from now on it may be cut
     finished_.reset();
     assessment_.reset();
     replays_ = false;
@@ -126,7 +145,6 @@ void FinishController::poll() {
         release();
     }
     collectAssessment();
-    collectHandIn();
     followExercise();
 }
 
@@ -190,6 +208,7 @@ void FinishController::askForHandIn(const QString& intro) {
     handIn_ = new HandInDialog(intro, last.isEmpty() ? documents : last, parent);
     connect(handIn_, &HandInDialog::wanted, this, &FinishController::writeHandIn);
     connect(handIn_, &QDialog::rejected, this, [this] {
+        if (stopsHandIn_ != nullptr) *stopsHandIn_ = true;
         if (isExamination_) release();
     });
     handIn_->open();
@@ -197,17 +216,29 @@ void FinishController::askForHandIn(const QString& intro) {
 
 void FinishController::writeHandIn() {
     handIn_->setWriting(true);
-    handingIn_.start([assessment = assessment_, what = handIn_->handIn()] { return handInWork(*assessment, what); });
+    const auto folder = std::make_shared<std::filesystem::path>();
+    stopsHandIn_ = std::make_shared<std::atomic<bool>>(false);
+    parts_.writer.write(
+        [folder, stops = stopsHandIn_, assessment = assessment_,
+         what = handIn_->handIn()](const GoesOn& goesOn) -> Expected<bool> {
+            Expected<std::filesystem::path> made =
+                handInWork(*assessment, what, [&](double share) { return goesOn(share) && !*stops; });
+            if (!made) return Unexpected{made.error()};
+            *folder = std::move(*made);
+            return !folder->empty();
+        },
+        [this, folder](const Expected<bool>& written) {
+            takeHandIn(written, QString::fromStdString(folder->string()));
+        });
 }
 
-void FinishController::collectHandIn() {
-    const auto result = handingIn_.poll();
-    if (!result || handIn_ == nullptr || finished_ == nullptr) return;
-    if (!*result) {
-        handIn_->setWriting(false);
-        return parts_.messages.showError(result->error());
+void FinishController::takeHandIn(const Expected<bool>& written, const QString& folder) {
+    stopsHandIn_.reset();
+    if (!written || !*written) {
+        if (handIn_ != nullptr) handIn_->setWriting(false);
+        return parts_.messages.showWritten(written, {});
     }
-    const QString folder = QString::fromStdString((*result)->string());
+    if (handIn_ == nullptr || finished_ == nullptr) return parts_.messages.setHint(tr("Handed in: %1").arg(folder));
     parts_.files.enterFolderOf(folder);
     parts_.model.markSaved(finished_->removed());
     handIn_->accept();

@@ -4,11 +4,15 @@
 
 #include <QObject>
 #include <QPointer>
+#include <atomic>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <memory>
 
 #include "app/gui/controllers/window_panels.h"
 #include "app/gui/finish/finished_work.h"
+#include "app/gui/model/long_work.h"
 #include "session/model/session_model.h"
 #include "session/model/task.h"
 
@@ -20,6 +24,7 @@ class ExaminationController;
 class ExaminationMode;
 class ExerciseController;
 class FileDialogs;
+class FileWriter;
 class HandInDialog;
 class ReplayController;
 class ReportDialog;
@@ -41,6 +46,7 @@ public:
         WindowPanels panels;
         WindowMessages& messages;
         FileDialogs& files;
+        FileWriter& writer;
         ExerciseController& exercise;
         ReplayController& replay;
     };
@@ -49,8 +55,8 @@ public:
     ~FinishController() override;
 
     [[nodiscard]] bool isAssessing() const { return assessing_.isAwaited(); }
-    /// 0..1; 0 if nothing is assessed.
-    [[nodiscard]] double assessedShare() const;
+    /// The work while it is assessed.
+    [[nodiscard]] std::optional<LongWork> assessing();
     /// The work goes on as if nobody had finished it.
     void cancel();
     /// Takes over what is ready, and follows the exercise. Call it after each step of the model.
@@ -64,11 +70,12 @@ private:
     void finishOrContinue();
     void begin(bool isExamination);
     [[nodiscard]] FinishedWork takeWork();
+    [[nodiscard]] std::function<std::vector<std::byte>()> makingToothFile(const std::string& work);
     void stopWork();
     void goOn();
     void release();
     void collectAssessment();
-    void collectHandIn();
+    void takeHandIn(const Expected<bool>& written, const QString& folder);
     void showReport();
     void closeReport();
     void again();
@@ -81,8 +88,9 @@ private:
 
     Parts parts_;
     Task<Assessment> assessing_;
-    Task<std::filesystem::path> handingIn_;
     std::shared_ptr<AssessmentProgress> progress_;
+    std::future<void> toothIsRead_;                   // for its file
+    std::shared_ptr<std::atomic<bool>> stopsHandIn_;  // while it is being written
     Assessment assessment_;
     std::shared_ptr<const CutModel> finished_;  // the tooth of the work; null: nothing is finished
     bool isExamination_ = false;                // the work that was finished

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <stop_token>
@@ -14,6 +15,7 @@
 
 #include "assessment/exercise.h"
 #include "assessment/report/assessment_report.h"
+#include "session/model/file_writer.h"
 #include "session/track/session_track.h"
 
 namespace tactooth {
@@ -24,7 +26,8 @@ struct FinishedWork {
     std::string title;                          ///< of the tooth, for people
     std::shared_ptr<const LayeredTooth> uncut;  ///< the tooth of the session
     std::shared_ptr<const Surface> cut;
-    std::vector<std::byte> toothFile;       ///< the saved tooth
+    std::function<std::vector<std::byte>()> makeToothFile;  ///< it reads the tooth
+    std::vector<std::byte> toothFile = {};                  ///< the saved tooth, as soon as it is made
     std::filesystem::path recording;        ///< with all of the work; it may go on later. Empty: there is none.
     Language language = Language::English;  ///< of the report
 };
@@ -72,7 +75,8 @@ struct HandIn {
 };
 
 /// Writes the report in its four forms, the saved tooth, and the recording if there is one, into a new folder: all of
-/// them, or nothing. Returns that folder. Fails with one sentence.
-[[nodiscard]] Expected<std::filesystem::path> handInWork(const WorkAssessment& assessment, const HandIn& handIn);
+/// them, or nothing. Returns that folder; an empty one if it was given up. Fails with one sentence.
+[[nodiscard]] Expected<std::filesystem::path> handInWork(const WorkAssessment& assessment, const HandIn& handIn,
+                                                         const GoesOn& goesOn);
 
 }  // namespace tactooth

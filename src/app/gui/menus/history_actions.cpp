@@ -36,6 +36,16 @@ HistoryActions::HistoryActions(SessionModel& model, const ExaminationMode& mode,
     connect(panels_.history, &HistoryPanel::chosen, this, [this](std::size_t position) { model_.goTo(position); });
 }
 
+std::optional<LongWork> HistoryActions::undoing() {
+    const std::optional<double> share = model_.history().share();
+    if (!share) return std::nullopt;
+    if (model_.history().isGivingUp()) return LongWork{.title = tr("Going back"), .share = share};
+    return LongWork{.title = tr("Undo and redo"),
+                    .share = share,
+                    .cancel = [this] { model_.giveUpHistory(); },
+                    .cancelTip = tr("Brings back the tooth as it was before")};
+}
+
 void HistoryActions::addAspects() {
     aspects_ = {
         {tr("Drive"), [](const Setup& a, const Setup& b) { return a.settings.spindle == b.settings.spindle; },

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/controllers/window_panels.h"
+#include "app/gui/model/long_work.h"
 #include "app/gui/settings/window_settings.h"
 #include "session/model/session_model.h"
 
@@ -29,6 +30,8 @@ public:
     void takeRunner();
     /// Notes what has changed since the last call, and shows the history. Call it some times a second.
     void update();
+    /// An undo, a redo or a jump that is under way.
+    [[nodiscard]] std::optional<LongWork> undoing();
 
 private:
     /// What can be changed, as the window keeps it.

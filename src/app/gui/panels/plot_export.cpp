@@ -12,7 +12,6 @@
 
 #include "app/common/offscreen_application.h"
 #include "app/gui/text/messages.h"
-#include "geometry/files/atomic_file.h"
 #include "session/io/csv_table.h"
 
 namespace tactooth {
@@ -20,16 +19,22 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kColumns = {"t", "depth", "speed", "force", "cavity_depth"};
 
-Expected<void> writeTable(const TickTrace& trace, const std::filesystem::path& file) {
+/// The file is written at once: it has some hundred lines, or one picture.
+Expected<bool> isDone(const Expected<void>& written) {
+    if (!written) return Unexpected{written.error()};
+    return true;
+}
+
+Expected<bool> writeTable(const TickTrace& trace, const std::filesystem::path& file) {
     auto table = CsvWriter::create(file, kColumns);
     if (!table) return Unexpected{table.error()};
     for (const TickTrace::Point& point : trace.points()) {
         table->row(std::array{point.time, point.depth, point.speed, point.force, point.cavityDepth});
     }
-    return table->commit();
+    return isDone(table->commit());
 }
 
-Expected<void> writeDrawing(QWidget& plots, const std::filesystem::path& file) {
+QByteArray drawingOf(QWidget& plots) {
     QByteArray text;
     QBuffer buffer(&text);
     QSvgGenerator generator;
@@ -37,30 +42,36 @@ Expected<void> writeDrawing(QWidget& plots, const std::filesystem::path& file) {
     generator.setSize(plots.size());
     generator.setViewBox(plots.rect());
     generator.setTitle("Tactooth");
-    {
-        QPainter painter(&generator);
-        plots.render(&painter);
-    }
-    return writeFile(file, std::as_bytes(std::span(text.constData(), static_cast<std::size_t>(text.size()))));
+    QPainter painter(&generator);
+    plots.render(&painter);
+    painter.end();
+    return text;
 }
 
 /// At twice the resolution of the screen, for print.
-Expected<void> writePicture(QWidget& plots, const std::filesystem::path& file) {
+QImage pictureOf(QWidget& plots) {
     constexpr int kFiner = 2;
     QImage image(plots.size() * kFiner, QImage::Format_RGB32);
     image.setDevicePixelRatio(kFiner);
     plots.render(&image);
-    return savePng(image, file);
+    return image;
 }
 
 }  // namespace
 
-Expected<void> exportPlots(const TickTrace& trace, QWidget& plots, const std::filesystem::path& file) {
+FileWriter::Write plotsExport(const TickTrace& trace, QWidget& plots, const std::filesystem::path& file) {
     const QString ending = QString::fromStdString(file.extension().string()).toLower();
-    if (ending == ".csv") return writeTable(trace, file);
-    if (ending == ".svg") return writeDrawing(plots, file);
-    if (ending == ".png") return writePicture(plots, file);
-    return unexpected(msg::kPlotFormatUnknown, file.string());
+    if (ending == ".csv") return [trace, file](const GoesOn&) { return writeTable(trace, file); };
+    if (ending == ".svg") {
+        return [text = drawingOf(plots), file](const GoesOn& goesOn) {
+            const std::span bytes(text.constData(), static_cast<std::size_t>(text.size()));
+            return writeInPieces(file, std::as_bytes(bytes), goesOn);
+        };
+    }
+    if (ending == ".png") {
+        return [picture = pictureOf(plots), file](const GoesOn&) { return isDone(savePng(picture, file)); };
+    }
+    return [file](const GoesOn&) -> Expected<bool> { return unexpected(msg::kPlotFormatUnknown, file.string()); };
 }
 
 }  // namespace tactooth

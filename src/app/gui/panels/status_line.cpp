@@ -3,6 +3,8 @@
 #include "app/gui/panels/status_line.h"
 
 #include <QLocale>
+#include <functional>
+#include <utility>
 
 #include "app/gui/text/translation.h"
 
@@ -47,38 +49,34 @@ StatusLine::StatusLine(QWidget* parent)
         addWidget(part);
         part->hide();
     }
-    connect(cancel_, &QToolButton::clicked, this, &StatusLine::loadingCancelled);
+    connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelWork);
     for (QWidget* part : std::initializer_list<QWidget*>{removed_, pace_, sound_}) addPermanentWidget(part);
     removed_->setObjectName("removed");
     pace_->setObjectName("pace");
     pace_->setTextFormat(Qt::RichText);
 }
 
-bool StatusLine::showLoading(bool isLoading, const std::optional<double>& share, bool canCancel) {
-    progress_->setAccessibleName(tr("Loading"));
-    cancel_->setToolTip(tr("Keeps the present tooth; what is being loaded is dropped"));
-    return showBar(isLoading, share, canCancel);
-}
-
-bool StatusLine::showAssessing(double share) {
-    progress_->setAccessibleName(tr("Assessing"));
-    cancel_->setToolTip(tr("The work goes on as if you had not finished it"));
-    return showBar(true, share, true);
-}
-
-bool StatusLine::showBar(bool isLoading, const std::optional<double>& share, bool canCancel) {
-    if (!isLoading) {
-        loadingSince_.invalidate();
-    } else if (!loadingSince_.isValid()) {
-        loadingSince_.start();
+bool StatusLine::showWork(std::optional<LongWork> work) {
+    const bool isOther = work.has_value() != work_.has_value() || (work && work->title != work_->title);
+    work_ = std::move(work);
+    if (!work_) {
+        workingSince_.invalidate();
+    } else if (isOther) {
+        workingSince_.start();
     }
-    const bool isLong = isLoading && loadingSince_.elapsed() > kMomentMs;
+    const bool isLong = work_ && workingSince_.elapsed() > kMomentMs;
     progress_->setVisible(isLong);
-    cancel_->setVisible(isLong && canCancel);
+    cancel_->setVisible(isLong && work_->cancel);
     if (!isLong) return false;
-    progress_->setRange(0, share ? kPercent : 0);
-    if (share) progress_->setValue(static_cast<int>(*share * kPercent));
+    progress_->setAccessibleName(work_->title);
+    cancel_->setToolTip(work_->cancelTip);
+    progress_->setRange(0, work_->share ? kPercent : 0);
+    if (work_->share) progress_->setValue(static_cast<int>(*work_->share * kPercent));
     return true;
+}
+
+void StatusLine::cancelWork() {
+    if (work_ && work_->cancel) std::function(work_->cancel)();  // a copy: another work may come in its place
 }
 
 /// A lamp with words, so that nobody has to distinguish its colours.

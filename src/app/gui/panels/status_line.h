@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <optional>
 
+#include "app/gui/model/long_work.h"
 #include "app/gui/panels/elided_label.h"
 #include "session/live/live_runner.h"
 #include "sound/output/sound_output.h"
@@ -26,26 +27,21 @@ public:
     void show(const LiveRunner& runner, SoundStatus sound);
     /// Shows a hint on the left side until the next hint.
     void setHint(const QString& hint) { hint_->setText(hint); }
-    /// Something is being loaded, `share` of it is done (0..1; none: nobody knows), or nothing is. What takes longer
-    /// than a moment has a bar and a button that cancels it. `canCancel`: there is a tooth to go back to. Returns
-    /// whether the bar is visible.
-    bool showLoading(bool isLoading, const std::optional<double>& share, bool canCancel);
-    /// The same while a work is assessed.
-    bool showAssessing(double share);
+    /// Shows work in the background, or that there is none. What takes longer than a moment has a bar and a button that
+    /// cancels it. Returns whether the bar is visible.
+    bool showWork(std::optional<LongWork> work);
     /// Whether it says how much was removed.
     void setShowsRemoved(bool shows) { removed_->setVisible(shows); }
 
-signals:
-    void loadingCancelled();
-
 private:
-    bool showBar(bool isBusy, const std::optional<double>& share, bool canCancel);
+    void cancelWork();
     void showPace(double percentLate, const QString& details);
 
     ElidedLabel* hint_;
     QProgressBar* progress_;
     QToolButton* cancel_;
-    QElapsedTimer loadingSince_;
+    std::optional<LongWork> work_;
+    QElapsedTimer workingSince_;
     QLabel* removed_;
     QLabel* pace_;  // whether the machine keeps the rate of the force
     QLabel* sound_;

@@ -118,6 +118,7 @@ void MainWindow::connectView() {
 void MainWindow::connectLoop() {
     connect(&loop_, &StepLoop::aboutToStep, this, [this](double dt) {
         input_.devices.step(dt);
+        frame_.writer.poll();
         work_.restorer.poll();
         work_.teeth.poll();
     });
@@ -140,20 +141,43 @@ void MainWindow::connectLoop() {
         work_.exercise.poll();
         tools_.editor.poll();
         tools_.finish.poll();
-        const bool isLoading = work_.teeth.isBusy() || !tools_.finish.isAssessing();
-        const bool hasBar = isLoading ? frame_.panels.status->showLoading(
-                                            work_.teeth.isBusy(), work_.teeth.loadedShare(), model_.tooth().has_value())
-                                      : frame_.panels.status->showAssessing(tools_.finish.assessedShare());
+        const bool hasBar = frame_.panels.status->showWork(longWork());
         output_.updater.showStep(!hasBar && (isBusy() || work_.teeth.isImporting() || tools_.replay.isLoading()));
-        loop_.setBusy(isBusy() || work_.restorer.isBusy() || tools_.finish.isAssessing());
-        frame_.unsaved.showState();
+        loop_.setBusy(isBusy() || work_.restorer.isBusy() || tools_.finish.isAssessing() || work_.exercise.isBusy() ||
+                      isWriting());
+        frame_.unsaved.update();
+        closeWhenWritten();
     });
 }
 
+/// What somebody may wait for; of several works the one that changes the most.
+std::optional<LongWork> MainWindow::longWork() {
+    if (auto work = work_.teeth.loading()) return work;
+    if (auto work = tools_.finish.assessing()) return work;
+    if (auto work = work_.exercise.preparing()) return work;
+    if (auto work = history_.undoing()) return work;
+    return writing();
+}
+
+std::optional<LongWork> MainWindow::writing() {
+    if (!isWriting()) return std::nullopt;
+    return LongWork{.title = tr("Writing a file"),
+                    .share = frame_.writer.share(),
+                    .cancel = [this] { frame_.writer.cancel(); },
+                    .cancelTip = tr("No file is written or changed")};
+}
+
+/// A file that could not be written, or that was given up, keeps the window open.
+void MainWindow::closeWhenWritten() {
+    if (!closesUnless_ || isWriting()) return;
+    if (*std::exchange(closesUnless_, std::nullopt) == frame_.writer.unwritten()) {
+        close();
+    } else {
+        mayClose_ = false;
+    }
+}
+
 void MainWindow::connectNumbers() {
-    connect(frame_.panels.status, &StatusLine::loadingCancelled, this, [this] {
-        work_.teeth.isBusy() || !tools_.finish.isAssessing() ? work_.teeth.cancelLoading() : tools_.finish.cancel();
-    });
     connect(&loop_, &StepLoop::statusDue, &output_.updater, &PanelUpdater::showStatus);
     connect(&loop_, &StepLoop::statusDue, &work_.recordings, &RecordingController::update);
     connect(&loop_, &StepLoop::numbersDue, this, [this] {
@@ -233,6 +257,7 @@ void MainWindow::editSettings() {
 }
 
 MainWindow::SessionState MainWindow::releaseSession() {
+    frame_.writer.finish();  // what comes of it is said in this window
     SessionState work{
         model_.tooth(),
         model_.bur(),
@@ -268,10 +293,17 @@ void MainWindow::restoreSession(SessionState work) {
 
 void MainWindow::saveBeforeEnd() {
     mayClose_ = true;
+    frame_.messages.silence();
+    frame_.writer.finish();
     work_.recordings.saveBeforeEnd();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (isWriting()) {
+        closesUnless_ = frame_.writer.unwritten();
+        frame_.messages.setHint(tr("A file is being written: the window closes as soon as it is complete"));
+        return event->ignore();
+    }
     if (mayClose_ || !frame_.unsaved.isUnsaved()) {
         help_.manual.close();
         return QMainWindow::closeEvent(event);

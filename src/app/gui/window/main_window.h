@@ -15,7 +15,8 @@
 
 namespace tactooth {
 
-/// The program's window: owns the session and the parts of the window, and connects them.
+/// The program's window: owns the session and the parts of the window, and connects them. It closes after the files
+/// that are being written.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 
@@ -43,6 +44,9 @@ public:
     [[nodiscard]] bool isBusy() const {
         return work_.teeth.isBusy() || model_.instruments().isBusy() || model_.isPreparing();
     }
+    /// Writes all that the user saves and exports.
+    [[nodiscard]] FileWriter& writer() { return frame_.writer; }
+    [[nodiscard]] bool isWriting() const { return frame_.writer.isBusy(); }
     [[nodiscard]] WelcomeEntry& welcome() { return menus_.welcome(); }
 
     /// The window as it was the last time. Call it before the window is shown.
@@ -73,8 +77,8 @@ public:
     [[nodiscard]] SessionState releaseSession();
     void restoreSession(SessionState work);
 
-    /// The program ends, and nobody can answer a question: see RecordingController::saveBeforeEnd. Closing the window
-    /// asks no more.
+    /// The program ends, and nobody can answer a question: waits for files that are being written, then see
+    /// RecordingController::saveBeforeEnd. Closing the window asks no more.
     void saveBeforeEnd();
 
 signals:
@@ -98,6 +102,9 @@ private:
     void showNewTooth();
     void showImportNotes();
     void updateInspection();
+    [[nodiscard]] std::optional<LongWork> longWork();
+    [[nodiscard]] std::optional<LongWork> writing();
+    void closeWhenWritten();
     void fitToScreenLater();
     void editSettings();
 
@@ -115,6 +122,7 @@ private:
     SettingsBinding settings_;
     std::optional<ViewState> pendingViewState_;  // of the tooth that another window has handed over
     bool mayClose_ = false;                      // nothing is lost, or the user agrees
+    std::optional<std::size_t> closesUnless_;    // it closes after the files, unless more than these are unwritten
     bool awaitsFrame_ = false;                   // shown, but the window manager may not have framed it yet
 };
 

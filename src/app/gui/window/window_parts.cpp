@@ -11,11 +11,11 @@ WindowFrame::WindowFrame(SessionModel& model, QMainWindow& window)
       messages(*panels.status, window),
       files(window),
       docks(window, panels),
-      unsaved(model, window) {}
+      unsaved(model, writer, window) {}
 
 WorkControllers::WorkControllers(SessionModel& model, ExaminationMode& mode, WindowFrame& frame, QMainWindow& window)
-    : teeth(model, mode, frame.messages, frame.files, frame.unsaved, window),
-      exercise(model, mode, frame.panels, frame.messages, frame.files, teeth),
+    : teeth(model, mode, frame.messages, frame.files, frame.writer, frame.unsaved, window),
+      exercise(model, mode, frame.panels, frame.messages, frame.files, frame.writer, teeth),
       recordings(model, mode, frame.panels, frame.messages, exercise),
       examinations(mode, model, frame.panels, frame.docks, exercise, recordings, frame.messages, window),
       restorer(model, teeth, recordings, frame.messages, window) {}
@@ -30,7 +30,7 @@ HelpControllers::HelpControllers(SessionModel& model, WindowFrame& frame, InputC
 
 OutputControllers::OutputControllers(SoundOutput& sound, SessionModel& model, WindowFrame& frame)
     : sounds(sound, model, frame.panels, frame.messages, frame.files),
-      records(model, frame.panels, frame.messages, frame.files),
+      records(model, frame.panels, frame.messages, frame.files, frame.writer),
       updater(model, frame.panels, sound) {}
 
 WorkTools::WorkTools(const Parts& parts)
@@ -43,7 +43,7 @@ WorkTools::WorkTools(const Parts& parts)
                      return replay.isActive() ? Shown::Recording : Shown::Session;
                  }),
       finish({parts.window, parts.model, parts.mode, parts.work.examinations, parts.frame.panels, parts.frame.messages,
-              parts.frame.files, parts.work.exercise, replay}),
+              parts.frame.files, parts.frame.writer, parts.work.exercise, replay}),
       editor({parts.window, parts.model, parts.mode, parts.frame.panels, parts.frame.messages, parts.frame.files,
               parts.work.teeth, parts.work.exercise, parts.frame.unsaved}) {}
 

@@ -24,6 +24,7 @@
 #include "app/gui/finish/finish_controller.h"
 #include "app/gui/replay/replay_controller.h"
 #include "app/gui/window/thumbnail_controller.h"
+#include "session/model/file_writer.h"
 
 class QMainWindow;
 
@@ -39,6 +40,7 @@ struct WindowFrame {
     WindowMessages messages;
     FileDialogs files;
     DockLayout docks;
+    FileWriter writer;  ///< of all that the user saves and exports
     UnsavedWork unsaved;
 };
 

@@ -164,7 +164,8 @@ void WindowWelcomeTest::aSavedToothIsRecentWorkWithItsPicture() {
     QVERIFY(QTest::qWaitFor([&] { return view().isAtRest(); }, kPatience));
     const QString file = QString::fromStdString((folder_ / "mine.tactooth").string());
     waitForSteps(30);  // some tenths of a second: the picture is taken
-    QVERIFY(window_->teeth().saveTooth(file));
+    window_->teeth().saveTooth(file);
+    waitForFiles();
     const QImage thumbnail = ThumbnailStore().load(file);
     QVERIFY(!thumbnail.isNull());
     // The tooth stands in the middle of the dark picture.
