@@ -47,6 +47,12 @@ protected:
     }
 };
 
+std::size_t pagesIn(const std::string& pdf) {
+    std::size_t pages = 0;
+    for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
+    return pages;
+}
+
 TEST_F(AssessCommand, PassesGoodWorkAndFailsBadWork) {
     const ProgramRun good = assess(cavity("good.stl", 0.05));
     EXPECT_EQ(good.exitCode, 0) << good.err;
@@ -83,9 +89,7 @@ TEST_F(AssessCommand, LeavesAReportInFourForms) {
     const std::string pdf = readText(file("out") + "/report.pdf");
     EXPECT_THAT(pdf, StartsWith("%PDF-"));
     EXPECT_LT(pdf.size(), 2'000'000U);
-    std::size_t pages = 0;
-    for (std::size_t at = 0; (at = pdf.find("/Type /Page\n", at)) != std::string::npos; ++at) ++pages;
-    EXPECT_EQ(pages, 2U);
+    EXPECT_EQ(pagesIn(pdf), 2U);
 }
 
 TEST_F(AssessCommand, SaysWhoseWorkItIsAndWhatToDoNext) {
@@ -247,6 +251,7 @@ TEST_F(AssessCommand, MeasuresTheHandInASession) {
     EXPECT_GT(value("removed_enamel"), 0.01);
     EXPECT_GT(value("efficiency"), 0);
     EXPECT_THAT(readText(file("out") + "/report.html"), HasSubstr("Force and depth during the session"));
+    EXPECT_EQ(pagesIn(readText(file("out") + "/report.pdf")), 2U);
     EXPECT_GT(value("economy"), 0);
     EXPECT_LE(value("economy"), 1);
     EXPECT_EQ(metric(report(), "path_ratio")["reason"], "the ideal is not an expert's recorded session");

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kPerMm = PageTarget::kResolution / 25.4;  // dots
 constexpr double kCellGap = 2;                             // mm between two columns
-constexpr double kRowGap = 0.7;                            // mm above and below the text of a row
 constexpr double kBarHeight = 2;                           // mm
 constexpr double kFooterAt = 264;                          // mm
 constexpr double kTextMiddle = 1.9;                        // mm: of a line of a table's text below its top
@@ -93,7 +92,7 @@ void PdfPages::heading(const QString& text, double following) {
     y_ += 1;
 }
 
-void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
+double PdfPages::heightOf(const std::vector<Column>& columns, const Row& row) {
     double height = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const double width = columns[i].width - kCellGap;
@@ -101,21 +100,26 @@ void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
         if (static_cast<int>(i) == row.barColumn) cell = barTop(row, cell) + kBarHeight;
         height = std::max(height, cell);
     }
-    makeRoom(height + 2 * kRowGap);
+    return height + 2 * row.gap;
+}
+
+void PdfPages::row(const std::vector<Column>& columns, const Row& row) {
+    const double height = heightOf(columns, row);
+    makeRoom(height);
     double x = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const double width = columns[i].width - kCellGap;
-        text({x, y_ + kRowGap, width, height + 1}, row.cells.value(static_cast<int>(i)), row.font,
+        text({x, y_ + row.gap, width, height}, row.cells.value(static_cast<int>(i)), row.font,
              columns[i].align | Qt::AlignTop);
         if (static_cast<int>(i) == row.barColumn) {
             const double top = barTop(row, heightOf(row.cells.value(row.barColumn), row.font, width));
-            const QRectF bar(x, y_ + kRowGap + top, width, kBarHeight);
+            const QRectF bar(x, y_ + row.gap + top, width, kBarHeight);
             painter_.fillRect(dots(bar), kEmptyBar);
             painter_.fillRect(dots({bar.x(), bar.y(), std::max(0.02, row.share) * width, bar.height()}), row.barColour);
         }
         x += columns[i].width;
     }
-    y_ += height + 2 * kRowGap;
+    y_ += height;
     painter_.fillRect(dots({0, y_, kWidth, 0.15}), kLine);
 }
 

@@ -50,6 +50,7 @@ public:
         int barColumn = -1;
         double share = 0;  ///< 0 to 1
         QColor barColour = {};
+        double gap = 0.7;  ///< mm above and below the text
     };
 
     /// `footer`: stands on each page, with its number. The target outlives the pages. `family`: of the font.
@@ -69,6 +70,9 @@ public:
     void text(const QRectF& box, const QString& text, const Font& font, Qt::Alignment align);
     void frame(const QRectF& box, const QColor& colour);
     void row(const std::vector<Column>& columns, const Row& row);
+    /// How much a row or a text that is so wide takes.
+    [[nodiscard]] double heightOf(const std::vector<Column>& columns, const Row& row);
+    [[nodiscard]] double heightOf(const QString& text, const Font& font, double width = kWidth);
     /// Drawings (SVG) of one size side by side, each with its title below; an empty title takes no room.
     struct Drawing {
         QString title;
@@ -81,7 +85,6 @@ public:
 
 private:
     [[nodiscard]] QRectF dots(const QRectF& box) const;
-    [[nodiscard]] double heightOf(const QString& text, const Font& font, double width);
     void use(const Font& font);
     void drawFooter();
     void makeRoom(double height);

@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QPdfWriter>
 #include <algorithm>
+#include <array>
 
 #include "app/common/offscreen_application.h"
 #include "app/common/report/pdf_pages.h"
@@ -133,11 +134,12 @@ void drawComment(PdfPages& pages, const AssessmentReport& report) {
     }
 }
 
-/// Room for a comment by hand, where there is some.
-void drawRoomForComment(PdfPages& pages, const AssessmentReport& report) {
+/// Room for a comment by hand on the rest of the page. Returns false if that is too little.
+bool drawRoomForComment(PdfPages& pages, const AssessmentReport& report) {
     constexpr double kLeast = 22;  // mm, with the heading
-    if (report.comment.empty() && PdfPages::kHeight - pages.y() >= kLeast)
-        pages.heading(shown(report, msg::kReportComment), 0);
+    if (PdfPages::kHeight - pages.y() < kLeast) return false;
+    if (report.comment.empty()) pages.heading(shown(report, msg::kReportComment), 0);
+    return true;
 }
 
 void drawSections(PdfPages& pages, const AssessmentReport& report) {
@@ -164,27 +166,62 @@ void drawStrip(PdfPages& pages, const AssessmentReport& report) {
     pages.paragraph(marks.join("     "), {7.5, false, PdfPages::kFaint});
 }
 
-/// In two columns. The definitions are left out: docs/assessment.md has them, and the page in HTML.
-void drawMetrics(PdfPages& pages, const AssessmentReport& report) {
-    const std::vector<PdfPages::Column> columns = {{43}, {19, Qt::AlignRight}, {29}, {43}, {19, Qt::AlignRight}, {29}};
-    pages.heading(shown(report, msg::kReportMeasures), 20);
-    std::vector<QStringList> measures;
+/// Rows of a table that has the same columns side by side.
+struct WrappedTable {
+    std::vector<PdfPages::Column> columns;  ///< of all groups
+    std::vector<QStringList> rows;
+};
+
+/// Fills `groups` groups of `columns` from the top, one after another.
+WrappedTable wrapped(const std::vector<PdfPages::Column>& columns, std::size_t groups,
+                     const std::vector<QStringList>& entries) {
+    WrappedTable table;
+    for (std::size_t group = 0; group < groups; ++group)
+        table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+    table.rows.resize((entries.size() + groups - 1) / groups);
+    for (std::size_t i = 0; i < entries.size(); ++i) table.rows[i % table.rows.size()] += entries[i];
+    return table;
+}
+
+/// The measures: those with a place or a moment, then the others. The definitions are left out: docs/assessment.md has
+/// them, and the page in HTML.
+std::vector<WrappedTable> measuresOf(const AssessmentReport& report) {
+    std::vector<QStringList> placed, plain;
     for (const auto& [metric, measured] : report.metrics) {
         if (!measured.value) continue;
-        measures.push_back({shown(metric->titleIn(report.language)),
-                            shown(valueText(*metric, *measured.value, report.language)),
-                            shown(placeAndMomentText(report, measured))});
+        const QString title = shown(metric->titleIn(report.language)),
+                      value = shown(valueText(*metric, *measured.value, report.language)),
+                      place = shown(placeAndMomentText(report, measured));
+        place.isEmpty() ? plain.push_back({title, value}) : placed.push_back({title, value, place});
     }
-    const std::size_t half = (measures.size() + 1) / 2;
-    for (std::size_t i = 0; i < half; ++i) {
-        QStringList cells = measures[i];
-        if (half + i < measures.size()) cells += measures[half + i];
-        pages.row(columns, {cells, {6.3}});
+    return {wrapped({{43}, {19, Qt::AlignRight}, {29}}, 2, placed), wrapped({{43}, {17.6, Qt::AlignRight}}, 3, plain)};
+}
+
+/// In letters so small that the report has no third page, but not smaller than the eye can read.
+void drawMetrics(PdfPages& pages, const AssessmentReport& report) {
+    constexpr std::array kPoints = {6.3, 5.9, 5.5, 5.1};
+    constexpr double kBelow = 1;  // mm below a table
+    pages.heading(shown(report, msg::kReportMeasures), 20);
+    const std::vector<WrappedTable> tables = measuresOf(report);
+    QStringList reasons;
+    for (const std::string& each : notMeasuredTexts(report)) reasons << shown(each);
+    const auto rowOf = [](const QStringList& cells, double points) {
+        return PdfPages::Row{.cells = cells, .font = {points}, .gap = 0.05 * points};
+    };
+    const auto fits = [&](double points) {
+        double height = kBelow * static_cast<double>(tables.size()) + pages.heightOf(reasons.join('\n'), {points});
+        for (const WrappedTable& table : tables) {
+            for (const QStringList& cells : table.rows) height += pages.heightOf(table.columns, rowOf(cells, points));
+        }
+        return pages.y() + height <= PdfPages::kHeight;
+    };
+    const auto largest = std::ranges::find_if(kPoints, fits);
+    const double points = largest != kPoints.end() ? *largest : kPoints.back();
+    for (const WrappedTable& table : tables) {
+        for (const QStringList& cells : table.rows) pages.row(table.columns, rowOf(cells, points));
+        pages.skip(kBelow);
     }
-    pages.skip(1);
-    for (const std::string& each : notMeasuredTexts(report)) {
-        pages.paragraph(shown(each), {6.3, false, PdfPages::kFaint});
-    }
+    for (const QString& each : reasons) pages.paragraph(each, {points, false, PdfPages::kFaint});
 }
 
 /// A file. Its writer keeps the margins.
@@ -214,11 +251,12 @@ void drawReport(PageTarget& target, const AssessmentReport& report) {
     drawComment(pages, report);
     drawTrend(pages, report);
     drawPictures(pages, report);
+    const bool hasRoom = drawRoomForComment(pages, report);
     pages.beginPage();
     drawSections(pages, report);
     drawStrip(pages, report);
     drawMetrics(pages, report);
-    drawRoomForComment(pages, report);
+    if (!hasRoom) (void)drawRoomForComment(pages, report);
 }
 
 std::string reportPdf(const AssessmentReport& report) {
