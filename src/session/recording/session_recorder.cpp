@@ -116,8 +116,7 @@ std::shared_ptr<EventLanes> SessionRecorder::begin(const BeginEvent& event) {
     return lanes_;
 }
 
-void SessionRecorder::noteMirror(const MirrorSight& sight) {
-    const auto now = std::chrono::steady_clock::now();
+void SessionRecorder::noteMirror(const MirrorSight& sight, std::chrono::steady_clock::time_point now) {
     const std::lock_guard lock(mutex_);
     if (mirrorNow_ && (sight == *mirrorNow_ || now - mirrorNoted_ < kMirrorPeriod)) return;
     mirrorNow_ = sight;

@@ -52,9 +52,10 @@ public:
     void describe(const std::string& work);
     /// A bur begins to work. The threads of the simulation report to the result until `end`.
     [[nodiscard]] std::shared_ptr<EventLanes> begin(const BeginEvent& event);
-    /// How the mirror is held now. Call it as often as the picture changes: it keeps what has changed, at most 60 times
-    /// a second. The moment is right to the period in which the queues are emptied, 0.05 s.
-    void noteMirror(const MirrorSight& sight);
+    /// How the mirror is held now. Call it as often as the picture changes: it keeps what has changed, at most once in
+    /// 16 ms. The moment is right to the period in which the queues are emptied, 0.05 s.
+    void noteMirror(const MirrorSight& sight,
+                    std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now());
     /// For a session that is not live, in place of `begin`: takes the next event. Waits while the disk is slow.
     void append(const SessionEvent& event);
     /// The threads of the simulation have ended. Without a `begin` before, nothing happens.
