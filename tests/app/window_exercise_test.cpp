@@ -96,10 +96,9 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
 
     window_->model().manipulator().setPressDepth(2);
     key(Qt::Key_C);
-    QTest::keyPress(&view(), Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") > 300, kPatience);
+    QVERIFY2(waitWithPedal([&] { return gauge("speedGauge") > 300; }), qPrintable(stateOfHand()));
     pressBurOn(middle());
-    QTRY_VERIFY_WITH_TIMEOUT(removed() > 0.2, kPatience);
+    QVERIFY2(waitWithPedal([&] { return removed() > 0.2; }), qPrintable(stateOfHand()));
     liftBur(middle());
     QTest::keyRelease(&view(), Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(gauge("speedGauge") < 1, kPatience);

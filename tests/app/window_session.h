@@ -4,6 +4,8 @@
 
 #include <QMessageBox>
 #include <QTest>
+#include <functional>
+#include <memory>
 
 #include "app/gui/panels/dial_gauge.h"
 #include "app/gui/scene/tooth_view.h"
@@ -15,7 +17,12 @@ namespace tactooth::test {
 
 /// The real window with the built-in molar and a round bur, worked by mouse and key events.
 class WindowSession : public QObject {
+public:
+    ~WindowSession() override;
+
 protected:
+    WindowSession();
+
     /// How long a test waits for a picture, a program or a thread before it fails, ms. A slow machine with software
     /// OpenGL needs seconds, and many of them beside other tests; only a broken program needs this long.
     static constexpr int kPatience = 120'000;
@@ -46,6 +53,11 @@ protected:
     [[nodiscard]] const Surface& surface() const { return *window_->model().runner()->feed().surface(); }
     void key(Qt::Key which, Qt::KeyboardModifiers with = {}) const;
     void pressBurOn(const QPoint& place) const;
+    /// Presses the pedal until `hasHappened`. A window that is not in front lets go of it, and then it is pressed
+    /// again. False if that takes longer than kPatience.
+    [[nodiscard]] bool waitWithPedal(const std::function<bool()>& hasHappened);
+    /// What hand and tool do now.
+    [[nodiscard]] QString stateOfHand() const;
     void liftBur(const QPoint& place) const;
     /// Until the window has made so many steps: an event of mouse, key or gamepad has taken effect.
     void waitForSteps(int steps) const;
@@ -66,6 +78,10 @@ protected:
     TemporaryFolder folder_;
     std::unique_ptr<OpenAlOutput> sound_;
     std::unique_ptr<MainWindow> window_;
+
+private:
+    class Focus;
+    std::unique_ptr<Focus> focus_;
 };
 
 }  // namespace tactooth::test
