@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/gui/controllers/writer_gate.h"
 #include "app/gui/finish/report_pages_view.h"
 #include "app/gui/panels/drill_bar.h"
 #include "app/gui/panels/status_line.h"
@@ -58,6 +60,7 @@ private slots:
     void itAssessesInTheBackgroundAndCancelGoesOn();
     void theStatusLineShowsHowFarItIsAndCancels();
     void theReportShowsTheMarkAndWhatItIsMadeOf();
+    void aHandInThatIsCancelledLeavesNothing();
     void whatIsHandedInLiesInOneFolder();
     void theCommandLineGivesTheSameMark();
     void anErrorIsReplayedFromShortlyBeforeIt();
@@ -192,6 +195,26 @@ void WindowFinishTest::theReportShowsTheMarkAndWhatItIsMadeOf() {
     QVERIFY(shown.strip.has_value());
     QVERIFY(window_->model().runner() == nullptr);
     QVERIFY(window_->exercise().isClockStopped());
+}
+
+void WindowFinishTest::aHandInThatIsCancelledLeavesNothing() {
+    click("reportHandIn");
+    QPointer<QDialog> dialog = window_->findChild<QDialog*>("handIn");
+    QVERIFY(dialog != nullptr);
+    const fs::path in = folder_ / "cancelled";
+    fs::create_directories(in);
+    window_->findChild<QLineEdit*>("handInFolder")->setText(QString::fromStdString(in.string()));
+    test::WriterGate gate(window_->writer());
+    click("handInWrite");
+    QVERIFY(window_->isWriting() && !window_->findChild<QPushButton*>("handInWrite")->isEnabled());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    gate.open();
+    waitForFiles();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog == nullptr, kPatience);
+    QVERIFY(fs::is_empty(in));
+    QVERIFY(report()->isVisible());
+    QVERIFY(window_->findChild<QLabel*>("handedIn")->text().isEmpty());
+    QVERIFY(window_->isWindowModified());  // the tooth is nowhere else
 }
 
 void WindowFinishTest::whatIsHandedInLiesInOneFolder() {

@@ -5,9 +5,9 @@
 #include <QProgressBar>
 #include <QToolButton>
 #include <filesystem>
-#include <future>
 #include <iterator>
 
+#include "app/gui/controllers/writer_gate.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
 #include "geometry/io/mesh_file.h"
@@ -17,30 +17,6 @@ namespace tactooth {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file before all others that is written when it is opened.
-class Gate {
-public:
-    explicit Gate(FileWriter& writer) {
-        writer.write(
-            [opened = std::shared_future<void>(promise_.get_future())](const GoesOn&) -> Expected<bool> {
-                opened.wait();
-                return true;
-            },
-            {});
-    }
-    ~Gate() { open(); }
-    Gate(const Gate&) = delete;
-    Gate& operator=(const Gate&) = delete;
-
-    void open() {
-        if (!std::exchange(isOpen_, true)) promise_.set_value();
-    }
-
-private:
-    std::promise<void> promise_;
-    bool isOpen_ = false;
-};
 
 }  // namespace
 
@@ -89,7 +65,7 @@ void WindowSavingTest::initTestCase() {
 
 void WindowSavingTest::theStarStaysUntilTheFileIsWritten() {
     const fs::path file = folder_ / "first.tactooth";
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     QVERIFY(window_->isWriting());
     waitForSteps(5);  // the window goes on
@@ -104,7 +80,7 @@ void WindowSavingTest::theStarStaysUntilTheFileIsWritten() {
 void WindowSavingTest::aCutMadeMeanwhileKeepsTheStar() {
     const fs::path file = folder_ / "second.tactooth";
     const double before = removed();
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     cutALittle();
     QVERIFY(removed() > before);
@@ -118,7 +94,7 @@ void WindowSavingTest::aCutMadeMeanwhileKeepsTheStar() {
 void WindowSavingTest::aResetMeanwhileIsNotInTheFile() {
     const fs::path file = folder_ / "third.tactooth";
     const double before = removed();
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     window_->model().resetTooth();  // before the window has made a step
     QTRY_COMPARE_WITH_TIMEOUT(removed(), 0.0, kPatience);
@@ -144,7 +120,7 @@ void WindowSavingTest::cancelLeavesTheOlderFileAndTheStar() {
     fs::create_directories(folder_ / "alone");
     const fs::path file = folder_ / "alone/older.tactooth";
     test::writeText(file, "older");
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     auto* bar = window_->findChild<QProgressBar*>("loadProgress");
     auto* cancel = window_->findChild<QToolButton*>("cancelLoading");
@@ -164,7 +140,7 @@ void WindowSavingTest::allExportsAreWrittenInTheBackground() {
     const fs::path folder = folder_ / "exports";
     fs::create_directories(folder);
     const auto in = [&](const char* name) { return QString::fromStdString((folder / name).string()); };
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     window_->teeth().exportTooth(in("cut.stl"));
     window_->records().exportEventsTo(in("events.csv"));
     for (const char* name : {"plots.csv", "plots.png", "plots.svg"}) window_->records().exportPlotsTo(in(name));
@@ -183,7 +159,7 @@ void WindowSavingTest::anotherToothWaitsForTheFile() {
     const CutModel* const piece = window_->model().tooth()->piece.get();
     const double cut = removed();
     const fs::path file = folder_ / "kept.tactooth";
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
     waitForSteps(5);
@@ -200,7 +176,7 @@ void WindowSavingTest::anotherToothWaitsForTheFile() {
 void WindowSavingTest::anotherToothIsAskedAboutAfterACutMeanwhile() {
     loadMolar();
     cutALittle();
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(folder_ / "kept.tactooth");
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
     cutALittle();
@@ -214,7 +190,7 @@ void WindowSavingTest::anotherToothIsAskedAboutAfterACutMeanwhile() {
 }
 
 void WindowSavingTest::aFailureKeepsTheWindowOpen() {
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(folder_ / "no such folder/x.tactooth");
     QVERIFY(!window_->close());
     gate.open();
@@ -228,7 +204,7 @@ void WindowSavingTest::aFailureKeepsTheWindowOpen() {
 void WindowSavingTest::theWindowClosesAfterTheFile() {
     const double cut = removed();
     const fs::path file = folder_ / "last.tactooth";
-    Gate gate(window_->writer());
+    test::WriterGate gate(window_->writer());
     save(file);
     QVERIFY(!window_->close());
     waitForSteps(3);
@@ -246,7 +222,7 @@ void WindowSavingTest::theEndOfTheProgramWaitsForTheFile() {
     const double cut = removed();
     const fs::path file = folder_ / "end.tactooth";
     {
-        Gate gate(window_->writer());
+        test::WriterGate gate(window_->writer());
         save(file);
     }
     window_->saveBeforeEnd();
