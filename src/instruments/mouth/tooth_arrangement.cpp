@@ -28,7 +28,7 @@ struct ToothInclination {
     double outward;  ///< offset of its point on the line of occlusion
 };
 
-constexpr std::array<ToothInclination, kTeethPerQuadrant> kUpper = {{{0.5, 18, 0, 0.4},
+constexpr std::array<ToothInclination, kTeethPerQuadrant> kUpper = {{{1, 18, -6, 0.4},
                                                                      {4, 17, 0, 0.4},
                                                                      {8, 9, 0, 0.4},
                                                                      {3, 2, 0, 0.2},
@@ -190,14 +190,20 @@ ToothSurfaces toothSurfacesOf(int quadrant, std::uint32_t seed) {
     (std::make_index_sequence<kTeethPerQuadrant>());
 }
 
-/// A central incisor and its mirror image.
+/// A central incisor and its mirror image. Their faces are nearly straight, so that they touch along a line: `at` is
+/// the middle of it, not its one end or the other.
 Nearest nearestToMirror(const ToothSurface& tooth, const Pose& pose, bool onTheRight) {
+    constexpr double kAlmost = 0.1;  // mm more than the least distance
+    const auto apart = [onTheRight](const Vec3& point) { return 2 * (onTheRight ? point.x() : -point.x()); };
     Nearest nearest{1e9};
+    for (const Vec3f& v : tooth.surface.mesh().vertices)
+        nearest.distance = std::min(nearest.distance, apart(pose * v.cast<double>()));
+    Box3 line;
     for (const Vec3f& v : tooth.surface.mesh().vertices) {
         const Vec3 point = pose * v.cast<double>();
-        const double apart = 2 * (onTheRight ? point.x() : -point.x());
-        if (apart < nearest.distance) nearest = {apart, Vec3(0, point.y(), point.z())};
+        if (apart(point) < nearest.distance + kAlmost) line.extend(Vec3(0, point.y(), point.z()));
     }
+    nearest.at = line.center();
     return nearest;
 }
 
