@@ -6,32 +6,13 @@
 
 #include <limits>
 
-#include "sound/material_sounds.h"
 #include "spectrum.h"
+#include "voices/rendered_sound.h"
 
 namespace tactooth {
 namespace {
 
 using namespace test;
-
-// The sound of each source.
-std::array<std::vector<float>, kSoundSources> rendered(Soundscape& soundscape, const DrillSoundState& state,
-                                                       double seconds) {
-    std::array<std::vector<float>, kSoundSources> sounds;
-    SoundBlock block;
-    for (int i = 0; i < static_cast<int>(seconds * kSoundRate) / kSoundBlock; ++i) {
-        soundscape.render(state, block);
-        for (std::size_t place = 0; place < kSoundSources; ++place)
-            sounds[place].insert(sounds[place].end(), block[place].begin(), block[place].end());
-    }
-    return sounds;
-}
-
-DrillSoundState everythingOn() {
-    DrillSoundState state = cutting("enamel", 1000.0, 500000.0);
-    state.load = state.water = state.suction = 1.0;
-    return state;
-}
 
 TEST(Soundscape, TheDrillAloneIsTheDrillSynthesisersSound) {
     Soundscape soundscape(4);
@@ -63,24 +44,6 @@ TEST(Soundscape, MutedIsDigitalSilence) {
     Soundscape soundscape;
     soundscape.setMixer({.muted = true});
     for (const auto& sound : rendered(soundscape, everythingOn(), 0.5)) EXPECT_EQ(peak(sound), 0.0f);
-}
-
-TEST(Soundscape, FullPowerForMinutesIsTurnedDown) {
-    Soundscape soundscape;
-    const double atFirst = rms(rendered(soundscape, everythingOn(), 2.0)[0]);
-    for (int i = 0; i < 10; ++i) (void)rendered(soundscape, everythingOn(), 20.0);
-    EXPECT_LT(rms(rendered(soundscape, everythingOn(), 2.0)[0]), 0.8 * atFirst);
-}
-
-TEST(Soundscape, AnOrdinaryCutGoesOnForMinutesAsLoudAsItBegan) {
-    for (const char* material : {"enamel", "dentin", "caries"}) {
-        Soundscape soundscape;
-        const DrillSoundState state = cutting(material, 4.0, 320000.0);
-        (void)rendered(soundscape, state, 1.0);
-        const double atFirst = rms(rendered(soundscape, state, 2.0)[0]);
-        (void)rendered(soundscape, state, 180.0);
-        EXPECT_NEAR(rms(rendered(soundscape, state, 2.0)[0]), atFirst, 0.02 * atFirst) << material;
-    }
 }
 
 TEST(Soundscape, NonsenseStaysFinite) {
