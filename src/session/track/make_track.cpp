@@ -84,7 +84,10 @@ private:
 Expected<std::shared_ptr<SessionTrack>> emptyTrack(const SessionRecording& recording, const CutModel& model) {
     const Expected<double> seconds = recording.seconds();
     if (!seconds) return Unexpected{seconds.error()};
-    return std::make_shared<SessionTrack>(model, *seconds);
+    auto track = std::make_shared<SessionTrack>(model, *seconds);
+    // At once: the first moments are shown before the last ones are simulated. makeTrack says what is wrong with it.
+    if (auto mirror = recording.mirror()) track->setMirror(std::move(*mirror));
+    return track;
 }
 
 void makeTrack(const SessionRecording& recording, std::shared_ptr<CutModel> model, SessionTrack& track,
@@ -98,11 +101,9 @@ void makeTrack(const SessionRecording& recording, std::shared_ptr<CutModel> mode
     });
     maker.end();
     std::optional<Message> fault;
-    if (!read) fault = read.error();
-    Expected<std::vector<MirrorMoment>> mirror = recording.mirror();
-    if (mirror) {
-        track.setMirror(std::move(*mirror));
-    } else if (!fault) {
+    if (!read) {
+        fault = read.error();
+    } else if (const auto mirror = recording.mirror(); !mirror) {
         fault = mirror.error();
     }
     if (read && !differsAt && !stop.stop_requested()) {

@@ -10,9 +10,9 @@
 
 namespace tactooth {
 
-/// An empty track for a recording, with the tooth before its first event. `model`: that tooth, from
-/// SessionRecording::makeModel. Reads all events once, to know the length. Fails with one sentence if the recording is
-/// damaged.
+/// A track without ticks for a recording, with the tooth before its first event and with the mirror. `model`: that
+/// tooth, from SessionRecording::makeModel. Reads all events once, to know the length. Fails with one sentence if the
+/// recording is damaged; makeTrack says it where only the mirror is.
 [[nodiscard]] Expected<std::shared_ptr<SessionTrack>> emptyTrack(const SessionRecording& recording,
                                                                  const CutModel& model);
 

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] std::vector<TrackEvent> events() const;
     /// How the mirror was held; empty: the recording does not say it.
     [[nodiscard]] std::vector<MirrorMoment> mirror() const;
+    /// How it was held at a moment, which need not be there yet; not shown where the recording does not say it.
+    [[nodiscard]] MirrorSight mirrorAt(std::uint64_t moment) const;
     /// The bur at work at a moment; null before the first one.
     [[nodiscard]] std::shared_ptr<const TrackBur> burAt(std::uint64_t moment) const;
     /// The last moment that is not later than `time`, s.

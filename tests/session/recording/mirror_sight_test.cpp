@@ -4,23 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
 
-#include "bench_scene.h"
-#include "session/recording/session_recorder.h"
+#include "recording/recorded_touches.h"
 #include "session/recording/session_replay.h"
-#include "session/scripts/touch_run.h"
 #include "session/track/make_track.h"
 #include "support/test_data.h"
 
 namespace tactooth {
 namespace {
-
-using test::at;
 
 TEST(MirrorSight, KeepsAPoseToItsGrid) {
     const Pose pose{Vec3(1.23456, -20.5, 7), Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
@@ -93,40 +87,16 @@ TEST(MirrorCodec, RefusesEachCutAndWhatNoMirrorHas) {
     EXPECT_FALSE(decodeMirror(encodeMirror(moments))) << "back in time";
 }
 
-std::vector<TimedPose> touch(int rows) {
-    std::vector<TimedPose> all;
-    for (int i = 0; i < rows; ++i) all.push_back({0.001 * i, at(0.5 * std::sin(0.01 * i), 0, 0.1)});
-    return all;
-}
-
-std::chrono::steady_clock::time_point atTick(int ticks) {
-    return std::chrono::steady_clock::time_point(std::chrono::milliseconds(ticks));
-}
-
-/// Records 1500 ticks; `note` is called before tick 0 and then after each one with their number.
-std::uint64_t record(const std::filesystem::path& file, const std::function<void(SessionRecorder&, int)>& note) {
-    const auto model = test::blockOnTheBench();
-    auto recorder = SessionRecorder::create(file, *model, "block");
-    EXPECT_TRUE(recorder);
-    StepwiseSession session(model, {touchingTool(test::flatBur().shape), HapticSettings(), Placement::AtOnce},
-                            [&](const SessionEvent& event) { (*recorder)->append(event); });
-    int ticks = 0;
-    note(**recorder, ticks);
-    EXPECT_TRUE(runTouchPath(touch(1500), session, [&](double, const Tick&) { note(**recorder, ++ticks); }));
-    EXPECT_TRUE((*recorder)->close(model->hash()));
-    return model->hash();
-}
-
 TEST(MirrorRecording, HoldsEachChangeWithItsTickAndReplaysTheSame) {
     const test::TemporaryFolder folder;
     const std::vector<MirrorMoment> moments = randomMoments(5);
     std::vector<MirrorMoment> wanted;
-    (void)record(folder / "with.ttsession", [&](SessionRecorder& recorder, int ticks) {
+    (void)test::recordTouches(folder / "with.ttsession", [&](SessionRecorder& recorder, int ticks) {
         const auto number = static_cast<std::size_t>(ticks / 400);
         if (ticks % 400 == 0) wanted.push_back({static_cast<std::uint64_t>(ticks), moments[number].sight});
-        recorder.noteMirror(moments[number].sight, atTick(ticks));
+        recorder.noteMirror(moments[number].sight, test::atTick(ticks));
     });
-    (void)record(folder / "without.ttsession", [](SessionRecorder&, int) {});
+    (void)test::recordTouches(folder / "without.ttsession", [](SessionRecorder&, int) {});
     const auto with = SessionRecording::open(folder / "with.ttsession");
     const auto without = SessionRecording::open(folder / "without.ttsession");
     ASSERT_TRUE(with && without);
@@ -140,11 +110,16 @@ TEST(MirrorRecording, HoldsEachChangeWithItsTickAndReplaysTheSame) {
         ASSERT_TRUE(model);
         const auto track = emptyTrack(*each, **model);
         ASSERT_TRUE(track);
+        EXPECT_EQ((*track)->mirror(), each->mirror().value()) << "before the first tick is simulated";
         makeTrack(*each, *model, **track);
         EXPECT_FALSE((*track)->differsAt());
         EXPECT_FALSE((*track)->fault());
         EXPECT_EQ((*track)->mirror(), each->mirror().value());
         EXPECT_EQ((*track)->ticks(), each->ticks());
+        for (const std::uint64_t moment : {0, 1, 399, 400, 799, 800, 1199, 1200, 1500}) {
+            const MirrorSight held = each == &*with ? moments[moment / 400].sight : MirrorSight();
+            EXPECT_EQ((*track)->mirrorAt(moment), held) << moment;
+        }
         ASSERT_TRUE(each->forEach([&](const SessionEvent& event) {
             if (const auto* hash = std::get_if<TickHashEvent>(&event)) hashes.push_back(hash->hash);
             return true;
@@ -158,8 +133,8 @@ TEST(MirrorRecording, HoldsEachChangeWithItsTickAndReplaysTheSame) {
 TEST(MirrorRecording, TakesNoMoreThanOneChangeInSixteenMilliseconds) {
     const test::TemporaryFolder folder;
     const std::vector<MirrorMoment> moments = randomMoments(1501);
-    (void)record(folder / "s.ttsession", [&](SessionRecorder& recorder, int ticks) {
-        recorder.noteMirror(moments[static_cast<std::size_t>(ticks)].sight, atTick(ticks));
+    (void)test::recordTouches(folder / "s.ttsession", [&](SessionRecorder& recorder, int ticks) {
+        recorder.noteMirror(moments[static_cast<std::size_t>(ticks)].sight, test::atTick(ticks));
     });
     constexpr double kSeconds = 1.5;
     const auto recording = SessionRecording::open(folder / "s.ttsession");

@@ -213,6 +213,33 @@ TEST(SessionTrack, OfARecordingThatWasCutOffHasWhatIsLeft) {
     EXPECT_GT(made, 3);
 }
 
+SessionTrack trackOfABlock() {
+    auto block = LayeredTooth::make(test::box(Vec3(-1, -1, -1), Vec3(1, 1, 0)), {}, test::kDentin);
+    return {CutModel(std::make_shared<const LayeredTooth>(std::move(*block)), 0.1), 1};
+}
+
+TEST(SessionTrack, ShowsTheMirrorAsItWasHeldLast) {
+    // On the grid: what comes back is what went in, to the last bit.
+    const Pose held{Vec3(1.5, -8.25, 3), Quat(0.5, 0.5, -0.5, 0.5)};
+    const Vec3 eye(10.75, 200, 150);
+    const MirrorSight first = MirrorSight::of(held, 10.25, eye), last = MirrorSight::of({}, 8.25, eye);
+    SessionTrack track = trackOfABlock();
+    EXPECT_EQ(track.mirrorAt(0), MirrorSight()) << "not recorded";
+    EXPECT_EQ(track.mirrorAt(7), MirrorSight());
+    track.setMirror({{5, last}, {5, first}, {9, MirrorSight()}, {12, last}});
+    for (std::uint64_t moment = 0; moment < 5; ++moment) EXPECT_FALSE(track.mirrorAt(moment).isShown) << moment;
+    for (std::uint64_t moment = 5; moment < 9; ++moment) {
+        const MirrorSight sight = track.mirrorAt(moment);
+        ASSERT_TRUE(sight.isShown) << moment;
+        EXPECT_EQ(sight.mirror().position, held.position);
+        EXPECT_EQ(sight.mirror().rotation.coeffs(), held.rotation.coeffs());
+        EXPECT_EQ(sight.radiusMm(), 10.25);
+        EXPECT_EQ(sight.eyePlace(), eye);
+    }
+    for (std::uint64_t moment = 9; moment < 12; ++moment) EXPECT_FALSE(track.mirrorAt(moment).isShown) << moment;
+    for (const std::uint64_t moment : {12U, 13U, 1'000'000U}) EXPECT_EQ(track.mirrorAt(moment), last) << moment;
+}
+
 TEST(SessionTrack, SaysWhereTheReplayDiffers) {
     const test::TemporaryFolder folder;
     (void)RecordedStrokes{.seconds = 1}.writeTo(folder / "s.ttsession");
