@@ -20,13 +20,47 @@
 #include "app/gui/replay/replay_panel.h"
 #include "app/gui/settings/window_setup.h"
 #include "app/window_session.h"
+#include "recording/recorded_touches.h"
+#include "session/hands/instrument_poses.h"
 #include "session/track/replay_comments.h"
 #include "track/recorded_strokes.h"
 
 namespace tactooth {
+namespace {
+
+/// Share of the pixels that differ visibly.
+double differingShare(const QImage& a, const QImage& b) {
+    constexpr int kVisible = 24;  // of 255
+    int differing = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+            differing += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) + std::abs(p.blue() - q.blue()) >
+                                 3 * kVisible
+                             ? 1
+                             : 0;
+        }
+    }
+    return static_cast<double>(differing) / (a.width() * a.height());
+}
+
+/// A mirror behind the block that shows its side away from the eye; away and back, and then a small one.
+MirrorSight heldAfter(int ticks) {
+    const Vec3 toEye = directionToEye(dentistView(1));
+    const Pose behind = parkedMirror(Box3(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0)), toEye, 1);
+    if (ticks < 500) return MirrorSight::of(behind, makeMirror(22).disc.radius, 200 * toEye);
+    if (ticks < 1000) return {};
+    return MirrorSight::of({behind.position - Vec3(2, 0, 0), behind.rotation}, makeMirror(18).disc.radius, 200 * toEye);
+}
+
+}  // namespace
 
 class WindowReplayTest : public test::WindowSession {
     Q_OBJECT
+
+public:
+    /// Pictures to look at: with the mirror, without it, and with the small one.
+    void savePictures(const QString& folder);
 
 private slots:
     void initTestCase();
@@ -40,6 +74,9 @@ private slots:
     void anotherRecordingIsShownAsAGhost();
     void theBenchIsAsItWasAfterwards();
     void aFileThatIsNoRecordingHasASentence();
+    void theMirrorIsShownWhereItWasHeld();
+    void aMirrorOfASizeThatNoneHasIsNotShown();
+    void theSwitchOfTheMirrorHidesItInTheReplay();
     void anOpenedToothEndsTheReplay();
     void cleanupTestCase();
 
@@ -64,6 +101,17 @@ private:
     }
     [[nodiscard]] SceneContents shown() const { return replay().source()->contentsAt(replay().cursor().moment(), {}); }
 
+    /// As soon as it shows the cursor's moment and rests.
+    [[nodiscard]] QImage picture() const {
+        auto& view = part<ToothView>("replayView");
+        const auto isThere = [&] {
+            (void)shown();
+            return replay().source()->isToothThere() && view.isAtRest();
+        };
+        if (!QTest::qWaitFor(isThere, kPatience)) return {};
+        return view.grabFramebuffer();
+    }
+
     double benchRemoved_ = 0;
     std::shared_ptr<const Surface> bench_;
 };
@@ -71,6 +119,9 @@ private:
 void WindowReplayTest::initTestCase() {
     (void)test::RecordedStrokes{.seconds = 4, .resetAt = 99}.writeTo(folder_ / "a.ttsession");
     (void)test::RecordedStrokes{.seconds = 3, .seed = 2, .resetAt = 99}.writeTo(folder_ / "b.ttsession");
+    (void)test::recordTouches(folder_ / "mirror.ttsession", [](SessionRecorder& recorder, int ticks) {
+        recorder.noteMirror(heldAfter(ticks), test::atTick(ticks));
+    });
     openWindow();
     WindowSession::waitForTooth();
     benchRemoved_ = removed();
@@ -224,6 +275,55 @@ void WindowReplayTest::aFileThatIsNoRecordingHasASentence() {
     QVERIFY(!replay().isActive());
 }
 
+void WindowReplayTest::theMirrorIsShownWhereItWasHeld() {
+    open(recording("mirror.ttsession"));
+    replay().cursor().setPlaying(false);
+    for (const std::uint64_t moment : {1, 499, 500, 999, 1000, 1500}) {
+        replay().cursor().jumpTo(replay().source()->track()->tickBefore(moment).time);
+        QCOMPARE(replay().cursor().moment(), moment);
+        const MirrorSight held = heldAfter(static_cast<int>(moment));
+        const auto mirror = shown().mirror;
+        QCOMPARE(mirror.has_value(), held.isShown);
+        if (!mirror) continue;
+        QCOMPARE(mirror->mirrorInTooth.position, held.mirror().position);
+        QCOMPARE(mirror->mirrorInTooth.rotation.coeffs(), held.mirror().rotation.coeffs());
+        // The recording rounds to a 4096th of a millimetre.
+        const MirrorDisc disc = makeMirror(moment < 500 ? 22 : 18).disc;
+        QVERIFY(std::abs(mirror->disc.radius - disc.radius) < 1.0 / 4096);
+        QVERIFY(std::abs(boundingBox(*mirror->mesh).sizes().y() / 2 - (moment < 500 ? 11 : 9)) < 0.001);
+    }
+}
+
+/// A damaged file may say anything.
+void WindowReplayTest::aMirrorOfASizeThatNoneHasIsNotShown() {
+    MirrorSight sight = heldAfter(0);
+    for (const double radius : {0.0, 1.0, 4.0, 19.5, 99.0, 1e6}) {
+        sight.radius = std::llround(4096 * radius);
+        QVERIFY(!ReplayMirror().at(sight));
+    }
+    for (const double radius : {4.5, 10.25, 19.0}) {
+        sight.radius = std::llround(4096 * radius);
+        const auto shown = ReplayMirror().at(sight);
+        QVERIFY(shown.has_value());
+        QCOMPARE(shown->disc.radius, radius);
+    }
+}
+
+/// Two moments at which the bur is at nearly the same place, one with the mirror and one without.
+void WindowReplayTest::theSwitchOfTheMirrorHidesItInTheReplay() {
+    const auto at = [this](double time) {
+        replay().cursor().jumpTo(time);
+        return picture();
+    };
+    const QImage without = at(0.8), with = at(0.2);
+    QVERIFY2(differingShare(with, without) > 0.1, qPrintable(QString::number(differingShare(with, without))));
+    key(Qt::Key_M);
+    const QImage hidden = picture();
+    QVERIFY2(differingShare(hidden, without) < 0.02, qPrintable(QString::number(differingShare(hidden, without))));
+    key(Qt::Key_M);
+    QVERIFY(differingShare(picture(), with) < 0.001);
+}
+
 void WindowReplayTest::anOpenedToothEndsTheReplay() {
     open(recording("b.ttsession"));
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth[1]);
@@ -232,11 +332,29 @@ void WindowReplayTest::anOpenedToothEndsTheReplay() {
     QVERIFY(view().isVisible());
 }
 
+void WindowReplayTest::savePictures(const QString& folder) {
+    initTestCase();
+    open(recording("mirror.ttsession"));
+    replay().cursor().setPlaying(false);
+    for (const double time : {0.2, 0.8, 1.2}) {
+        replay().cursor().jumpTo(time);
+        (void)picture();
+        window_->grab().save(QString("%1/replay-mirror-%2.png").arg(folder).arg(time));
+    }
+    cleanupTestCase();
+}
+
 }  // namespace tactooth
 
+/// `window_replay_tests --pictures FOLDER` saves pictures instead of testing.
 int main(int argc, char** argv) {
     const auto application = tactooth::startApplication(argc, argv);
     tactooth::WindowReplayTest test;
+    const QStringList arguments = QApplication::arguments();
+    if (arguments.value(1) == "--pictures") {
+        test.savePictures(arguments.value(2));
+        return 0;
+    }
     return QTest::qExec(&test, argc, argv);
 }
 

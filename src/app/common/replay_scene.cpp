@@ -9,6 +9,11 @@
 #include "session/model/spin_envelope_mesh.h"
 
 namespace tactooth {
+namespace {
+
+constexpr double kUsualHead = 22, kSmallestHead = 10, kLargestHead = 40;  // mm: diameters of mirrors
+
+}  // namespace
 
 ReplayBur ReplayBur::of(const Instrument& instrument) {
     if (instrument.hand) {
@@ -37,6 +42,22 @@ ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const Tri
             .blurred = blurred,
             .head = head,
             .cap = cap};
+}
+
+/// A mirror is made anew when its size changes, which takes a millisecond.
+std::optional<ShownMirror> ReplayMirror::at(const MirrorSight& held) {
+    if (!held.isShown) return std::nullopt;
+    if (made_.mesh == nullptr || held.radius != radius_) {
+        static const double kRim = kUsualHead / 2 - makeMirror(kUsualHead).disc.radius;  // mm, of each mirror
+        const double diameter = 2 * (held.radiusMm() + kRim);
+        if (diameter < kSmallestHead || diameter > kLargestHead) return std::nullopt;
+        DentalMirror mirror = makeMirror(diameter);
+        made_ = {.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface)), .disc = mirror.disc};
+        radius_ = held.radius;
+    }
+    ShownMirror shown = made_;
+    shown.mirrorInTooth = held.mirror();
+    return shown;
 }
 
 /// Each body has one material nearly everywhere; it is drawn in that of its first triangle.

@@ -4,6 +4,7 @@
 
 #include "app/common/scene_builder.h"
 #include "session/kernel/session_event.h"
+#include "session/recording/mirror_sight.h"
 
 // A moment of a recorded session as a picture.
 
@@ -20,6 +21,18 @@ struct ReplayBur {
     [[nodiscard]] static ReplayBur of(const Instrument& instrument);
     /// The instrument at a tick; `time`: of the session, s. `turbine`: the handpiece behind the bur, or null.
     [[nodiscard]] ShownTool at(const Tick& tick, double time, std::shared_ptr<const TriangleMesh> turbine) const;
+};
+
+/// The mouth mirror of a recording as it is drawn.
+class ReplayMirror {
+public:
+    /// None where it was not held, or has a size that no mirror has. The glass is clean: a recording does not say what
+    /// was on it.
+    [[nodiscard]] std::optional<ShownMirror> at(const MirrorSight& held);
+
+private:
+    ShownMirror made_;         // of the size below; without a mesh until the first one is made
+    std::int64_t radius_ = 0;  // of its glass, as in MirrorSight
 };
 
 /// The bodies around a recorded tooth, as they are drawn.

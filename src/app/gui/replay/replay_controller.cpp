@@ -215,10 +215,9 @@ void ReplayController::step() {
 
 SceneContents ReplayController::contents(bool withTurbine) {
     if (!isActive()) return {};
-    const HandpieceMeshes handpieces = withTurbine ? panel_->first().handpieces() : HandpieceMeshes();
-    SceneContents contents = source_->contentsAt(cursor_->moment(), handpieces);
+    SceneContents contents = contentsOf(*source_, cursor_->moment(), withTurbine);
     if (!comparison_.isGhost()) return contents;
-    SceneContents other = comparison_.source()->contentsAt(cursor_->otherMoment(), handpieces);
+    SceneContents other = contentsOf(*comparison_.source(), cursor_->otherMoment(), withTurbine);
     contents.other = ShownOther{std::move(other.tooth), std::move(other.tool)};
     return contents;
 }
@@ -226,8 +225,14 @@ SceneContents ReplayController::contents(bool withTurbine) {
 /// Of the picture beside the first.
 SceneContents ReplayController::otherContents(bool withTurbine) {
     if (!isActive() || !comparison_.isSideBySide()) return {};
-    return comparison_.source()->contentsAt(cursor_->otherMoment(),
-                                            withTurbine ? panel_->first().handpieces() : HandpieceMeshes());
+    return contentsOf(*comparison_.source(), cursor_->otherMoment(), withTurbine);
+}
+
+/// The switch of the mirror in the menu counts here, too: it may hide what somebody wants to see.
+SceneContents ReplayController::contentsOf(ReplaySource& source, std::uint64_t moment, bool withTurbine) {
+    SceneContents contents = source.contentsAt(moment, withTurbine ? panel_->first().handpieces() : HandpieceMeshes());
+    if (!panels_.view->showsMirror()) contents.mirror.reset();
+    return contents;
 }
 
 void ReplayController::showComparison() {

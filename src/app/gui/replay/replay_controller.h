@@ -78,6 +78,7 @@ private:
     [[nodiscard]] bool isOtherToothOnTheBench();
     [[nodiscard]] SceneContents contents(bool withTurbine);
     [[nodiscard]] SceneContents otherContents(bool withTurbine);
+    [[nodiscard]] SceneContents contentsOf(ReplaySource& source, std::uint64_t moment, bool withTurbine);
     void showComparison();
     void closeFirst();
     void showMarks();

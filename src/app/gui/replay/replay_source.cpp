@@ -50,6 +50,7 @@ SceneContents ReplaySource::contentsAt(std::uint64_t moment, const HandpieceMesh
     contents.materials = materialsAt(moment);
     contents.zones = toothZones(uncut_->tooth(), contents.materials);
     contents.around = around_;
+    contents.mirror = mirror_.at(track_->mirrorAt(moment));
     const std::shared_ptr<const TrackBur> bur = track_->burAt(moment);
     if (bur == nullptr || moment == bur->afterTicks) return contents;  // nobody knows yet where the hand is
     const Tick tick = track_->tickBefore(moment).tick();

@@ -32,8 +32,8 @@ public:
     /// The materials as they were when the bur of this moment began to work.
     [[nodiscard]] MaterialTable materialsAt(std::uint64_t moment) const;
 
-    /// Tooth and instrument at a moment that the track has. The tooth follows as soon as it is there. The drive of
-    /// the recording chooses from `handpieces`. One thread.
+    /// Tooth, instrument and mouth mirror at a moment that the track has. The tooth follows as soon as it is there. The
+    /// drive of the recording chooses from `handpieces`. One thread.
     [[nodiscard]] SceneContents contentsAt(std::uint64_t moment, const HandpieceMeshes& handpieces);
     /// Whether the tooth of the last call is that of its moment.
     [[nodiscard]] bool isToothThere() const { return follower_.isThere(); }
@@ -49,6 +49,7 @@ private:
     std::shared_ptr<CutModel> uncut_;
     std::vector<ShownBody> around_;
     std::map<std::shared_ptr<const TrackBur>, ReplayBur> burs_;
+    ReplayMirror mirror_;
     ToothFollower follower_;
     std::jthread maker_;  // last: it uses the members above
 };
