@@ -48,9 +48,9 @@ double differingShare(const QImage& a, const QImage& b) {
 MirrorSight heldAfter(int ticks) {
     const Vec3 toEye = directionToEye(dentistView(1));
     const Pose behind = parkedMirror(Box3(Vec3(-1.5, -1.5, -3), Vec3(1.5, 1.5, 0)), toEye, 1);
-    if (ticks < 500) return MirrorSight::of(behind, makeMirror(22).disc.radius, 200 * toEye);
+    if (ticks < 500) return MirrorSight::of(behind, makeMirror(22).disc.radius, 40 * toEye);
     if (ticks < 1000) return {};
-    return MirrorSight::of({behind.position - Vec3(2, 0, 0), behind.rotation}, makeMirror(18).disc.radius, 200 * toEye);
+    return MirrorSight::of({behind.position - Vec3(2, 0, 0), behind.rotation}, makeMirror(18).disc.radius, 40 * toEye);
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ private slots:
     void theBenchIsAsItWasAfterwards();
     void aFileThatIsNoRecordingHasASentence();
     void theMirrorIsShownWhereItWasHeld();
+    void itBeginsFromTheEyeOfTheRecording();
     void aMirrorOfASizeThatNoneHasIsNotShown();
     void theSwitchOfTheMirrorHidesItInTheReplay();
     void anOpenedToothEndsTheReplay();
@@ -292,6 +293,12 @@ void WindowReplayTest::theMirrorIsShownWhereItWasHeld() {
         QVERIFY(std::abs(mirror->disc.radius - disc.radius) < 1.0 / 4096);
         QVERIFY(std::abs(boundingBox(*mirror->mesh).sizes().y() / 2 - (moment < 500 ? 11 : 9)) < 0.001);
     }
+}
+
+/// In a mirror another eye sees something else.
+void WindowReplayTest::itBeginsFromTheEyeOfTheRecording() {
+    const Vec3 eye = part<ToothView>("replayView").orbitCamera().camera().cameraInWorld.position;
+    QVERIFY2((eye - heldAfter(0).eyePlace()).norm() < 1e-6, qPrintable(QString::number(eye.norm())));
 }
 
 /// A damaged file may say anything.

@@ -7,8 +7,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/input/picture_pixels.h"
 #include "app/gui/panels/elided_label.h"
 #include "app/gui/replay/clock_text.h"
+#include "app/gui/replay/recorded_eye.h"
 #include "app/gui/replay/replay_source.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
@@ -66,6 +68,9 @@ void ReplayPicture::setSource(const ReplaySource& source) {
     title_->setText(QString("%1 — %2").arg(QString::fromStdString(displayName(source.file().filename())),
                                            translated(source.facts().title)));
     view_->resetView();
+    if (const auto eye = firstEye(*source.track())) {
+        view_->setOrbitCamera(lookingFrom(view_->orbitCamera(), *eye, pictureSize(*view_)));
+    }
 }
 
 void ReplayPicture::setShowsCaption(bool shows) { caption_->setVisible(shows); }

@@ -26,7 +26,7 @@ public:
     ReplayPicture(SoundOutput& sound, const QString& name, const QColor& colour, QWidget* parent = nullptr);
     ~ReplayPicture() override;
 
-    /// Shows another recording, from where a dentist sees it.
+    /// Shows another recording, from where its picture was first looked at, or from where a dentist sees it.
     void setSource(const ReplaySource& source);
     void setShowsCaption(bool shows);
     /// Time of the recording that is shown, and its length, s.
