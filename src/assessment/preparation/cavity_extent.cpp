@@ -16,7 +16,8 @@ namespace tactooth {
 namespace {
 
 constexpr double kStations = 0.05;      // mm between two widths
-constexpr double kLeastLength = 0.5;    // mm of isthmus between the ends
+constexpr double kSlender = 1.5;        // length by width: a premolar's Class II cavity with a wide box has that
+constexpr double kLeastLength = 0.5;    // mm longer than that
 constexpr double kSideCosine = 0.7071;  // 45 degrees: an outside faces its direction
 constexpr double kLift = 0.01;          // mm: start of a ray off the surface
 constexpr double kCutOpen = 0.5;        // mm: where a ridge is cut through, the cut ends at the outside, which is round
@@ -85,8 +86,8 @@ Measured isthmusOf(const CutSurfaces& surfaces, const Vec3& axis) {
     double widest = 0;
     for (const Width& width : widths) widest = std::max(widest, width.value());
     const double length = outline.high - outline.low;
-    if (length < 2 * widest + kLeastLength) return Measured::none(msg::kNoIsthmus);
-    const auto end = static_cast<std::size_t>(widest / kStations);
+    if (length < kSlender * widest + kLeastLength) return Measured::none(msg::kNoIsthmus);
+    const auto end = static_cast<std::size_t>(widest / 2 / kStations);  // a round end is no longer than that
     const Width* narrowest = nullptr;
     for (std::size_t i = end; i + end < widths.size(); ++i) {
         if (widths[i].value() < 0) continue;  // nothing was cut there

@@ -11,8 +11,8 @@ namespace tactooth {
 struct CavityExtent {
     /// Length of the cut surface along x, y and z of the tooth's frame, mm.
     Measured mesiodistal, buccolingual, vertical;
-    /// Of a cavity from the occlusal side: its smallest width across its longest direction, mm, without its two ends as
-    /// long as it is wide.
+    /// Of a cavity from the occlusal side: its smallest width across its longest direction, mm, without its two ends,
+    /// each half as long as it is wide.
     Measured isthmus;
     /// The same: smallest distance from it to the mesial and the distal outside of the tooth, mm.
     Measured mesialRidge, distalRidge;

@@ -229,6 +229,14 @@ TEST(PreparationMetrics, MeasureRidgesAndIsthmus) {
     EXPECT_EQ(reasonOf(measured(kIdeal), "isthmus_min"), "no_isthmus");
 }
 
+/// As in a premolar, where the box is half as wide as the whole cavity is long.
+TEST(PreparationMetrics, MeasureTheIsthmusBesideAWideBox) {
+    const PreparationMeasures shape = measured(blockWithSlotAndBox());
+    EXPECT_NEAR(valueOf(shape, "extent_md"), 5.4, kLength);
+    EXPECT_NEAR(valueOf(shape, "extent_bl"), 2.8, kLength);
+    EXPECT_NEAR(valueOf(shape, "isthmus_min"), 1.2, kLength);
+}
+
 TEST(PreparationMetrics, KnowAnOpenedPulp) {
     Preparation preparation = blockPreparation(kIdeal, kIdeal);
     EXPECT_EQ(reasonOf(PreparationMeasures(preparation), "pulp_open"), "no_pulp_known");

@@ -48,6 +48,39 @@ TriangleMesh blockWithBox(double left, double right, double back, double front, 
                              Rectangle::level(left, right, back, front, floor));
 }
 
+TriangleMesh blockWithSlotAndBox() {
+    constexpr std::uint32_t kCorners = 8;
+    constexpr std::array<std::array<double, 2>, kCorners> kBlock = {
+        {{-5, -5}, {0.5, -5}, {1, -5}, {5, -5}, {5, 5}, {1, 5}, {0.5, 5}, {-5, 5}}};
+    constexpr std::array<std::array<double, 2>, kCorners> kCavity = {
+        {{-3, -0.6}, {1, -0.6}, {1, -1.4}, {2.4, -1.4}, {2.4, 1.4}, {1, 1.4}, {1, 0.6}, {-3, 0.6}}};
+    TriangleMesh mesh;
+    const auto ring = [&](const auto& corners, double z) {
+        for (const auto& [x, y] : corners) mesh.vertices.push_back(Vec3(x, y, z).cast<float>());
+    };
+    ring(kBlock, -5);
+    ring(kBlock, 5);
+    ring(kCavity, 5);
+    ring(kCavity, 3);
+    const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    };
+    face(7, 6, 1, 0);
+    face(6, 5, 2, 1);
+    face(5, 4, 3, 2);
+    for (std::uint32_t low = 0; low < 3 * kCorners; low += kCorners) {
+        for (std::uint32_t i = 0; i < kCorners; ++i) {
+            const std::uint32_t next = (i + 1) % kCorners, high = low + kCorners;
+            face(low + i, low + next, high + next, high + i);
+        }
+    }
+    constexpr std::uint32_t kFloor = 3 * kCorners;
+    face(kFloor, kFloor + 1, kFloor + 6, kFloor + 7);
+    face(kFloor + 3, kFloor + 4, kFloor + 5, kFloor + 6);
+    face(kFloor + 3, kFloor + 6, kFloor + 1, kFloor + 2);
+    return mesh;
+}
+
 namespace {
 
 constexpr std::uint32_t kSides = 96;  // of a round cavity, with the corners of the block among them

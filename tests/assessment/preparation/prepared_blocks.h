@@ -30,6 +30,10 @@ struct Rectangle {
 /// An upright box of this opening as cavity, down to z = `floor`.
 [[nodiscard]] TriangleMesh blockWithBox(double left, double right, double back, double front, double floor);
 
+/// A cavity of Class II, seen from above, 2 mm deep: a slot from x = -3 to 1 mm, 1.2 mm wide, and a box from there to
+/// x = 2.4 mm, 2.8 mm wide.
+[[nodiscard]] TriangleMesh blockWithSlotAndBox();
+
 /// A cavity down to z = `floor` with upright walls, whose outline is a circle around the z axis with `waves` waves of
 /// `amplitude`, mm.
 [[nodiscard]] TriangleMesh blockWithRoundCavity(double radius, double amplitude, int waves, double floor);
