@@ -93,6 +93,7 @@ void WindowExerciseTest::anExerciseCountsWhatIsCutOfItAndBeside() {
     QTRY_VERIFY_WITH_TIMEOUT(cleared->isEnabled(), kPatience);
     QCOMPARE(cleared->value(), 0);
     QCOMPARE(fact("Time"), "0:00 of 3:00");
+    QCOMPARE(task->toolTip(), "Marked by the rubric: Near the ideal preparation");
 
     window_->model().manipulator().setPressDepth(2);
     key(Qt::Key_C);
@@ -143,6 +144,7 @@ void WindowExerciseTest::anExerciseInTheMouthHasASoundToothWithNeighbours() {
     window_->exercise().start(builtinExercise("class-2-36-do"));
     QTRY_VERIFY_WITH_TIMEOUT(window_->windowTitle().contains("36 DO"), kLoadPatience);
     QCOMPARE(window_->model().tooth()->mouthTooth, 36);
+    QCOMPARE(window_->findChild<QLabel*>("task")->toolTip(), "Marked by the rubric: Class II, four levels");
     QVERIFY(!window_->model().tooth()->around.empty());
     const LayeredTooth& tooth = window_->model().tooth()->piece->tooth();
     bool has37 = false;

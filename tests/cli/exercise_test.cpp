@@ -28,6 +28,7 @@ TEST_F(ExerciseCommand, ShowsWhatIsToBeCutAndWritesIt) {
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("Lower the block"));
     EXPECT_THAT(run.out, HasSubstr("Pear carbide No. 330"));
+    EXPECT_THAT(run.out, HasSubstr("rubric          near-ideal (Near the ideal preparation)\n"));
     EXPECT_THAT(run.out, ::testing::ContainsRegex("ideal cavity +1[56]\\.[0-9]+ mm3"));
     const auto shape = readStl(file("shape.stl"));
     ASSERT_TRUE(shape);

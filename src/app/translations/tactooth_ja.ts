@@ -2511,6 +2511,10 @@ It can be overcome, and is off in an examination.</source>
 <context>
     <name>tactooth::ExercisePanel</name>
     <message>
+        <source>Marked by the rubric: %1</source>
+        <translation>採点に使う評価基準表：%1</translation>
+    </message>
+    <message>
         <source>Exercise</source>
         <translation>課題</translation>
     </message>

@@ -10,6 +10,7 @@
 #include "assessment/allowed_instruments.h"
 #include "assessment/cavity_metrics.h"
 #include "assessment/exercise_file.h"
+#include "assessment/rubric/exercise_rubric.h"
 #include "assessment/rubric/rubric_file.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
@@ -35,6 +36,15 @@ Expected<std::string> burOf(const Exercise& exercise) {
     return own->name;
 }
 
+/// How the exercise names it, and its title.
+Expected<std::string> rubricIn(const Exercise& exercise) {
+    const Expected<Rubric> rubric = rubricOf(exercise);
+    if (!rubric) return Unexpected{rubric.error()};
+    const bool isBuiltin = !exercise.rubric.ends_with(".toml");
+    const std::string name = exercise.rubric.empty() ? std::string(kUsualRubric) : exercise.rubric;
+    return fmt::format("{} ({})", isBuiltin ? name : displayName(name), displayText(rubric->name));
+}
+
 Expected<void> describe(const ExerciseOptions& options) {
     FileTransaction files;
     if (builtinExercise(options.exercise) == nullptr) files.reads(options.exercise);
@@ -47,6 +57,8 @@ Expected<void> describe(const ExerciseOptions& options) {
     if (!tooth) return Unexpected{tooth.error()};
     Expected<TriangleMesh> ideal = idealShape(*exercise, *tooth);
     if (!ideal) return Unexpected{ideal.error()};
+    const Expected<std::string> rubric = rubricIn(*exercise);
+    if (!rubric) return Unexpected{rubric.error()};
     if (!options.out.empty()) {
         if (auto written = writeStl(*ideal, options.out); !written) return written;
     }
@@ -68,7 +80,7 @@ Expected<void> describe(const ExerciseOptions& options) {
     if (exercise->onlyTheseBurs) print("  burs            these only\n");
     if (!exercise->instruments.empty()) print("  instruments     {}\n", instrumentNames(*exercise));
     if (exercise->minutes) print("  time            {} min\n", *exercise->minutes);
-    print("  rubric          {}\n", exercise->rubric.empty() ? kUsualRubric : exercise->rubric);
+    print("  rubric          {}\n", *rubric);
     print("  ideal cavity    {:.2f} mm3\n", metrics.of(whole, 0).planned);
     if (const auto left = leastToPulp(walls, **tooth)) {
         if (*left > 0) print("  to the pulp     {:.2f} mm at least\n", *left);

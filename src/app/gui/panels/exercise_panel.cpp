@@ -15,6 +15,7 @@
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/text/translation.h"
 #include "assessment/exercise.h"
+#include "assessment/rubric/exercise_rubric.h"
 
 namespace tactooth {
 namespace {
@@ -275,6 +276,14 @@ void ExercisePanel::show(const std::shared_ptr<const Exercise>& exercise) {
     exercises_->setCurrentIndex(rowOf(number));
     task_->setText(exercise != nullptr ? textOf(*exercise)
                                        : tr("Choose an exercise, or a target of your own under Look inside."));
+    task_->setToolTip(exercise != nullptr ? markedBy(*exercise) : QString());
+}
+
+/// Empty for a rubric from a file that cannot be read any more.
+QString ExercisePanel::markedBy(const Exercise& exercise) {
+    const Expected<Rubric> rubric = rubricOf(exercise);
+    return rubric ? tr("Marked by the rubric: %1").arg(QString::fromStdString(rubric->nameIn(windowLanguage())))
+                  : QString();
 }
 
 void ExercisePanel::show(double seconds, const MaterialVolumes& removed, const MaterialRegistry& materials,

@@ -68,6 +68,7 @@ private:
     /// Adds one to the list, below the heading of its group.
     void addToList(const std::shared_ptr<const Exercise>& exercise);
     [[nodiscard]] int rowOf(std::size_t known) const;
+    [[nodiscard]] static QString markedBy(const Exercise& exercise);
     /// Its place in known_; it is added if it is not there.
     std::size_t placeOf(const std::shared_ptr<const Exercise>& exercise);
 
