@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/icons/line_icon.h"
 #include "app/gui/keys/key_binding.h"
 #include "app/gui/panels/elided_label.h"
 #include "app/gui/replay/clock_text.h"
@@ -34,14 +35,19 @@ ReplayBar::ReplayBar(QWidget* parent)
 
     play_ = addButton("replayPlay", tr("Pause"), tr("Plays or pauses the recording"), KeyId::ReplayPlay);
     connect(play_, &QToolButton::clicked, this, &ReplayBar::playToggled);
-    connect(addButton("replayPrevious", "⏮", tr("To the event or comment before"), KeyId::ReplayPrevious),
+    const auto addIcon = [this](const char* name, const char* icon, const QString& tip, KeyId key) {
+        QToolButton* const button = addButton(name, {}, tip, key);
+        button->setIcon(lineIcon(icon));
+        return button;
+    };
+    connect(addIcon("replayPrevious", "previous-event", tr("To the event or comment before"), KeyId::ReplayPrevious),
             &QToolButton::clicked, this, &ReplayBar::previousWanted);
-    connect(addButton("replayBack", "◂", tr("Back by one tick"), KeyId::ReplayBack), &QToolButton::clicked, this,
+    connect(addIcon("replayBack", "tick-back", tr("Back by one tick"), KeyId::ReplayBack), &QToolButton::clicked, this,
             [this] { emit stepped(-1); });
-    connect(addButton("replayOn", "▸", tr("On by one tick"), KeyId::ReplayOn), &QToolButton::clicked, this,
+    connect(addIcon("replayOn", "tick-on", tr("On by one tick"), KeyId::ReplayOn), &QToolButton::clicked, this,
             [this] { emit stepped(1); });
-    connect(addButton("replayNext", "⏭", tr("To the next event or comment"), KeyId::ReplayNext), &QToolButton::clicked,
-            this, &ReplayBar::nextWanted);
+    connect(addIcon("replayNext", "next-event", tr("To the next event or comment"), KeyId::ReplayNext),
+            &QToolButton::clicked, this, &ReplayBar::nextWanted);
     addSpeeds();
     addComments();
     compare_ =
