@@ -22,27 +22,26 @@ constexpr double kNear = 0.05;  // mm
 /// takes the focus away from everybody; Qt notices 0.4 s later, and then the window lets go of the pedal.
 class WindowSession::Focus final : public QObject {
 public:
-    explicit Focus(QWidget& window) : window_(window) { qApp->installEventFilter(this); }
+    explicit Focus(const std::unique_ptr<MainWindow>& window) : window_(window) { qApp->installEventFilter(this); }
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::Hide && qobject_cast<QDialog*>(watched) != nullptr && window_.isVisible()) {
-            QTimer::singleShot(0, &window_, [this] {
-                if (QApplication::activeModalWidget() == nullptr) window_.activateWindow();
+        if (event->type() == QEvent::Hide && qobject_cast<QDialog*>(watched) != nullptr && window_ != nullptr) {
+            QTimer::singleShot(0, window_.get(), [window = window_.get()] {
+                if (window->isVisible() && QApplication::activeModalWidget() == nullptr) window->activateWindow();
             });
         }
         return false;
     }
 
 private:
-    QWidget& window_;
+    const std::unique_ptr<MainWindow>& window_;  // a test may put another one in its place
 };
 
-WindowSession::WindowSession() = default;
+WindowSession::WindowSession() : focus_(std::make_unique<Focus>(window_)) {}
 WindowSession::~WindowSession() = default;
 
 void WindowSession::openWindow() {
     sound_ = std::make_unique<OpenAlOutput>();
     window_ = std::make_unique<MainWindow>(*sound_);
-    focus_ = std::make_unique<Focus>(*window_);
     window_->teeth().loadBuiltinTooth(kBuiltinTeeth.front());
     window_->teeth().loadBur(*findBur("4"));
     window_->show();
@@ -207,7 +206,6 @@ void WindowSession::cutALittle() {
 }
 
 void WindowSession::closeWindow() {
-    focus_.reset();
     window_.reset();
     sound_.reset();
 }
