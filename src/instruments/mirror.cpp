@@ -69,7 +69,7 @@ Pose stemInMirror(double radius) {
 }  // namespace
 
 DentalMirror makeMirror(double headDiameter) {
-    TACTOOTH_ASSERT(headDiameter >= 10 && headDiameter <= 40);
+    TACTOOTH_ASSERT(headDiameter >= kSmallestMirror && headDiameter <= kLargestMirror);
     const double radius = headDiameter / 2;
     DentalMirror mirror;
     mirror.surface = metalHead(radius);
@@ -79,5 +79,7 @@ DentalMirror makeMirror(double headDiameter) {
     append(mirror.surface, glassPlate(mirror.disc.radius));
     return mirror;
 }
+
+double mirrorHeadOf(double discRadius) { return 2 * (discRadius + kRim); }
 
 }  // namespace tactooth

@@ -21,7 +21,13 @@ struct DentalMirror {
     MirrorDisc disc;             ///< its face as an exact disc
 };
 
+/// mm: diameters of the heads that can be made.
+inline constexpr double kSmallestMirror = 10, kLargestMirror = 40;
+
 /// `headDiameter`: of the whole head with its rim, mm (22 is a No. 4, 24 a No. 5, 18 a No. 2).
 [[nodiscard]] DentalMirror makeMirror(double headDiameter = 22);
+
+/// Diameter of the head whose disc has this radius, mm.
+[[nodiscard]] double mirrorHeadOf(double discRadius);
 
 }  // namespace tactooth

@@ -28,6 +28,7 @@ TEST(Mirror, HeadHasItsDiameter) {
         const Box3 box = boundingBox(makeMirror(diameter).surface);
         EXPECT_NEAR(box.sizes().y(), diameter, 1e-5);
         EXPECT_NEAR(box.min().x(), -diameter / 2, 1e-5);
+        EXPECT_DOUBLE_EQ(mirrorHeadOf(makeMirror(diameter).disc.radius), diameter);
     }
 }
 

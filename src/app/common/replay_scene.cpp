@@ -6,14 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "instruments/mirror.h"
 #include "session/model/spin_envelope_mesh.h"
 
 namespace tactooth {
-namespace {
-
-constexpr double kUsualHead = 22, kSmallestHead = 10, kLargestHead = 40;  // mm: diameters of mirrors
-
-}  // namespace
 
 ReplayBur ReplayBur::of(const Instrument& instrument) {
     if (instrument.hand) {
@@ -48,11 +44,12 @@ ShownTool ReplayBur::at(const Tick& tick, double time, std::shared_ptr<const Tri
 std::optional<ShownMirror> ReplayMirror::at(const MirrorSight& held) {
     if (!held.isShown) return std::nullopt;
     if (made_.mesh == nullptr || held.radius != radius_) {
-        static const double kRim = kUsualHead / 2 - makeMirror(kUsualHead).disc.radius;  // mm, of each mirror
-        const double diameter = 2 * (held.radiusMm() + kRim);
-        if (diameter < kSmallestHead || diameter > kLargestHead) return std::nullopt;
+        const double diameter = mirrorHeadOf(held.radiusMm());
+        if (diameter < kSmallestMirror || diameter > kLargestMirror) return std::nullopt;
         DentalMirror mirror = makeMirror(diameter);
-        made_ = {.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface)), .disc = mirror.disc};
+        made_ = {.mesh = std::make_shared<const TriangleMesh>(std::move(mirror.surface)),
+                 .disc = mirror.disc,
+                 .mirrorInTooth = {}};
         radius_ = held.radius;
     }
     ShownMirror shown = made_;

@@ -5,6 +5,7 @@
 #include "app/cli/terminal/default_text.h"
 #include "app/cli/terminal/number_range.h"
 #include "app/common/inspection.h"
+#include "instruments/mirror.h"
 
 namespace tactooth {
 namespace {
@@ -29,7 +30,7 @@ void addSubject(CLI::App& command, RenderOptions& options) {
     command
         .add_option("--mirror", options.mirror,
                     "Adds a mouth mirror with a head of this diameter, mm: 18 (No. 2) to 26 (No. 6)")
-        ->transform(numberFrom(10.0, 40.0))
+        ->transform(numberFrom(kSmallestMirror, kLargestMirror))
         ->type_name("MM");
     command.add_option("--fog", options.fog, "Fog on the mirror")->transform(numberFrom(0.0, 1.0))->type_name("SHARE");
     command.add_option("--drops", options.drops, "Share of the mirror covered by drops")
