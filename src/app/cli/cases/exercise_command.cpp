@@ -40,9 +40,8 @@ Expected<std::string> burOf(const Exercise& exercise) {
 Expected<std::string> rubricIn(const Exercise& exercise) {
     const Expected<Rubric> rubric = rubricOf(exercise);
     if (!rubric) return Unexpected{rubric.error()};
-    const bool isBuiltin = !exercise.rubric.ends_with(".toml");
     const std::string name = exercise.rubric.empty() ? std::string(kUsualRubric) : exercise.rubric;
-    return fmt::format("{} ({})", isBuiltin ? name : displayName(name), displayText(rubric->name));
+    return fmt::format("{} ({})", displayName(name), displayText(rubric->name));
 }
 
 Expected<void> describe(const ExerciseOptions& options) {
