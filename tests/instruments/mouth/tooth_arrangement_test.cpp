@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "geometry/field/isosurface.h"
 
@@ -16,18 +18,19 @@ const ToothArrangement& places() {
     return arranged;
 }
 
+std::vector<Vec3f> surfaceOf(const ToothShape& shape) {
+    return isosurface(shape.outer, shape.bounds, {.cellSize = 0.33, .lipschitzBound = 1.3}).vertices;
+}
+
 /// From the neck to the edge or the highest cusp, mm.
-double crownHeight(const ToothShape& shape) {
-    double height = 0;
-    for (const Vec3f& v : isosurface(shape.outer, shape.bounds, {.cellSize = 0.33, .lipschitzBound = 1.3}).vertices)
-        height = std::max(height, static_cast<double>(v.z()));
-    return height;
+double crownHeight(const std::vector<Vec3f>& surface) {
+    return std::ranges::max(surface, {}, [](const Vec3f& v) { return v.z(); }).z();
 }
 
 /// The level of a contact at its distal tooth: 0 at the edge, 1 at the neck.
 double levelOf(const JawQuadrant& side, std::size_t place) {
     const PlacedShape& tooth = side.teeth[place];
-    const double height = crownHeight(tooth.shape);
+    const double height = crownHeight(surfaceOf(tooth.shape));
     return 1 - (tooth.shapeInMouth.inverse() * side.contacts[place].point).z() / height;
 }
 
@@ -49,11 +52,11 @@ TEST(ToothArrangement, UpperCentralIncisorsStandSideBySideAndNotInAWedge) {
     const PlacedShape& tooth = places().upper.teeth[0];
     const Vec3 edge = tooth.shapeInMouth.rotation * Vec3::UnitX();
     EXPECT_LT(std::abs(edge.z()), 0.07);  // 4 degrees
-    const double edgeAt = crownHeight(tooth.shape);
+    const std::vector<Vec3f> surface = surfaceOf(tooth.shape);
+    const double edgeAt = crownHeight(surface);
     const auto toMidline = [&](double below) {
         double least = 1e9;
-        for (const Vec3f& v :
-             isosurface(tooth.shape.outer, tooth.shape.bounds, {.cellSize = 0.33, .lipschitzBound = 1.3}).vertices) {
+        for (const Vec3f& v : surface) {
             if (std::abs(v.z() - (edgeAt - below)) > 0.3) continue;
             least = std::min(least, (tooth.shapeInMouth * v.cast<double>()).x());
         }
