@@ -19,7 +19,7 @@ struct PlacedShape {
     Pose shapeInMouth;
 };
 
-/// The closest point between two neighbours.
+/// The closest point between two neighbours; of central incisors, which touch along a line, its middle.
 struct ProximalContact {
     Vec3 point = Vec3::Zero();  ///< mouth frame
     double gap = 0;             ///< mm
