@@ -15,6 +15,7 @@
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/file_transaction.h"
 #include "geometry/io/stl_writer.h"
+#include "geometry/util/display_text.h"
 #include "geometry/util/number_text.h"
 #include "instruments/bur_catalogue.h"
 #include "session/cases/custom_bur.h"
