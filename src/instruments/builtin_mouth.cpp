@@ -151,7 +151,7 @@ Expected<MouthLayout> makeMouthLayout(const MouthRequest& request) {
 }
 
 std::uint64_t mouthLayoutFingerprint(const MouthRequest& request) {
-    constexpr std::uint32_t kModel = 6;  // increase it when the same request gives other poses or another gingiva
+    constexpr std::uint32_t kModel = 7;  // increase it when the same request gives other poses or another gingiva
     ByteWriter facts;
     facts.put(kModel);
     facts.put(request.triangles);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "collision/bvh/closest_point.h"
 #include "geometry/mesh/mesh_report.h"
@@ -190,6 +191,33 @@ TEST(BuiltinMouth, PapillaeReachFartherDownThanTheMarginsBesideThem) {
     const double papilla = marginOf(gingiva, 0, -6, 3), margin = marginOf(gingiva, middle, -1, 5);
     EXPECT_GT(margin - papilla, 1.2);
     EXPECT_LT(margin - papilla, 4.5);
+}
+
+/// Where the face of the gingiva is between the two central incisors at a height; nothing above the papilla.
+std::optional<double> faceBetweenIncisors(const SurfacePart& gingiva, double z) {
+    constexpr double kFront = 6, kBehind = -6, kStep = 0.02;
+    for (double y = kFront; y > kBehind; y -= kStep) {
+        if (contains(gingiva, Vec3(0, y, z))) return y;
+    }
+    return std::nullopt;
+}
+
+TEST(BuiltinMouth, TheFaceOfADrawnPapillaHasNoLedge) {
+    for (const bool upper : {true, false}) {
+        const SurfacePart gingiva((upper ? mouth().upperShown : mouth().lowerShown).mesh);
+        const double crownward = upper ? -1 : 1;
+        constexpr double kStep = 0.1, kFromTip = 0.5, kFar = 4.5;  // mm
+        double tip = -12;
+        for (double height = -12; height < 6; height += kStep) {
+            if (faceBetweenIncisors(gingiva, crownward * height)) tip = height;
+        }
+        for (double below = kFromTip; below < kFar; below += kStep) {
+            const auto face = faceBetweenIncisors(gingiva, crownward * (tip - below));
+            const auto under = faceBetweenIncisors(gingiva, crownward * (tip - below - kStep));
+            ASSERT_TRUE(face && under) << upper << " " << below;
+            EXPECT_LT(*under - *face, 1.5 * kStep) << upper << " at " << below << " mm below the tip of the papilla";
+        }
+    }
 }
 
 TEST(BuiltinMouth, MissingTeethLeaveAHealedPlace) {

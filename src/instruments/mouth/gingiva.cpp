@@ -367,11 +367,13 @@ double Gingiva::operator()(const Vec3& p) const {
 /// The margin falls away from the tooth like a knife's edge that lies on it, and a papilla fills the embrasure.
 double Gingiva::shown(const Vec3& p) const {
     const Place place = placeOf(p);
-    constexpr double kMarginRound = 0.5, kSlope = 1.8;
+    // Between two teeth the face of the ridge goes over into that of the papilla without an edge.
+    constexpr double kMarginRound = 0.5, kPapillaRound = 2.5, kSlope = 1.8;
+    const double round = std::lerp(kMarginRound, kPapillaRound, place.line.rise);
     constexpr double kFall = 0.55, kFallen = 1.6;  // mm by which it falls, within so many mm from the tooth
     const double away = std::clamp(place.tooth / kFallen, 0.0, 1.0);
     const double depth = place.depth - kFall * away * (2 - away);
-    const double body = bounded(smoothIntersection(tissue(p, place), -depth / kSlope, kMarginRound), p, place);
+    const double body = bounded(smoothIntersection(tissue(p, place), -depth / kSlope, round), p, place);
     // Far enough into the teeth that no pixel between them and the margin stays dark, and not so far that it would be
     // seen where the inside of a tooth was cut.
     constexpr double kInto = 0.35;
