@@ -58,7 +58,7 @@ Appearance freeGingiva() {
     return {.colour = {0.86F, 0.53F, 0.51F}, .roughness = 0.42F, .translucency = 0.8F, .wetness = 0.8F, .grain = 0.3F};
 }
 Appearance mucosa() {
-    return {.colour = {0.77F, 0.41F, 0.40F}, .roughness = 0.32F, .translucency = 0.8F, .wetness = 0.95F, .grain = 0.2F};
+    return {.colour = {0.77F, 0.41F, 0.40F}, .roughness = 0.32F, .translucency = 0.8F, .wetness = 0.95F, .grain = 0.1F};
 }
 Appearance lip() {
     return {.colour = {0.74F, 0.38F, 0.37F}, .roughness = 0.42F, .translucency = 0.7F, .wetness = 0.5F, .grain = 0.35F};
