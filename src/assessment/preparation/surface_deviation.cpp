@@ -3,6 +3,11 @@
 #include "assessment/preparation/surface_deviation.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,38 +31,75 @@ struct Sums {
     Vec3 place = Vec3::Zero();
 };
 
-using Corners = std::array<Vec3, 3>;
+/// Distances of the vertices of a mesh to a surface, each computed once: some six triangles ask for it. May be called
+/// from several threads at once.
+class VertexDistances {
+public:
+    VertexDistances(const SurfacePart& to, std::size_t vertices) : to_(to), known_(vertices) {
+        for (auto& each : known_) each.store(kUnknown, std::memory_order_relaxed);
+    }
+
+    /// That of the vertex `vertex`, which is at `place`: negative inside, mm.
+    [[nodiscard]] double of(std::uint32_t vertex, const Vec3& place) {
+        double distance = known_[vertex].load(std::memory_order_relaxed);
+        if (!std::isnan(distance)) return distance;
+        distance = signedDistance(to_, place);  // two threads at once find the same
+        known_[vertex].store(distance, std::memory_order_relaxed);
+        return distance;
+    }
+
+private:
+    static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+    const SurfacePart& to_;
+    std::vector<std::atomic<double>> known_;
+};
+
+struct Corner {
+    Vec3 place;
+    std::optional<std::uint32_t> vertex;  // of the mesh; none where an edge was halved
+};
+using Corners = std::array<Corner, 3>;
+
+Vec3 middleOf(const Corners& corners) { return (corners[0].place + corners[1].place + corners[2].place) / 3; }
 
 class Sampler {
 public:
-    Sampler(const Preparation& preparation, const ColumnGrid& columns) : all_(preparation), columns_(columns) {}
+    Sampler(const Preparation& preparation, const ColumnGrid& columns)
+        : all_(preparation),
+          columns_(columns),
+          toIdeal_(*preparation.ideal, preparation.prepared->mesh().vertices.size()) {}
 
-    [[nodiscard]] Sums sumsOf(std::size_t triangle) const {
+    [[nodiscard]] Sums sumsOf(std::size_t triangle) {
         const TriangleMesh& mesh = all_.prepared->mesh();
+        Corners corners;
+        for (int i = 0; i < 3; ++i)
+            corners[static_cast<std::size_t>(i)] = {mesh.corner(triangle, i), mesh.triangles[triangle][i]};
         Sums sums;
-        divide({mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)}, sums);
+        divide(corners, sums);
         return sums;
     }
 
 private:
     /// Halves the longest edge until it is short.
-    void divide(const Corners& corners, Sums& sums) const {
+    void divide(const Corners& corners, Sums& sums) {
         if (isUnchanged(corners)) return;
         int longest = 0;
         double length = 0;
         for (int i = 0; i < 3; ++i) {
             const double edge =
-                (corners[static_cast<std::size_t>(i + 1) % 3] - corners[static_cast<std::size_t>(i)]).norm();
+                (corners[static_cast<std::size_t>(i + 1) % 3].place - corners[static_cast<std::size_t>(i)].place)
+                    .norm();
             if (edge > length) {
                 length = edge;
                 longest = i;
             }
         }
         if (length <= kEdge) return add(corners, sums);
-        const Vec3& a = corners[static_cast<std::size_t>(longest)];
-        const Vec3& b = corners[static_cast<std::size_t>(longest + 1) % 3];
-        const Vec3& c = corners[static_cast<std::size_t>(longest + 2) % 3];
-        const Vec3 half = (a + b) / 2;
+        const Corner& a = corners[static_cast<std::size_t>(longest)];
+        const Corner& b = corners[static_cast<std::size_t>(longest + 1) % 3];
+        const Corner& c = corners[static_cast<std::size_t>(longest + 2) % 3];
+        const Corner half = {(a.place + b.place) / 2, std::nullopt};
         divide({a, half, c}, sums);
         divide({half, b, c}, sums);
     }
@@ -65,25 +107,38 @@ private:
     /// Whether the whole triangle lies near both the uncut and the ideal surface: nobody has cut there or should have.
     /// The distance to a surface is 1-Lipschitz.
     [[nodiscard]] bool isUnchanged(const Corners& corners) const {
-        const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+        const Vec3 middle = middleOf(corners);
         double radius = 0;
-        for (const Vec3& corner : corners) radius = std::max(radius, (corner - middle).norm());
+        for (const Corner& corner : corners) radius = std::max(radius, (corner.place - middle).norm());
         if (radius >= kCavityDepth) return isFar(middle, radius);
         const double left = kCavityDepth - radius;
         return closestPoint(*all_.original, middle, left) && closestPoint(*all_.ideal, middle, left);
     }
 
+    // Most places lie near the surface: there the side, which takes a ray, does not matter.
+    [[nodiscard]] static bool isDeepIn(const SurfacePart& part, const Vec3& place) {
+        return !closestPoint(part, place, kCavityDepth) && contains(part, place);
+    }
+    [[nodiscard]] static bool isFarOff(const SurfacePart& part, const Vec3& place) {
+        return !closestPoint(part, place, kCavityDepth) && !contains(part, place);
+    }
+
     /// Whether the triangle lies wholly beside the columns.
     [[nodiscard]] bool isFar(const Vec3& middle, double radius) const { return !columns_.isNear(middle, radius); }
 
-    void add(const Corners& corners, Sums& sums) const {
-        const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    /// Signed distance of a corner to the ideal surface, mm.
+    [[nodiscard]] double toIdeal(const Corner& corner) {
+        return corner.vertex ? toIdeal_.of(*corner.vertex, corner.place) : signedDistance(*all_.ideal, corner.place);
+    }
+
+    void add(const Corners& corners, Sums& sums) {
+        const Vec3 middle = middleOf(corners);
         if (!columns_.covers(middle)) return;
-        const bool isCut = signedDistance(*all_.original, middle) < -kCavityDepth;
-        if (!isCut && signedDistance(*all_.ideal, middle) <= kCavityDepth) return;
+        const bool isCut = isDeepIn(*all_.original, middle);
+        if (!isCut && !isFarOff(*all_.ideal, middle)) return;
         Vec3 distance;  // at the corners, to the ideal surface
-        for (int i = 0; i < 3; ++i) distance[i] = signedDistance(*all_.ideal, corners[static_cast<std::size_t>(i)]);
-        const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
+        for (int i = 0; i < 3; ++i) distance[i] = toIdeal(corners[static_cast<std::size_t>(i)]);
+        const double area = (corners[1].place - corners[0].place).cross(corners[2].place - corners[0].place).norm() / 2;
         sums.area += area;
         sums.signedSum += area * distance.sum() / 3;
         sums.squares += area * (distance.squaredNorm() + distance.sum() * distance.sum()) / 12;  // of a linear function
@@ -92,7 +147,7 @@ private:
         for (int i = 0; i < 3; ++i) {
             if (-distance[i] <= sums.deepest) continue;
             sums.deepest = -distance[i];
-            sums.place = corners[static_cast<std::size_t>(i)];
+            sums.place = corners[static_cast<std::size_t>(i)].place;
         }
     }
 
@@ -117,12 +172,13 @@ private:
 
     const Preparation& all_;
     const ColumnGrid& columns_;
+    VertexDistances toIdeal_;
 };
 
 }  // namespace
 
 SurfaceDeviation surfaceDeviation(const Preparation& preparation, const ColumnGrid& columns) {
-    const Sampler sampler(preparation, columns);
+    Sampler sampler(preparation, columns);
     std::vector<Sums> sums(preparation.prepared->mesh().triangles.size());
     parallelFor(
         sums.size(), [&](std::size_t i) { sums[i] = sampler.sumsOf(i); }, kGrain);

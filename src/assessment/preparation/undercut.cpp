@@ -22,12 +22,13 @@ constexpr double kDeepest = 3;        // mm: more than any wall hangs over
 constexpr double kFloorLevel = 0.95;  // cosine: a floor has no side toward which its overhang ends
 constexpr int kHalvings = 9;          // to a ten-thousandth of a millimetre
 constexpr std::size_t kGrain = 32;    // facets: some hundred rays
+constexpr std::size_t kRow = 512;     // facets after which it is seen whether the rest can still matter
 
 class Overhang {
 public:
     Overhang(const Surface& prepared, const Vec3& axis) : prepared_(prepared), axis_(axis) {}
 
-    [[nodiscard]] bool isHidden(const Vec3& place) const { return firstHit(prepared_, {place, axis_}).has_value(); }
+    [[nodiscard]] bool isHidden(const Vec3& place) const { return meetsAny(prepared_, {place, axis_}); }
 
     /// Whether something hangs over even `depth` mm from `place` along `aside`.
     [[nodiscard]] bool isDeeperAt(const Vec3& place, const Vec3& aside, double depth) const {
@@ -71,6 +72,37 @@ std::vector<Vec3> directionsAround(const Vec3& axis) {
     return directions;
 }
 
+/// Whether each of the facets `from` to `to` is hidden along `direction`, though it does not face away from it.
+void findHidden(const Surface& prepared, const std::vector<Facet>& facets, const Vec3& direction, std::size_t from,
+                std::size_t to, std::vector<std::uint8_t>& isHidden) {
+    parallelFor(
+        to - from,
+        [&](std::size_t offset) {
+            const std::size_t i = from + offset;
+            const Facet& facet = facets[i];
+            const double cosine = facet.normal.dot(direction);
+            // Along a wall that faces away by less than a degree, so that its ray does not run into it.
+            const Vec3 ray = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
+            isHidden[i] =
+                cosine >= kFacingAway && Overhang(prepared, ray).isHidden(facet.centre + kLift * facet.normal);
+        },
+        kGrain);
+}
+
+/// The undercut area along `direction`, of which `facingAway` faces away from it; or, as soon as it is known that the
+/// area is not less than `limit`, any that is not.
+double undercutAlong(const Surface& prepared, const std::vector<Facet>& facets, const Vec3& direction,
+                     double facingAway, double limit) {
+    std::vector<std::uint8_t> isHidden(facets.size());
+    double area = facingAway;
+    for (std::size_t from = 0; from < facets.size() && area < limit; from += kRow) {
+        const std::size_t to = std::min(from + kRow, facets.size());
+        findHidden(prepared, facets, direction, from, to, isHidden);
+        for (std::size_t i = from; i < to; ++i) area += isHidden[i] != 0 ? facets[i].area : 0;
+    }
+    return area;
+}
+
 /// The least undercut of all directions. What faces away needs no rays, so the directions with the least of it come
 /// first, and most of the others need no more than that.
 double leastUndercut(const Surface& prepared, const CutSurfaces& surfaces, const Vec3& axis, double ofAxis) {
@@ -100,23 +132,9 @@ double leastUndercut(const Surface& prepared, const CutSurfaces& surfaces, const
     }
     std::ranges::stable_sort(tried, {}, &Tried::facingAway);
     double least = ofAxis;
-    std::vector<std::uint8_t> isHidden(facets.size());
     for (const auto& [facingAway, direction] : tried) {
         if (!(facingAway < least)) break;
-        parallelFor(
-            isHidden.size(),
-            [&](std::size_t i) {
-                const Facet& facet = facets[i];
-                const double cosine = facet.normal.dot(direction);
-                // Along a wall that faces away by less than a degree, so that its ray does not run into it.
-                const Vec3 ray = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
-                isHidden[i] =
-                    cosine >= kFacingAway && Overhang(prepared, ray).isHidden(facet.centre + kLift * facet.normal);
-            },
-            kGrain);
-        double area = facingAway;
-        for (std::size_t i = 0; i < isHidden.size(); ++i) area += isHidden[i] != 0 ? facets[i].area : 0;
-        least = std::min(least, area);
+        least = std::min(least, undercutAlong(prepared, facets, direction, facingAway, least));
     }
     return least;
 }

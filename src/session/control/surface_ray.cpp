@@ -104,6 +104,10 @@ private:
 /// Which sides of the triangles count.
 enum class Sides { Both, Outside };
 
+/// Which meeting is wanted.
+enum class Wanted { First, Any };
+
+template <Wanted kWanted = Wanted::First>
 Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& ray, Sides sides, Meeting best) {
     const auto& [tree, hidden] = visible;
     if (tree.empty()) return best;
@@ -123,7 +127,9 @@ Meeting firstOf(const SurfacePart& part, const VisibleBase& visible, const Ray& 
             if (hidden != nullptr && isHidden(*hidden, triangle)) continue;
             const Meeting found = meeting(ray, cornersOf(part.mesh(), triangle));
             if (found.leaves && sides == Sides::Outside) continue;
-            if (found.distance < best.distance) best = {found.distance, found.leaves, &part, triangle};
+            if (!(found.distance < best.distance)) continue;
+            best = {found.distance, found.leaves, &part, triangle};
+            if (kWanted == Wanted::Any) return best;
         }
     }
     return best;
@@ -146,6 +152,15 @@ std::optional<SurfaceHit> hitOf(const Meeting& best) {
 std::optional<double> firstHit(const Surface& surface, const Ray& ray) {
     const Meeting best = firstOf(surface, ray, Sides::Both);
     return best.distance < kNever ? std::optional(best.distance) : std::nullopt;
+}
+
+bool meetsAny(const Surface& surface, const Ray& ray) {
+    const auto meets = [&](const SurfacePart& part, const VisibleBase& visible) {
+        return firstOf<Wanted::Any>(part, visible, ray, Sides::Both, {}).part != nullptr;
+    };
+    return meets(*surface.base, visibleBase(surface)) || std::ranges::any_of(surface.patches, [&](const auto& patch) {
+               return meets(*patch, {patch->tree(), nullptr});
+           });
 }
 
 std::optional<SurfaceHit> firstHitWithNormal(const Surface& surface, const Ray& ray) {

@@ -16,6 +16,9 @@ inline constexpr double kFarAway = 60;
 /// triangle.
 [[nodiscard]] std::optional<double> firstHit(const Surface& surface, const Ray& ray);
 
+/// Whether `ray` meets any triangle of `surface`, from either side: quicker than to find the first.
+[[nodiscard]] bool meetsAny(const Surface& surface, const Ray& ray);
+
 /// Where a ray meets a surface first.
 struct SurfaceHit {
     double distance = 0;         ///< along the ray, mm

@@ -34,6 +34,7 @@ TEST(SurfaceRay, FindsTheNearSideOfABall) {
         if (std::abs(aside - 2) < 0.05) continue;  // grazing: facets and sphere differ
         const auto hit = firstHit(surface, ray);
         ASSERT_EQ(hit.has_value(), aside < 2) << i;
+        EXPECT_EQ(meetsAny(surface, ray), aside < 2) << i;
         if (!hit) continue;
         ++hits;
         EXPECT_NEAR(*hit, along - std::sqrt(4 - aside * aside), 0.03) << i;
@@ -66,8 +67,10 @@ TEST(SurfaceRay, LooksThroughWhatWasCutAwayAndSeesThePatches) {
     surface.hidden = std::make_shared<const TriangleMask>(
         TriangleMask((surface.base->mesh().triangles.size() + 63) / 64, ~std::uint64_t{0}));
     EXPECT_FALSE(firstHit(surface, down).has_value());
+    EXPECT_FALSE(meetsAny(surface, down));
     surface.patches.push_back(std::make_shared<const SurfacePart>(test::box(Vec3(0, 0, 0), Vec3(4, 4, 4))));
     EXPECT_NEAR(firstHit(surface, down).value(), 6, 1e-6);
+    EXPECT_TRUE(meetsAny(surface, down));
 }
 
 TEST(SurfaceRay, WhatIsBehindIsNotHit) {
