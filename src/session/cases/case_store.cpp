@@ -176,7 +176,8 @@ Expected<std::vector<std::byte>> CaseStore::read(const std::string& entry) const
     if (wanted.fault != EntryFault::None)
         return unexpected(msg::kSentence, inWords(wanted.fault, content_->name + ": '" + shownEntry(entry) + "'"));
     // Two file names may differ only in composition (NFC); the exact name comes first.
-    const auto [first, last] = std::ranges::equal_range(content_->files, wanted.name, {}, &StoredFile::name);
+    const auto first = std::ranges::lower_bound(content_->files, wanted.name, {}, &StoredFile::name);
+    const auto last = std::ranges::upper_bound(content_->files, wanted.name, {}, &StoredFile::name);
     if (first == last) return unexpected(msg::kCaseFileMissing, shown(entry));
     const auto exact = std::find_if(first, last, [&](const StoredFile& each) { return each.place == entry; });
     const std::string& place = (exact == last ? first : exact)->place;
