@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -276,8 +275,9 @@ void SessionModel::reportOverload(StepResult& stepResult) {
 
 void SessionModel::noteTouches() {
     const auto touches = [](const Tick& tick) { return tick.contact.triangles > 0; };
-    const auto last = std::ranges::find_if(std::views::reverse(log_.ticks()), touches);
-    if (last == std::views::reverse(log_.ticks()).end()) return;
+    const std::vector<Tick>& ticks = log_.ticks();
+    const auto last = std::find_if(ticks.rbegin(), ticks.rend(), touches);
+    if (last == ticks.rend()) return;
     touchedAt_ = last->time;
     isTouched_ = true;
     keeper_->noteTouch();

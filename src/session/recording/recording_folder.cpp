@@ -12,7 +12,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <ctime>
-#include <ranges>
 #include <regex>
 
 #include "geometry/files/file_bytes.h"
@@ -232,8 +231,9 @@ std::vector<fs::path> RecordingFolder::finished() const {
 void RecordingFolder::tidy() const {
     std::uint64_t all = bytes();
     if (all <= mostBytes_) return;
-    const std::vector<fs::path> newestFirst = finished();
-    for (const fs::path& file : std::views::reverse(newestFirst)) {
+    std::vector<fs::path> oldestFirst = finished();
+    std::ranges::reverse(oldestFirst);
+    for (const fs::path& file : oldestFirst) {
         if (all <= mostBytes_) return;
         if (isBeingRecorded(file)) continue;  // somebody restores it
         const std::uint64_t freed = sizeOf(file);

@@ -3,7 +3,6 @@
 #include "session/simulation/pulp_opening.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace tactooth {
 
@@ -27,10 +26,11 @@ std::optional<Vec3> nearestPulp(const Surface& tooth, const MaterialRegistry& ma
 }
 
 void PulpOpening::follow(const CutEvents& events, const Surface& tooth, const MaterialRegistry& materials) {
-    const auto newest = std::ranges::find_if(events.all() | std::views::reverse, [](const CutEvent& event) {
+    const std::vector<CutEvent>& all = events.all();
+    const auto newest = std::find_if(all.rbegin(), all.rend(), [](const CutEvent& event) {
         return event.kind == CutEventKind::PulpExposed && !event.isTakenBack;
     });
-    if (newest == std::ranges::rend(events.all())) {
+    if (newest == all.rend()) {
         place_.reset();
         return;
     }
