@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <random>
 
@@ -47,6 +48,16 @@ private:
     bool cuts_ = false;
 };
 
+/// Held lingually above a tooth whose highest point is at `top`. It shows the crown to somebody who looks from buccal.
+MirrorSight mirrorBehind(double top) {
+    const Vec3 glass(0, -11, top + 5), eye(-12, 52, 68), crown(0, 0, top - 1), handle(-1, -0.6, 0.8);
+    const Vec3 normal = ((eye - glass).normalized() + (crown - glass).normalized()).normalized();
+    const Vec3 stem = (handle - handle.dot(normal) * normal).normalized();
+    Eigen::Matrix3d frame;
+    frame << stem, normal.cross(stem), normal;
+    return MirrorSight::of({glass, Quat(frame)}, 9, eye);
+}
+
 }  // namespace
 
 void ScriptedSession::writeTo(const std::filesystem::path& file) const {
@@ -56,8 +67,11 @@ void ScriptedSession::writeTo(const std::filesystem::path& file) const {
     const auto model = std::make_shared<CutModel>(std::make_shared<const LayeredTooth>(std::move(*layered)), voxel);
     auto recorder = SessionRecorder::create(file, *model, built.name);
     ASSERT_TRUE(recorder) << recorder.error().message();
-    StrokingHand hand(seed, boundingBox(built.outer).max().z(), depth);
+    const double top = boundingBox(built.outer).max().z();
+    StrokingHand hand(seed, top, depth);
     auto change = changes.begin();
+    constexpr int kMirrorTick = 500;
+    constexpr std::chrono::steady_clock::time_point kLater(std::chrono::seconds(1));
     int ticks = 0;
     for (const Part& part : parts) {
         const auto spec = findBur(part.bur);
@@ -66,6 +80,7 @@ void ScriptedSession::writeTo(const std::filesystem::path& file) const {
         ASSERT_TRUE(bur) << bur.error().message();
         HapticSettings settings;
         settings.freedom = part.freedom;
+        if (hasMirror && &part == &parts.back()) (*recorder)->noteMirror({}, kLater);
         (*recorder)->append(BeginEvent{bur->instrument, settings});
         const auto lanes = std::make_shared<EventLanes>();
         EventMerger merger;
@@ -73,6 +88,7 @@ void ScriptedSession::writeTo(const std::filesystem::path& file) const {
         for (const int end = static_cast<int>(part.end / SteppedSession::kPeriod + 0.5); ticks < end; ++ticks) {
             const double time = ticks * SteppedSession::kPeriod;
             session.step(hand.at(time));
+            if (hasMirror && ticks == kMirrorTick) (*recorder)->noteMirror(mirrorBehind(top), {});
             for (; change != changes.end() && change->time <= time; ++change) session.edit(change->edit);
             lanes->drain(merger);
             std::vector<SessionEvent> events;

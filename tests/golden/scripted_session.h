@@ -34,6 +34,7 @@ struct ScriptedSession {
     unsigned seed = 1;
     std::vector<Part> parts;      ///< the last one ends the session
     std::vector<Change> changes;  ///< ascending
+    bool hasMirror = false;       ///< a mouth mirror behind the tooth, from half a second on until the last bur begins
     double depth = 3;             ///< mm: how far below the highest cusp the hand goes
 
     /// Records the session.

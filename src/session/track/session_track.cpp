@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/util/assert.h"
+#include "session/recording/mirror_moments.h"
 
 namespace tactooth {
 
@@ -51,11 +52,9 @@ std::vector<MirrorMoment> SessionTrack::mirror() const {
     return mirror_;
 }
 
-/// As with burs, what came just after the tick of a moment belongs to it.
 MirrorSight SessionTrack::mirrorAt(std::uint64_t moment) const {
     const std::lock_guard lock(mutex_);
-    const auto later = std::ranges::upper_bound(mirror_, moment, {}, &MirrorMoment::tick);
-    return later == mirror_.begin() ? MirrorSight() : std::prev(later)->sight;
+    return sightAt(mirror_, moment);
 }
 
 void SessionTrack::finish(std::optional<double> differsAt, std::optional<Message> fault) {

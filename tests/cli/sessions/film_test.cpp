@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/motion_files.h"
+#include "journal/file/journal_reader.h"
+#include "journal/file/journal_writer.h"
+#include "support/test_data.h"
 #include "support/text_file.h"
 #include "view/render/image.h"
 
@@ -35,6 +38,29 @@ protected:
         fs::create_directories(file("none"));
         return {{"PATH", file("none")}};
     }
+    /// A copy of a recording that does not say how the mirror was held.
+    static void withoutMirror(const fs::path& recording, const fs::path& copy) {
+        const auto journal = JournalReader::open(recording);
+        ASSERT_TRUE(journal) << journal.error().message();
+        auto writer = JournalWriter::create(copy, journal->headerJson());
+        ASSERT_TRUE(writer) << writer.error().message();
+        for (const BlockPlace& block : journal->blocks()) {
+            if (block.header.type == BlockType::Mirror || isOfContainer(block.header.type)) continue;
+            auto payload = journal->payload(block);
+            ASSERT_TRUE(payload) << payload.error().message();
+            (*writer)->appendWhenRoom(
+                {block.header.type, block.header.firstTick, block.header.ticks, std::move(*payload)});
+        }
+        ASSERT_TRUE((*writer)->close(journal->ticks()->end));
+    }
+    /// The share of the pixels that differ.
+    static double differing(const Image& a, const Image& b) {
+        EXPECT_EQ(a.pixels.size(), b.pixels.size());
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < std::min(a.pixels.size(), b.pixels.size()); ++i)
+            count += a.pixels[i] != b.pixels[i];
+        return static_cast<double>(count) / static_cast<double>(a.pixels.size());
+    }
     std::vector<std::string> arguments(const std::string& film, std::vector<std::string> more = {}) {
         std::vector<std::string> all = {"replay", file("s.ttsession"), "--film", film, "--size", "64x48", "--fps", "5"};
         all.insert(all.end(), more.begin(), more.end());
@@ -55,6 +81,39 @@ TEST_F(Film, PicturesAreEvenlySpreadOverTheSession) {
         EXPECT_FALSE(isEmpty);
     }
     EXPECT_FALSE(fs::exists(file("out") + "/picture-004.png"));
+}
+
+/// The recording shows it from half a second on, and not any more after a second and a half.
+TEST_F(Film, PicturesShowTheMirrorWhereItWasHeld) {
+    const std::string session = sourceFolder() / "tests/golden/data/ball-coarse.ttsession";
+    withoutMirror(session, file("without.ttsession"));
+    const auto pictures = [&](const std::string& recording, const std::vector<std::string>& more) {
+        std::vector<std::string> command = {"replay", recording, "--out", file("out"), "--pictures", "5"};
+        command.insert(command.end(), {"--size", "160x120"});
+        command.insert(command.end(), more.begin(), more.end());
+        const ProgramRun run = runTactooth(command);
+        EXPECT_EQ(run.exitCode, 0) << run.err;
+        std::vector<Image> images;
+        for (int i = 1; i <= 5; ++i) {
+            auto image = readPng(file("out") + "/picture-00" + std::to_string(i) + ".png");
+            EXPECT_TRUE(image) << image.error().message();
+            images.push_back(image ? std::move(*image) : Image());
+        }
+        fs::remove_all(file("out"));
+        return images;
+    };
+    const std::vector<std::string> dentist = {"--view", "dentist"};
+    const auto with = pictures(session, dentist), without = pictures(file("without.ttsession"), dentist);
+    const auto fromTheEye = pictures(session, {}), noEye = pictures(file("without.ttsession"), {});
+    for (const std::size_t at : {0U, 1U, 2U, 3U, 4U}) {
+        const bool isHeld = at == 1;  // 1 s; the others are at its bounds, or beyond them
+        if (at != 0 && at != 2) {
+            EXPECT_EQ(differing(with[at], without[at]) > 0.02, isHeld) << at;
+        }
+        EXPECT_EQ(differing(without[at], noEye[at]), 0) << "no recorded eye: that of a dentist";
+        EXPECT_GT(differing(with[at], fromTheEye[at]), 0.02) << "the recorded eye";
+    }
+    EXPECT_EQ(differing(with[3], without[3]), 0);
 }
 
 TEST_F(Film, WithoutFfmpegIsAFolderOfPicturesAndTheSound) {

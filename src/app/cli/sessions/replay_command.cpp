@@ -86,7 +86,7 @@ public:
         if (!options.film.file.empty()) {
             if (auto fits = ReplayFilm::check(options.film, *size, seconds_); !fits) return fits;
         }
-        Expected<ReplayPictures> pictures = ReplayPictures::create(options.view, *size, model);
+        Expected<ReplayPictures> pictures = ReplayPictures::create(options.view, *size, recording, model);
         if (!pictures) return Unexpected{pictures.error()};
         pictures_.emplace(std::move(*pictures));
         if (options.film.file.empty()) return {};

@@ -20,7 +20,8 @@ struct ReplayOptions {
     int pictures = 0;                ///< in `out`, evenly over the session
     FilmOptions film;
     std::string size = "1280x720";  ///< of pictures and film, as for `tactooth render`
-    std::string view = "dentist";   ///< the same
+    /// Direction, as for `tactooth render`; none: from where the session was looked at, else as a dentist looks.
+    std::optional<std::string> view;
 };
 
 /// Simulates a recorded session again, as fast as this machine can, and compares it with the recording.

@@ -12,19 +12,21 @@
 
 namespace tactooth {
 
-/// Draws moments of a replay: the tooth, all around it, and the instrument.
+/// Draws moments of a replay: the tooth, all around it, the instrument and the mouth mirror.
 class ReplayPictures {
 public:
-    /// `view`: as for `tactooth render`. `model`: of the replay. Fails with one sentence if the view is unknown, or if
-    /// this machine cannot draw.
-    [[nodiscard]] static Expected<ReplayPictures> create(const std::string& view, ImageSize size,
-                                                         const CutModel& model);
+    /// `view`: as for `tactooth render`; none: the eye that first saw the mirror, else as a dentist looks. `model`: of
+    /// the replay. Fails with one sentence if the view is unknown, if the recording is damaged, or if this machine
+    /// cannot draw.
+    [[nodiscard]] static Expected<ReplayPictures> create(const std::optional<std::string>& view, ImageSize size,
+                                                         const SessionRecording& recording, const CutModel& model);
 
     /// `tick` is the newest tick of the replay; `time`: since the session began, s.
     [[nodiscard]] Expected<Image> draw(const SessionReplay& replay, const Tick& tick, double time);
 
 private:
-    ReplayPictures(OffscreenRenderer renderer, const OrbitCamera& camera, ImageSize size, const CutModel& model);
+    ReplayPictures(OffscreenRenderer renderer, const OrbitCamera& camera, ImageSize size, const CutModel& model,
+                   std::vector<MirrorMoment> mirror);
 
     OffscreenRenderer renderer_;
     OrbitCamera camera_;
@@ -33,6 +35,8 @@ private:
     HandpieceMeshes handpieces_;
     std::shared_ptr<const ToolShape> shape_;  // of `bur_`
     ReplayBur bur_;
+    std::vector<MirrorMoment> held_;  // in the order of their ticks
+    ReplayMirror mirror_;
 };
 
 }  // namespace tactooth

@@ -53,9 +53,11 @@ void addPictures(CLI::App& command, ReplayOptions& options) {
         ->type_name("WxH")
         ->group(kGroup);
     command
-        .add_option("--view", options.view,
-                    "Direction of the view: occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
-                    "degrees (default: dentist)")
+        .add_option(
+            "--view", options.view,
+            "Direction of the view: occlusal, buccal, lingual, mesial, distal, dentist or AZIMUTH,ELEVATION in "
+            "degrees (default: from where the session was looked at when it first showed the mouth mirror, else "
+            "dentist)")
         ->type_name("NAME")
         ->group(kGroup);
 }

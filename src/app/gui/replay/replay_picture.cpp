@@ -7,14 +7,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/common/recorded_eye.h"
 #include "app/gui/input/picture_pixels.h"
 #include "app/gui/panels/elided_label.h"
 #include "app/gui/replay/clock_text.h"
-#include "app/gui/replay/recorded_eye.h"
 #include "app/gui/replay/replay_source.h"
 #include "app/gui/scene/tooth_view.h"
 #include "app/gui/text/translation.h"
 #include "geometry/files/file_bytes.h"
+#include "session/recording/mirror_moments.h"
 
 namespace tactooth {
 
@@ -68,7 +69,7 @@ void ReplayPicture::setSource(const ReplaySource& source) {
     title_->setText(QString("%1 — %2").arg(QString::fromStdString(displayName(source.file().filename())),
                                            translated(source.facts().title)));
     view_->resetView();
-    if (const auto eye = firstEye(*source.track())) {
+    if (const auto eye = firstEye(source.track()->mirror())) {
         view_->setOrbitCamera(lookingFrom(view_->orbitCamera(), *eye, pictureSize(*view_)));
     }
 }

@@ -1,18 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/replay/recorded_eye.h"
+#include "app/common/recorded_eye.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tactooth {
-
-std::optional<Vec3> firstEye(const SessionTrack& track) {
-    const std::vector<MirrorMoment> mirror = track.mirror();
-    const auto first = std::ranges::find_if(mirror, [](const MirrorMoment& each) { return each.sight.isShown; });
-    if (first == mirror.end()) return std::nullopt;
-    return first->sight.eyePlace();
-}
 
 OrbitCamera lookingFrom(OrbitCamera camera, const Vec3& eye, ImageSize picture) {
     constexpr double kNearest = 1, kAside = 1e-3;  // mm; of the distance

@@ -1,26 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/replay/recorded_eye.h"
+#include "app/common/recorded_eye.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "app/gui/replay/ready_track.h"
-
 namespace tactooth {
 namespace {
-
-TEST(RecordedEye, IsTheFirstThatSawTheMirror) {
-    const auto track = test::trackOf(10, 1);
-    EXPECT_FALSE(firstEye(*track));
-    track->setMirror({{0, MirrorSight()}});
-    EXPECT_FALSE(firstEye(*track));
-    track->setMirror({{0, MirrorSight()},
-                      {3, MirrorSight::of({}, 10, Vec3(1, 200, 50))},
-                      {5, MirrorSight::of({}, 10, Vec3(0, 100, 90))}});
-    EXPECT_EQ(firstEye(*track), Vec3(1, 200, 50));
-}
 
 TEST(RecordedEye, TheCameraLooksFromThereAtItsTarget) {
     OrbitCamera camera;
