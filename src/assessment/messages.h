@@ -223,9 +223,8 @@ inline constexpr MessageText kLevelHard{"level_hard", "hard", "難しい"};
 inline constexpr MessageText kNothingCut{"nothing_cut", "nothing was cut", "何も削られていません"};
 inline constexpr MessageText kNothingToCompare{"nothing_to_compare", "neither of the two surfaces is cut",
                                                "どちらの表面にも削られた部分がありません"};
-inline constexpr MessageText kFloorTooNarrow{"floor_too_narrow",
-                                             "there is no floor wider than 0.6 mm, without its rounded border",
-                                             "丸みのある縁を除くと、幅 0.6 mm を超える窩底がありません"};
+inline constexpr MessageText kNoFloor{"no_floor", "nothing larger than 0.05 mm² faces the axis within 45 degrees",
+                                      "軸から 45 度以内を向く、0.05 mm² を超える面がありません"};
 inline constexpr MessageText kNoSuchWall{"no_such_wall", "a preparation from this side has no such wall",
                                          "この方向からの形成には、そのような壁がありません"};
 inline constexpr MessageText kWallTooSmall{"wall_too_small", "the wall is smaller than 0.5 mm²",

@@ -2,61 +2,87 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assessment/preparation/cavity_form.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "assessment/gauge/floor_places.h"
 #include "assessment/messages.h"
 #include "assessment/preparation/quantile.h"
 #include "geometry/util/degree.h"
+#include "geometry/util/parallel_for.h"
 #include "session/control/surface_ray.h"
 
 namespace tactooth {
 namespace {
 
-const double kFloorCosine = std::cos(30 * kDegree);  // a floor faces the axis within 30 degrees
-const double kWallCosine = std::sin(45 * kDegree);   // a wall is nearer to the axis than to its normal plane
-constexpr double kAxialCosine = 0.5;                 // of a crown preparation: steeper than a cusp's bevel
-constexpr double kRounding = 0.3;                    // mm: strip along the border with the rounded angles
-constexpr double kLeastWall = 0.5;                   // mm^2: smaller walls are not judged
-constexpr double kLeastInner = 0.05;                 // mm^2 within the border, for a direction worth the name
+const double kWallCosine = std::sin(45 * kDegree);  // a wall is nearer to the axis than to its normal plane
+constexpr double kAxialCosine = 0.5;                // of a crown preparation: steeper than a cusp's bevel
+constexpr double kRounding = 0.3;                   // mm: strip along the border with the rounded angles
+constexpr double kLeastWall = 0.5;                  // mm^2: smaller walls are not judged
+constexpr double kLeastInner = 0.05;                // mm^2 within the border, for a direction worth the name
 
 struct FloorDepth {
-    double depth, area;  // mm, mm^2
+    double depth;  // mm
     Vec3 place;
 };
 
+struct FloorPlane {
+    Vec3 centre, normal;  // mm; unit, out of the tooth
+    double rms;           // distance of the places, mm
+};
+
+/// By total least squares; all places count alike.
+FloorPlane planeThrough(const std::vector<Vec3>& places, const Vec3& axis) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& place : places) mean += place / static_cast<double>(places.size());
+    Mat3 spread = Mat3::Zero();
+    for (const Vec3& place : places)
+        spread += (place - mean) * (place - mean).transpose() / static_cast<double>(places.size());
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(spread);
+    const Vec3 normal = axes.eigenvectors().col(0);
+    return {mean, normal.dot(axis) < 0 ? Vec3(-normal) : normal, std::sqrt(std::max(0.0, axes.eigenvalues()[0]))};
+}
+
+std::vector<FloorDepth> depthsOf(const Preparation& preparation, const std::vector<Vec3>& floor) {
+    constexpr std::size_t kGrain = 256;  // rays
+    std::vector<FloorDepth> depths(floor.size());
+    parallelFor(
+        floor.size(),
+        [&](std::size_t i) {
+            depths[i] = {depthInside(*preparation.original, floor[i], preparation.axis), floor[i]};
+        },
+        kGrain);
+    std::ranges::stable_sort(depths, {}, &FloorDepth::depth);
+    return depths;
+}
+
 void measureFloor(const Preparation& preparation, const CutSurfaces& surfaces, CavityForm& form) {
-    const auto floors = connectedPieces(surfaces, patchBetween(surfaces, preparation.axis, kFloorCosine, 1.1));
-    const CutPatch floor = floors.empty() ? CutPatch{} : withoutBorder(surfaces, floors.front(), kRounding);
-    if (areaOf(surfaces, floor) < kLeastInner) {
-        const MessageText& reason = surfaces.facets.empty() ? msg::kNothingCut : msg::kFloorTooNarrow;
+    const std::vector<Vec3> floor = floorPlaces(surfaces.cut.mesh, preparation.axis);
+    if (floor.empty()) {
+        const MessageText& reason = surfaces.facets.empty() ? msg::kNothingCut : msg::kNoFloor;
         for (Measured* each : {&form.floorDepth, &form.floorDepthMin, &form.floorDepthP5, &form.floorDepthP95,
                                &form.floorDepthMax, &form.floorFlatness, &form.floorTilt})
             *each = Measured::none(reason);
         return;
     }
-    const FittedPlane plane = fittedPlane(surfaces, floor);
+    const FloorPlane plane = planeThrough(floor, preparation.axis);
     form.floorFlatness = Measured::at(plane.rms, plane.centre);
     form.floorTilt =
         Measured::at(std::acos(std::clamp(plane.normal.dot(preparation.axis), -1.0, 1.0)) / kDegree, plane.centre);
-    std::vector<FloorDepth> depths;
-    for (const std::uint32_t i : floor) {
-        const Facet& facet = surfaces.facets[i];
-        depths.push_back(
-            {depthInside(*preparation.original, facet.centre, preparation.axis), facet.area, facet.centre});
-    }
-    std::ranges::sort(depths, [](const FloorDepth& a, const FloorDepth& b) {
-        return std::pair(a.depth, a.area) < std::pair(b.depth, b.area);
-    });
-    const double area = areaOf(surfaces, floor);
-    const auto quantile = [&](double share) { return quantileByArea(depths, area, share, &FloorDepth::area); };
-    const auto at = [](const FloorDepth& each) { return Measured::at(each.depth, each.place); };
-    form.floorDepth = Measured::at(quantile(0.5).depth, plane.centre);
-    form.floorDepthMin = at(depths.front());
-    form.floorDepthP5 = at(quantile(0.05));
-    form.floorDepthP95 = at(quantile(0.95));
-    form.floorDepthMax = at(depths.back());
+    const std::vector<FloorDepth> depths = depthsOf(preparation, floor);
+    const auto at = [&](double share) {
+        const auto all = static_cast<double>(depths.size());
+        const FloorDepth& found = quantileByArea(depths, all, share, [](const FloorDepth&) { return 1; });
+        return Measured::at(found.depth, found.place);
+    };
+    const std::size_t count = depths.size();  // of an even number the median lies between the middle two
+    form.floorDepth = Measured::at((depths[(count - 1) / 2].depth + depths[count / 2].depth) / 2, plane.centre);
+    form.floorDepthMin = at(0);
+    form.floorDepthP5 = at(0.05);
+    form.floorDepthP95 = at(0.95);
+    form.floorDepthMax = at(1);
 }
 
 /// Of the walls of a crown preparation the part next to the finish line: farther up begin the planes that follow cusps

@@ -113,12 +113,4 @@ LeastSpread leastSpread(const CutSurfaces& surfaces, const CutPatch& patch, Vec3
     return {mean, axes.eigenvectors().col(0), std::sqrt(std::max(0.0, axes.eigenvalues()[0]))};
 }
 
-FittedPlane fittedPlane(const CutSurfaces& surfaces, const CutPatch& patch) {
-    const LeastSpread least = leastSpread(surfaces, patch, &Facet::centre);
-    Vec3 normals = Vec3::Zero();
-    for (const std::uint32_t i : patch) normals += surfaces.facets[i].area * surfaces.facets[i].normal;
-    const bool isInward = least.direction.dot(normals) < 0;
-    return {least.mean, isInward ? Vec3(-least.direction) : least.direction, least.rms};
-}
-
 }  // namespace tactooth

@@ -31,11 +31,4 @@ struct LeastSpread {
 };
 [[nodiscard]] LeastSpread leastSpread(const CutSurfaces& surfaces, const CutPatch& patch, Vec3 Facet::*part);
 
-/// The plane nearest to the middles of the triangles, weighted by area (total least squares). `patch` is not empty.
-struct FittedPlane {
-    Vec3 centre, normal;  ///< mm; unit, out of the tooth
-    double rms;           ///< distance of the middles, mm
-};
-[[nodiscard]] FittedPlane fittedPlane(const CutSurfaces& surfaces, const CutPatch& patch);
-
 }  // namespace tactooth

@@ -58,7 +58,7 @@ struct ShownHabit {
     /// Kendall's tau of amount and value (M. G. Kendall, "A new measure of rank correlation", Biometrika 30, 1938);
     /// nothing where a value cannot be measured.
     std::optional<double> tau = {};
-    /// Whether it could be measured for all hands: a narrow cavity, for instance, has no floor to measure.
+    /// Whether it could be measured for all hands: a short cavity, for instance, has no isthmus to measure.
     [[nodiscard]] bool isMeasured() const;
     /// In the direction that it must have, with at most one pair of amounts in the wrong order, and the most of the
     /// habit beyond the least.

@@ -48,6 +48,34 @@ TriangleMesh blockWithBox(double left, double right, double back, double front, 
                              Rectangle::level(left, right, back, front, floor));
 }
 
+TriangleMesh blockWithFloorProfile(const std::vector<Vec2>& profile) {
+    TriangleMesh mesh;
+    addCorners(mesh, Rectangle::level(-5, 5, -5, 5, -5));
+    addCorners(mesh, Rectangle::level(-5, 5, -5, 5, 5));
+    for (const Vec2& at : profile) {  // of each: the opening behind, the floor behind and in front, the opening there
+        for (const Vec3& corner :
+             {Vec3(at.x(), -1.5, 5), Vec3(at.x(), -1.5, at.y()), Vec3(at.x(), 1.5, at.y()), Vec3(at.x(), 1.5, 5)})
+            mesh.vertices.push_back(corner.cast<float>());
+    }
+    const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    };
+    face(0, 3, 2, 1);
+    for (std::uint32_t i = 0; i < 4; ++i) face(i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i);
+    constexpr std::uint32_t kFirst = 8;
+    const std::uint32_t last = kFirst + 4 * (static_cast<std::uint32_t>(profile.size()) - 1);
+    for (std::uint32_t i = kFirst; i < last; i += 4) {
+        mesh.triangles.insert(mesh.triangles.end(), {{4, i + 4, i}, {7, i + 3, i + 7}});
+        for (std::uint32_t k = 0; k < 3; ++k) face(i + k, i + 4 + k, i + 5 + k, i + 1 + k);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), {{4, 5, last}, {7, last + 3, 6}});
+    face(4, kFirst, kFirst + 3, 7);
+    face(kFirst, kFirst + 1, kFirst + 2, kFirst + 3);
+    face(5, 6, last + 3, last);
+    face(last, last + 3, last + 2, last + 1);
+    return mesh;
+}
+
 TriangleMesh blockWithSlotAndBox() {
     constexpr std::uint32_t kCorners = 8;
     constexpr std::array<std::array<double, 2>, kCorners> kBlock = {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "assessment/preparation/preparation_metrics.h"
 
@@ -29,6 +30,9 @@ struct Rectangle {
 
 /// An upright box of this opening as cavity, down to z = `floor`.
 [[nodiscard]] TriangleMesh blockWithBox(double left, double right, double back, double front, double floor);
+
+/// A cavity with upright walls from y = -1.5 to 1.5 mm, whose floor has a profile: places (x, z) of rising x.
+[[nodiscard]] TriangleMesh blockWithFloorProfile(const std::vector<Vec2>& profile);
 
 /// A cavity of Class II, seen from above, 2 mm deep: a slot from x = -3 to 1 mm, 1.2 mm wide, and a box from there to
 /// x = 2.4 mm, 2.8 mm wide.
