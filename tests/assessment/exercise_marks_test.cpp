@@ -127,16 +127,8 @@ protected:
     }
 
     [[nodiscard]] std::vector<MetricResult> measure(const TriangleMesh& work) const {
-        Preparation preparation;
-        preparation.original = scene_.tooth->ownOuter();
+        Preparation preparation = scene_.preparation(exercise_);
         preparation.prepared = std::make_shared<const SurfacePart>(work);
-        preparation.ideal = std::make_shared<const SurfacePart>(*scene_.ideal);
-        preparation.axis = std::get<PreparationPlan>(exercise_.ideal).outward;
-        preparation.mesialX = scene_.tooth->toothContext().mesialX;
-        for (const LayeredTooth::Layer& layer : scene_.tooth->layers()) {
-            if (layer.material == test::kPulp) preparation.pulps.push_back(layer.part);
-        }
-        preparation.gums = exerciseGums(exercise_);
         return measureAll(PreparationMeasures(preparation));
     }
 

@@ -82,7 +82,8 @@ TEST_F(NextSteps, SpeakJapanese) {
 /// Each criterion of each built-in rubric has advice of its own, on the side on which it can be off.
 TEST(NextStepsOfRubrics, HaveWordsForEachCriterion) {
     for (const char* name :
-         {"near-ideal", "near-ideal-strict", "class-1", "class-2", "class-3", "class-5", "endodontic-access"}) {
+         {"near-ideal", "near-ideal-strict", "class-1", "class-1-conservative", "class-2", "class-3", "class-3-lingual",
+          "class-5", "class-5-conservative", "fissurotomy", "endodontic-access"}) {
         const auto rubric = findRubric(name);
         ASSERT_TRUE(rubric) << rubric.error().message();
         for (const Criterion& criterion : rubric->criteria) {

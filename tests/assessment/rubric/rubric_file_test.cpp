@@ -149,8 +149,9 @@ TEST(RubricFile, IsFoundByItsName) {
     const auto unknown = findRubric("class-9");
     ASSERT_FALSE(unknown);
     EXPECT_THAT(unknown.error().message(), HasSubstr("there is no rubric 'class-9'"));
-    EXPECT_THAT(unknown.error().message(), HasSubstr("class-1, class-2, class-3, class-5, crown-ceramic, crown-metal, "
-                                                     "endodontic-access, light-hand, near-ideal"));
+    EXPECT_THAT(unknown.error().message(),
+                HasSubstr("class-1, class-2, class-3-lingual, class-3, class-5-conservative, class-5, crown-ceramic, "
+                          "crown-metal, endodontic-access, fissurotomy, light-hand, near-ideal"));
     const auto missing = findRubric("nowhere/mine.toml");
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().message(), HasSubstr("there is no such file"));
