@@ -250,6 +250,10 @@ inline constexpr MessageText kNoGumKnown{"no_gum_known", "the files have no gum"
 inline constexpr MessageText kNoPulpKnown{"no_pulp_known", "the files have no pulp", "ファイルに歯髄がありません"};
 inline constexpr MessageText kNoNeighbourKnown{"no_neighbour_known", "the files have no tooth beside",
                                                "ファイルに隣在歯がありません"};
+inline constexpr MessageText kNoNeighbourThere{"no_neighbour_there", "no tooth stands within 3 mm of the box",
+                                               "窩洞の隣接面から 3 mm 以内に歯がありません"};
+inline constexpr MessageText kNoBox{"no_box", "neither of the two preparations has a proximal box",
+                                    "どちらの形成にも隣接面窩洞がありません"};
 inline constexpr MessageText kNoForbiddenZone{"no_forbidden_zone", "the exercise has no forbidden zone",
                                               "この課題に切削禁止域はありません"};
 inline constexpr MessageText kNoTissueKnown{"no_tissue_known", "the files do not say what is enamel and dentin",

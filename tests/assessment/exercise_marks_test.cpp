@@ -162,6 +162,23 @@ TEST_P(EachRubric, PassesAnExpert) {
     EXPECT_EQ(valueIn(expert, "pulp_open"), exercise_.opensPulp() ? 1 : 0);
 }
 
+/// The ideal box stands clear of the tooth beside, at its gingival margin by about the 0.5 mm of textbooks.
+TEST_P(EachRubric, OpensTheContactOfABox) {
+    const auto* plan = std::get_if<PreparationPlan>(&exercise_.ideal);
+    if (exercise_.group != ExerciseGroup::ClassTwo) return;
+    ASSERT_NE(plan, nullptr);
+    const std::vector<MetricResult> expert = measure(*scene_.ideal);
+    for (const char* id : {"contact_gap_gingival", "contact_gap_buccal", "contact_gap_lingual"}) {
+        std::printf("  %s %s: %.3f\n", exercise_.id.c_str(), id, valueIn(expert, id));
+        EXPECT_GE(valueIn(expert, id), 0.1) << id;
+        EXPECT_LE(valueIn(expert, id), 0.8) << id;
+    }
+    EXPECT_NEAR(valueIn(expert, "contact_gap_gingival"), 0.5, 0.2);
+    const std::vector<MetricResult> uncut = measure(scene_.tooth->ownOuter()->mesh());
+    for (const char* id : {"contact_gap_gingival", "contact_gap_buccal", "contact_gap_lingual"})
+        EXPECT_EQ(valueIn(uncut, id), 0) << id;
+}
+
 TEST_P(EachRubric, FailsWhoDrillsIntoThePulpOrDoesNotFindIt) {
     const SurfacePart* pulp = nullptr;
     for (const LayeredTooth::Layer& layer : scene_.tooth->layers()) {

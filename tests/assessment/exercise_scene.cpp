@@ -4,10 +4,29 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
+#include "session/simulation/tooth_cache.h"
+#include "session/simulation/tooth_in_mouth.h"
 #include "support/materials.h"
 
 namespace tactooth::test {
+
+namespace {
+
+/// The uncut teeth beside; null where the exercise has none.
+std::shared_ptr<const SurfacePart> neighboursOf(const Exercise& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    if (request == nullptr || !exercise.inMouth) return nullptr;
+    const MouthRequest mouth{.triangles = request->triangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
+    const auto made = toothInMouth(request->fdi, std::nullopt, mouth, ToothCache(defaultCacheFolder()));
+    if (!made) return nullptr;
+    TriangleMesh mesh;
+    for (const BuiltinTooth& tooth : made->beside) append(mesh, tooth.outer);
+    return mesh.empty() ? nullptr : std::make_shared<const SurfacePart>(std::move(mesh));
+}
+
+}  // namespace
 
 const ExerciseScene& ExerciseScene::of(const Exercise& exercise) {
     static std::map<std::string, ExerciseScene> made;
@@ -16,6 +35,7 @@ const ExerciseScene& ExerciseScene::of(const Exercise& exercise) {
     ExerciseScene scene;
     scene.tooth = *exerciseTooth(exercise);
     scene.ideal = idealShape(exercise, scene.tooth);
+    scene.neighbours = neighboursOf(exercise);
     return made.emplace(exercise.id, std::move(scene)).first->second;
 }
 
@@ -27,6 +47,7 @@ Preparation ExerciseScene::preparation(const Exercise& exercise) const {
     preparation.axis = std::get<PreparationPlan>(exercise.ideal).outward;
     preparation.mesialX = tooth->toothContext().mesialX;
     preparation.forbidden = exercise.forbidden;
+    preparation.neighbours = neighbours;
     preparation.gums = exerciseGums(exercise);
     for (const LayeredTooth::Layer& layer : tooth->layers()) {
         if (layer.material == kPulp) preparation.pulps.push_back(layer.part);

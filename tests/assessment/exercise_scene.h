@@ -13,6 +13,7 @@ namespace tactooth::test {
 struct ExerciseScene {
     std::shared_ptr<const LayeredTooth> tooth;
     Expected<TriangleMesh> ideal = TriangleMesh{};
+    std::shared_ptr<const SurfacePart> neighbours;  ///< uncut; null: the exercise has none
 
     [[nodiscard]] static const ExerciseScene& of(const Exercise& exercise);
     /// What the work is compared with: all but `prepared`. Needs the ideal.

@@ -14,7 +14,6 @@ namespace tactooth {
 namespace {
 
 constexpr double kSpacing = 0.05;  // mm between two lines of the volumes: 0.2 % of a cavity of 4 x 3 mm
-
 using All = const PreparationMeasures&;
 
 Measured noHand(All m) { return Measured::none(m.hasSession ? msg::kNeverTouched : msg::kNoSession); }
@@ -250,6 +249,20 @@ constexpr std::array kMetrics = {
                       [](All m) { return m.damage.neighbourNicks; },
                       "Number of these that are deeper than 0.2 mm and would need a filling.", "隣在歯の欠けの数",
                       "そのうち、深さが 0.2 mm を超え、修復が必要なものの数。", ValueForm::Count},
+    PreparationMetric{"contact_gap_gingival", "Contact opened, gingival", "mm", Better::Neither,
+                      [](All m) { return m.contact.gingival; },
+                      "Smallest distance from the gingival margin of a proximal box to the tooth beside; 0 where the "
+                      "box does not reach the outside. About 0.5 mm are asked for (notes after Sturdevant).",
+                      "接触点の離開（歯肉側）",
+                      "隣接面窩洞の歯肉側の窩縁から隣在歯までの最短距離。窩洞が外面に達していなければ 0。"
+                      "約 0.5 mm が求められる（Sturdevant による講義資料）。"},
+    PreparationMetric{"contact_gap_buccal", "Contact opened, buccal", "mm", Better::Neither,
+                      [](All m) { return m.contact.buccal; },
+                      "The same from its buccal margin. 0.2 to 0.5 mm are asked for.", "接触点の離開（頬側）",
+                      "頬側の窩縁についての同じ距離。0.2 ～ 0.5 mm が求められる。"},
+    PreparationMetric{"contact_gap_lingual", "Contact opened, lingual", "mm", Better::Neither,
+                      [](All m) { return m.contact.lingual; }, "The same from its lingual margin.",
+                      "接触点の離開（舌側）", "舌側の窩縁についての同じ距離。"},
     PreparationMetric{"forbidden_volume", "Cut in forbidden zones", "mm^3", Better::Lower,
                       [](All m) { return m.forbiddenVolume; },
                       "Volume that was removed below the outlines of the exercise's forbidden zones.",
@@ -452,6 +465,7 @@ PreparationMeasures::PreparationMeasures(const Preparation& preparation, const R
       extent(cavityExtent(preparation, surfaces)),
       undercut(tactooth::undercut(preparation, surfaces)),
       damage(tissueDamage(preparation, surfaces)),
+      contact(contactGap(preparation, surfaces)),
       unsupportedEnamel(tactooth::unsupportedEnamel(preparation, surfaces)),
       margin(marginLine(preparation, surfaces)),
       occlusal(occlusalReduction(preparation, surfaces)),

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assessment/gauge/contact_gap.h"
 #include "assessment/metric_table.h"
 #include "assessment/preparation/cavity_extent.h"
 #include "assessment/preparation/cavity_form.h"
@@ -42,6 +43,7 @@ struct PreparationMeasures {
     CavityExtent extent;
     Undercut undercut;
     TissueDamage damage;
+    ContactGap contact;
     Measured unsupportedEnamel;
     MarginLine margin;
     OcclusalReduction occlusal;
