@@ -67,9 +67,9 @@ std::string levelsTable(const StudyReport& report, Language language) {
     return text + "</table>\n";
 }
 
-std::string amountText(const HandHabit& habit, double amount, Language language) {
+std::string amountText(const HandHabit& habit, double amount) {
     if (habit.unit == "1") return fmt::format("{:.0f} %", 100 * amount);
-    return fmt::format("{:.2f}{}{}", amount, language == Language::English ? " " : " ", habit.unit);
+    return fmt::format("{:.2f} {}", amount, habit.unit);
 }
 
 std::string habitsTable(const StudyReport& report, Language language) {
@@ -82,7 +82,7 @@ std::string habitsTable(const StudyReport& report, Language language) {
             text += "<tr>" + cell(each.habit->title->in(language)) + cell("");
             for (const StudyTrial& trial : report.trials) {
                 if (trial.hand.varied != each.habit) continue;
-                text += cell(amountText(*each.habit, trial.hand.habits.*each.habit->value, language), kNumber);
+                text += cell(amountText(*each.habit, trial.hand.habits.*each.habit->value), kNumber);
             }
             text += cell("") + "</tr>\n";
             last = each.habit;
