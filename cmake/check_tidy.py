@@ -4,9 +4,10 @@
 """Runs clang-tidy with the checks of .clang-tidy on the files changed since checks/first_checked_commit.txt.
 
 Usage: check_tidy.py BUILD_FOLDER    (the folder holds compile_commands.json)
-TACTOOTH_TIDY=all checks every file. Without it the newest changes come first, and the run ends after TACTOOTH_TIDY_SECONDS
-(default 120) and says how many files are left: a file takes 10 s of a core. A file that has passed is not checked again until it, a header that it
-includes, its compiler options or .clang-tidy change (marks in BUILD_FOLDER/tidy), so that the next run continues.
+TACTOOTH_TIDY=all checks every file. Without it the newest changes come first, and the run ends after
+TACTOOTH_TIDY_SECONDS (default 120) and says how many files are left: a file takes 10 s of a core. A file that has passed is
+not checked again until it, a header that it includes, its compiler options or .clang-tidy change (marks in
+BUILD_FOLDER/tidy), so that the next run continues.
 It ends with 77 (skipped) where clang-tidy, compile_commands.json or the history is missing.
 """
 import hashlib
