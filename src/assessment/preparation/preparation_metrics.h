@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "assessment/gauge/contact_gap.h"
 #include "assessment/metric_table.h"
 #include "assessment/preparation/cavity_extent.h"
 #include "assessment/preparation/cavity_form.h"
+#include "assessment/preparation/contact_gap.h"
 #include "assessment/preparation/margin_line.h"
 #include "assessment/preparation/occlusal_reduction.h"
 #include "assessment/preparation/prepared_volumes.h"

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "assessment/preparation/column_grid.h"
+#include "assessment/gauge/column_grid.h"
 #include "assessment/preparation/preparation.h"
 
 namespace tactooth {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/preparation/column_grid.h"
+#include "assessment/gauge/column_grid.h"
 
 namespace tactooth {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Tactooth authors
 // SPDX-License-Identifier: Apache-2.0
-#include "assessment/gauge/contact_gap.h"
+#include "assessment/preparation/contact_gap.h"
 
 #include <algorithm>
 #include <array>
