@@ -3,7 +3,11 @@
 #include "assessment/preparation/undercut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "assessment/messages.h"
 #include "assessment/preparation/cut_patch.h"
@@ -72,14 +76,14 @@ std::vector<Vec3> directionsAround(const Vec3& axis) {
     return directions;
 }
 
-/// Whether each of the facets `from` to `to` is hidden along `direction`, though it does not face away from it.
-void findHidden(const Surface& prepared, const std::vector<Facet>& facets, const Vec3& direction, std::size_t from,
-                std::size_t to, std::vector<std::uint8_t>& isHidden) {
+using RowMarks = std::array<std::uint8_t, kRow>;
+
+/// Whether each facet of a row is hidden along `direction`, though it does not face away from it.
+void findHidden(const Surface& prepared, std::span<const Facet> row, const Vec3& direction, RowMarks& isHidden) {
     parallelFor(
-        to - from,
-        [&](std::size_t offset) {
-            const std::size_t i = from + offset;
-            const Facet& facet = facets[i];
+        row.size(),
+        [&](std::size_t i) {
+            const Facet& facet = row[i];
             const double cosine = facet.normal.dot(direction);
             // Along a wall that faces away by less than a degree, so that its ray does not run into it.
             const Vec3 ray = cosine < 0 ? Vec3((direction - cosine * facet.normal).normalized()) : direction;
@@ -93,12 +97,12 @@ void findHidden(const Surface& prepared, const std::vector<Facet>& facets, const
 /// area is not less than `limit`, any that is not.
 double undercutAlong(const Surface& prepared, const std::vector<Facet>& facets, const Vec3& direction,
                      double facingAway, double limit) {
-    std::vector<std::uint8_t> isHidden(facets.size());
+    RowMarks isHidden;
     double area = facingAway;
     for (std::size_t from = 0; from < facets.size() && area < limit; from += kRow) {
-        const std::size_t to = std::min(from + kRow, facets.size());
-        findHidden(prepared, facets, direction, from, to, isHidden);
-        for (std::size_t i = from; i < to; ++i) area += isHidden[i] != 0 ? facets[i].area : 0;
+        const std::span<const Facet> row = std::span(facets).subspan(from, std::min(kRow, facets.size() - from));
+        findHidden(prepared, row, direction, isHidden);
+        for (std::size_t i = 0; i < row.size(); ++i) area += isHidden[i] != 0 ? row[i].area : 0;
     }
     return area;
 }
