@@ -20,7 +20,6 @@
 #include "session/simulation/cut_model.h"
 #include "session/simulation/session_voxel.h"
 #include "session/simulation/tooth_cache.h"
-#include "session/simulation/tooth_in_mouth.h"
 
 namespace tactooth {
 namespace {
@@ -173,13 +172,18 @@ Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exer
     return std::make_shared<const LayeredTooth>(std::move(*tooth));
 }
 
+std::optional<ToothInMouth> exerciseMouth(const Exercise& exercise) {
+    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
+    if (request == nullptr || !exercise.inMouth) return std::nullopt;
+    const MouthRequest mouth{.triangles = request->triangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
+    Expected<ToothInMouth> made = toothInMouth(request->fdi, std::nullopt, mouth, ToothCache(defaultCacheFolder()));
+    if (!made) return std::nullopt;
+    return std::move(*made);
+}
+
 std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exercise) {
     std::vector<std::shared_ptr<const SurfacePart>> gums;
-    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
-    if (request == nullptr || !exercise.inMouth) return gums;
-    const MouthRequest mouth{.triangles = request->triangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
-    const Expected<ToothInMouth> made =
-        toothInMouth(request->fdi, std::nullopt, mouth, ToothCache(defaultCacheFolder()));
+    const std::optional<ToothInMouth> made = exerciseMouth(exercise);
     if (!made) return gums;
     for (const ToothInMouth::Body& body : made->around) {
         if (body.isGingiva && !body.isOpposite) gums.push_back(body.part);

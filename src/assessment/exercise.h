@@ -18,6 +18,7 @@
 #include "instruments/builtin_tooth.h"
 #include "instruments/hand_instruments.h"
 #include "instruments/handpiece_kind.h"
+#include "session/simulation/tooth_in_mouth.h"
 #include "session/simulation/tooth_source.h"
 
 namespace tactooth {
@@ -217,6 +218,10 @@ struct BurPath {
 
 /// The uncut tooth of the exercise. Takes a second; fails with one sentence.
 [[nodiscard]] Expected<std::shared_ptr<const LayeredTooth>> exerciseTooth(const Exercise& exercise);
+
+/// The mouth around the tooth of the exercise, in its frame; nothing: it stands alone. Takes some seconds the first
+/// time.
+[[nodiscard]] std::optional<ToothInMouth> exerciseMouth(const Exercise& exercise);
 
 /// The gums around the tooth of the exercise, in its frame; empty: it stands alone. Takes some seconds the first time.
 [[nodiscard]] std::vector<std::shared_ptr<const SurfacePart>> exerciseGums(const Exercise& exercise);

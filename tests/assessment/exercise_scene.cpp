@@ -3,11 +3,10 @@
 #include "assessment/exercise_scene.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "session/simulation/tooth_cache.h"
-#include "session/simulation/tooth_in_mouth.h"
 #include "support/materials.h"
 
 namespace tactooth::test {
@@ -16,10 +15,7 @@ namespace {
 
 /// The uncut teeth beside; null where the exercise has none.
 std::shared_ptr<const SurfacePart> neighboursOf(const Exercise& exercise) {
-    const auto* request = std::get_if<ToothRequest>(&exercise.tooth);
-    if (request == nullptr || !exercise.inMouth) return nullptr;
-    const MouthRequest mouth{.triangles = request->triangles, .seed = 0, .jaw = JawPose::Open, .missing = {}};
-    const auto made = toothInMouth(request->fdi, std::nullopt, mouth, ToothCache(defaultCacheFolder()));
+    const std::optional<ToothInMouth> made = exerciseMouth(exercise);
     if (!made) return nullptr;
     TriangleMesh mesh;
     for (const BuiltinTooth& tooth : made->beside) append(mesh, tooth.outer);
